@@ -100,7 +100,7 @@ Rational velocity_before_along(const BasicCollision<Rational>& c, const Vector3<
          c.b.angular_velocity.dot((c.point - c.b.position).cross(x));
 }
 
-/// Two vectors that span the plane normal to N, found by exchanging components of N.
+/// Two vectors that span the plane normal to N.
 std::array<Vector3<Rational>, 2> tangents(const Vector3<Rational>& n) {
   const int largest =
       n[0] * n[0] >= n[1] * n[1] ? (n[0] * n[0] >= n[2] * n[2] ? 0 : 2) : (n[1] * n[1] >= n[2] * n[2] ? 1 : 2);

@@ -8,7 +8,7 @@
 
 #include <carom/oracles/exact/rational.hpp>
 
-/// Only the files that use CGAL include this header. It is not installed.
+/// Only files that use CGAL include this header. It is not installed.
 namespace carom::oracles {
 
 /// Reads and makes the CGAL number that a Rational stores in its bytes.

@@ -12,8 +12,7 @@
 namespace carom::oracles {
 namespace {
 
-/// The factor √(from / to) that converts a coefficient of √from into a coefficient of √to. Throws std::logic_error if
-/// the factor is irrational.
+/// √(from / to), which converts a coefficient of √from into one of √to. Throws std::logic_error if it is irrational.
 Rational change_of_root(const Rational& from, const Rational& to) {
   RootBelow ratio = root_below(from / to);
   if (!ratio.is_exact) {
@@ -45,7 +44,6 @@ Radical Radical::root_of(const Rational& x) {
 template <class Operation>
 Radical Radical::combined(const Radical& x, const Radical& y, const Operation& operation) {
   if (!x.is_rational() && !y.is_rational() && x.under_root_ != y.under_root_) {
-    // Write y with the root of x.
     const Rational coefficient = y.coefficient_ * change_of_root(y.under_root_, x.under_root_);
     return combined(x, {y.rational_, coefficient, x.under_root_}, operation);
   }

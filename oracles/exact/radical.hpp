@@ -12,12 +12,11 @@ namespace carom::oracles {
 
 class Radical;
 
-/// −1, 0 or 1.
+/// The sign: −1, 0 or 1.
 [[nodiscard]] int sign_of(const Radical& number);
 
-/// The exact number p + q √s with rational p, q and s ≥ 0. The exact answer of the law `rough` (laws/rough.hpp)
-/// consists of such numbers. Two numbers cannot be combined if their roots √s differ by more than a rational factor.
-/// The law needs only one root for each collision. √s is irrational if q is not zero.
+/// The exact number p + q √s with rational p, q and s ≥ 0. If q is not zero, √s is irrational. The exact answer of the
+/// law `rough` (laws/rough.hpp) consists of such numbers, with one root for each collision.
 class Radical {
  public:
   Radical() = default;
@@ -75,10 +74,10 @@ class Radical {
 /// A rational with a relative error of at most 2⁻¹⁵⁰.
 [[nodiscard]] Rational approximately(const Radical& number);
 
-/// Accurate to one unit in the last place. Use it for sensitivities and for print.
+/// The number, accurate to one unit in the last place.
 [[nodiscard]] double to_double(const Radical& number);
 
-/// The nearest binary64 number, except if the number is within 2⁻¹⁵⁰ of the middle between two binary64 numbers.
+/// The nearest binary64 number. A number within 2⁻¹⁵⁰ of the middle between two neighbours may round to either.
 [[nodiscard]] double nearest_double(const Radical& number);
 
 /// "p + q √(s)", or "p" if the number is rational.

@@ -117,7 +117,7 @@ std::ostream& operator<<(std::ostream& out, const Rational& number) {
 
 Rational lift(long double number) {
   CAROM_EXPECTS(std::isfinite(number), number);
-  // The loop splits the mantissa into doubles, so it works for every format of long double.
+  // Splitting the mantissa into doubles works for every format of long double.
   int exponent = 0;
   Rational result;
   for (long double rest = std::frexp(number, &exponent); rest != 0;) {

@@ -14,20 +14,17 @@
 
 namespace carom::oracles {
 
-/// An exact rational number, which hides a CGAL::Gmpq. Every finite floating-point number is a rational number. Only
-/// the files that include gmpq.hpp see CGAL, for two reasons. CGAL's headers take seconds to compile. The operators of
-/// Gmpq are some hundred functions, which would take part in overload resolution for each sum and product of matrices.
+/// An exact rational number, such as any finite floating-point number. It hides a CGAL::Gmpq (gmpq.hpp), because CGAL's
+/// headers take seconds to compile, and its hundred operators would join each overload resolution.
 class Rational {
  public:
   Rational();  // zero
-  /// An int converts implicitly, because formulas contain 0, 1 and 2. A double would lose its fraction in the
-  /// conversion to int, so no other type is accepted.
+  /// Only an int converts implicitly, because formulas contain 0, 1 and 2. A double would lose its fraction.
   template <std::same_as<int> Int>
   Rational(Int whole) : Rational(whole, 1) {}  // NOLINT(google-explicit-constructor)
   /// Precondition: the denominator is not zero.
   Rational(int numerator, int denominator);
-  /// The number itself, without rounding. Precondition: the number is finite. CGAL ends the process for any other
-  /// number.
+  /// The number itself, without rounding. Precondition: the number is finite.
   explicit Rational(double number);
   /// An integer in decimal digits.
   explicit Rational(const std::string& digits);
@@ -61,7 +58,6 @@ class Rational {
     return left.compared_with(right) <=> 0;
   }
   friend Rational abs(const Rational& number) { return number < 0 ? -number : number; }
-  /// Writes the text of `to_text`.
   friend std::ostream& operator<<(std::ostream& out, const Rational& number);
   friend double to_double(const Rational& number);
   friend int sign_of(const Rational& number);
@@ -77,7 +73,7 @@ class Rational {
   alignas(void*) std::array<std::byte, sizeof(void*)> number_;  // CGAL's handle of shared, reference-counted digits
 };
 
-/// The number itself, without rounding. Precondition: finite.
+/// The number itself, without rounding. Precondition: the number is finite.
 [[nodiscard]] Rational lift(long double number);
 
 /// Precondition: every number of the collision is finite.
@@ -86,13 +82,13 @@ class Rational {
 /// Precondition: every number of the outcome is finite.
 [[nodiscard]] Outcome<Rational> lift(const Outcome<long double>& outcome);
 
-/// Accurate to one unit in the last place. Use it for sensitivities and for print.
+/// The number, accurate to one unit in the last place.
 [[nodiscard]] double to_double(const Rational& number);
 
 /// The nearest binary64 number, ties to even.
 [[nodiscard]] double nearest_double(const Rational& number);
 
-/// −1, 0 or 1.
+/// The sign: −1, 0 or 1.
 [[nodiscard]] int sign_of(const Rational& number);
 
 /// √x rounded down, with a relative error of at most 2⁻¹⁶⁰. The root is exact if √x is rational. Precondition: x ≥ 0.

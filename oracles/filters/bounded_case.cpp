@@ -11,8 +11,8 @@
 namespace carom::oracles {
 namespace {
 
-/// An upper bound of the condition number κ of a symmetric positive definite matrix with eigenvalues a ≥ b ≥ c. κ = a/c
-/// = a · a b / det. With the trace t, a ≤ t and a b ≤ (t/2)². Hence κ ≤ t³ / (4 det).
+/// An upper bound of the condition number κ of a symmetric positive definite matrix with eigenvalues e₁ ≥ e₂ ≥ e₃ and
+/// trace t. κ = e₁ / e₃ = e₁ · e₁ e₂ / det ≤ t³ / (4 det), because e₁ ≤ t and e₁ e₂ ≤ (t/2)².
 double condition_bound(const Matrix3<Approximation>& matrix) {
   const double trace = (matrix(0, 0) + matrix(1, 1) + matrix(2, 2)).magnitude_above();
   const Vector3<Approximation> c0 = matrix.col(0);
@@ -41,7 +41,6 @@ bool is_known_to_six_digits(const Enclosure& x) {
   return x.is_exactly_zero() || x.radius() < bounded_case_bounds::known_radius_of_normal_velocity * x.magnitude_below();
 }
 
-/// A lower bound of ‖y‖.
 double norm_below(const Vector3<Approximation>& y) {
   return std::sqrt(y[0].magnitude_below() * y[0].magnitude_below() + y[1].magnitude_below() * y[1].magnitude_below() +
                    y[2].magnitude_below() * y[2].magnitude_below());

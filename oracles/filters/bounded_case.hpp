@@ -15,9 +15,9 @@
 
 namespace carom::oracles {
 
-/// Facts about a valid collision, in arithmetic with error bounds. The filters, fast decisions by bounds, use them.
-/// Each fact is computed on first use. For one thread. N is the normal, V⁻ the relative velocity before the impulse.
-/// y_k are the vectors of an outcome, y_k⁻ those before the impulse.
+/// Facts about a valid collision in arithmetic with error bounds, each computed on first use. For one thread. N is the
+/// normal, V⁻ the relative velocity before the impulse. y_k are the vectors of an outcome, y_k⁻ those before the
+/// impulse.
 class BoundedCase {
  public:
   /// Precondition: validate(collision) is empty.
@@ -29,8 +29,7 @@ class BoundedCase {
   [[nodiscard]] const BasicCollision<Enclosure>& enclosed() const;
   [[nodiscard]] const BasicCollision<Approximation>& approximate() const;
 
-  /// Whether the collision is moderate (moderate.hpp). Its scales (yardstick.hpp) and sensitivities (sensitivity.hpp)
-  /// are then certainly finite.
+  /// Whether the collision is moderate (moderate.hpp), so that its scales and sensitivities are finite.
   [[nodiscard]] bool is_moderate() const;
 
   struct NormalVelocity {
@@ -43,53 +42,53 @@ class BoundedCase {
   /// An upper bound of Σ_q ‖∂(N·V⁻)/∂q‖ ‖q‖ over the quantities q (quantities.hpp).
   [[nodiscard]] double normal_velocity_sensitivity_above() const;
 
-  /// ‖y_k⁻‖. It is a term of every sensitivity, and so a lower bound of it.
+  /// ‖y_k⁻‖, a term and so a lower bound of every sensitivity.
   [[nodiscard]] const Sensitivity& norms_before() const;
 
-  /// The norms of the derivatives of an equation with respect to the vectors of an outcome. `differentiate` computes
-  /// them on first use.
+  /// The norms of an equation's derivatives with respect to the vectors of an outcome, by `differentiate` on first use.
   template <class Differentiate>
   [[nodiscard]] const PerVector<double>& slopes(AffineEquation equation, const Differentiate& differentiate) const {
     return slopes_[equation].get(differentiate);
   }
 
-  /// The collision, with its numbers as inputs of differentiation.
+  /// The collision as the input of differentiation.
   [[nodiscard]] const DualInputs<double, collision_inputs>& differentiated() const;
 
-  /// The law's answer to a contact that collides, to about 100 bits, with error bounds. `certify` cannot check it,
-  /// because rounded numbers satisfy no equation exactly. Preconditions: those of the function `colliding_truth`
-  /// (models.hpp).
+  /// The law's answer to a contact that collides, to about 100 bits, with error bounds. Preconditions: those of the
+  /// function `colliding_truth` (models.hpp).
   [[nodiscard]] const Truth<Enclosure>& colliding_truth(Law law, Branch branch) const;
 
-  /// ‖y_k⁻‖ + ½ ‖y_k‖ for the answer y of `colliding_truth`: a lower bound of its sensitivity that costs much less. The
-  /// answer is homogeneous of degree one in the velocities. So the sensitivity's sum over the velocities alone is at
-  /// least ‖y_k‖ (Euler). The factor ½ covers the rounding of this bound and of the sensitivity, which keeps ten
-  /// digits. Preconditions: is_moderate(), and those of `colliding_truth`.
+  /// A cheap lower bound of the sensitivity of the answer y of `colliding_truth`: ‖y_k⁻‖ + ½ ‖y_k‖. y is homogeneous of
+  /// degree one in the velocities, so the sensitivity's sum over the velocities alone is at least ‖y_k‖ (Euler). The
+  /// factor ½ covers the rounding of this bound and of the sensitivity, which keeps ten digits. Preconditions:
+  /// is_moderate(), and those of `colliding_truth`.
   [[nodiscard]] const Sensitivity& colliding_sensitivity_below(Law law, Branch branch) const;
 
-  /// Whether F by the law `rough` lies inside the friction cone, and whether F can lie on its surface (models.hpp). No
-  /// value if the bounds do not decide. Precondition: a body is movable.
+  /// Whether F by the law `rough` lies inside the friction cone (models.hpp). No value if the bounds do not decide it.
+  /// Precondition: a body is movable.
   [[nodiscard]] std::optional<bool> is_inside_cone() const;
+  /// Whether F by the law `rough` can lie on the surface of the cone, with the same precondition.
   [[nodiscard]] std::optional<bool> reaches_cone() const;
 
   /// Whether the sensitivity of `rough` on the cone's surface is certainly finite. Preconditions: is_moderate(); a body
   /// is movable.
   [[nodiscard]] bool has_clear_divisor() const;
 
-  /// Whether bounds show that the condition number κ(K) is below 2²⁰. A sensitivity in binary64 has a relative error of
-  /// about κ(K) u, so it then keeps ten digits.
+  /// Whether bounds show that the condition number κ(K) is below 2²⁰. A sensitivity in binary64, with a relative error
+  /// of about κ(K) u, then keeps ten digits.
   [[nodiscard]] bool is_well_conditioned() const;
 
-  /// The collision matrix K and λ = 1/m_A + 1/m_B, with bounds.
+  /// The collision matrix K.
   [[nodiscard]] const Matrix3<Approximation>& collision_matrix() const { return approximate_response().matrix; }
+  /// λ = 1/m_A + 1/m_B.
   [[nodiscard]] Approximation approximate_inverse_mass() const { return inverse_mass(approximate()); }
   [[nodiscard]] const Enclosure& enclosed_inverse_mass() const;
 
-  /// A lower bound of Σ_q ‖∂K/∂q‖ ‖q‖: half of λ, or half of ‖K‖_F if ‖K‖_F is larger than λ and than its rounding
-  /// errors (bounded_case_bounds.hpp). Precondition: is_moderate().
+  /// A lower bound of Σ_q ‖∂K/∂q‖ ‖q‖: half of λ, or half of ‖K‖_F if it exceeds λ and its own rounding errors
+  /// (bounded_case_bounds.hpp). Precondition: is_moderate().
   [[nodiscard]] double collision_matrix_sensitivity_below() const;
 
-  /// The inertia tensor of a body in world coordinates, rounded. The tensor is zero if the body is immovable.
+  /// The inertia tensor of a body in world axes, rounded; zero if the body is immovable.
   [[nodiscard]] const Matrix3<double>& inertia_of_a() const { return inertia_tensors().a; }
   [[nodiscard]] const Matrix3<double>& inertia_of_b() const { return inertia_tensors().b; }
 

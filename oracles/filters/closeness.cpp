@@ -40,8 +40,7 @@ bool Closeness::shows(const Equation& equation) const {
   return is_of_normal_velocity && knows_normal_velocity();
 }
 
-/// The slopes of N·V⁺, the norms of its derivatives, are ‖N‖ for velocities and ‖r × N‖ for angular velocities. r × N
-/// cancels if r is along N.
+/// The slopes of N·V⁺ are ‖N‖ for velocities and ‖r × N‖ for angular velocities. r × N cancels if r is along N.
 bool Closeness::knows_normal_velocity() const {
   const Collision& c = bounds_->collision();
   const double normal = c.normal.norm();
@@ -57,9 +56,9 @@ bool Closeness::knows_normal_velocity() const {
   return noise <= closeness_bounds::share_for_noise * scale;
 }
 
-/// For a body, the slopes of E⁺ − W (equation::Energy) are ‖m (v̂ − u)‖ and ‖J ŵ‖. u is the velocity of the other body
-/// at the contact point if that body is immovable, otherwise 0. The slopes cancel if the body is nearly at rest after
-/// the impulse, or moves with the immovable body.
+/// For a body, the slopes of E⁺ − W (equation::Energy) are ‖m (v̂ − u)‖ and ‖J ŵ‖. u is the velocity of an immovable
+/// other body at the contact point, or 0. They cancel if the body is nearly at rest after the impulse, or moves with
+/// the other body.
 bool Closeness::shows_energy() const {
   if (bounds_ == nullptr || !creates_no_energy(law_)) {
     return false;
@@ -86,7 +85,7 @@ bool Closeness::shows_energy() const {
     return is_close_[v] && is_close_[w];
   };
   const Outcome<double>& after = outcome_->rounded();
-  // If every error is zero, no law can fail. Otherwise the scale must be large enough for `compare`.
+  // Without errors the equation holds, as for the truth. Otherwise `compare` needs a large enough scale.
   const bool is_exact = std::all_of(error_above_.begin(), error_above_.end(), [](double above) { return above == 0; });
   return add_body(c.a, after.a, c.b, bounds_->inertia_of_a(), OutcomeVector::velocity_of_a,
                   OutcomeVector::angular_velocity_of_a) &&

@@ -8,13 +8,13 @@
 
 namespace carom::oracles {
 
-/// Shows that an outcome ŷ satisfies equations within the allowance because it is close to the truth y, a law's exact
-/// answer. The equations then need no evaluation.
+/// Shows, without evaluation, that an outcome ŷ satisfies equations because it is close to the truth y, a law's exact
+/// answer.
 ///
-/// The truth satisfies each equation exactly. `certify` substitutes the truth into the equations that define the law.
-/// closeness_test.cpp checks the other equations and the inequalities. An equation g is affine in the outcome, or
-/// convex (the kinetic energy). So the residual of g is at most Σ_k ‖∂g/∂ŷ_k‖ ‖ŷ_k − y_k‖. closeness_bounds.hpp shows
-/// that this sum, with all rounding, is within the allowance.
+/// The truth satisfies each equation exactly: `certify` checks the equations that define the law, and
+/// closeness_test.cpp the others. An equation g is affine in the outcome, or convex (the kinetic energy). So the
+/// residual of g is at most Σ_k ‖∂g/∂ŷ_k‖ ‖ŷ_k − y_k‖. closeness_bounds.hpp shows that this sum, with all rounding, is
+/// permitted.
 class Closeness {
  public:
   /// A closeness that shows nothing.
@@ -28,11 +28,10 @@ class Closeness {
   /// Whether closeness shows that the equation holds. Precondition: the equation applies to this collision.
   [[nodiscard]] bool shows(const Equation& equation) const;
 
-  /// Whether closeness shows that equation::Energy holds.
   [[nodiscard]] bool shows_energy() const;
 
-  /// Whether closeness shows that the impulse leaves the vectors unchanged, to within the allowance times ‖y_k⁻‖. y_k⁻
-  /// is the vector before the impulse. Precondition: the truth leaves these vectors unchanged.
+  /// Whether closeness shows that each of these vectors differs from its value y_k⁻ before the impulse by at most the
+  /// allowance times ‖y_k⁻‖. Precondition: the truth leaves these vectors unchanged.
   [[nodiscard]] bool shows_untouched(std::span<const OutcomeVector> which) const;
 
  private:

@@ -13,10 +13,10 @@ namespace carom::oracles {
 [[nodiscard]] std::optional<bool> is_positive_semidefinite(const Matrix3<Enclosure>& matrix);
 [[nodiscard]] std::optional<bool> is_positive_semidefinite(const Matrix3<Approximation>& matrix);
 
-/// Whether bound · I ⪯ M. Enclosures decide if they can; otherwise rationals decide.
+/// Whether bound · I ⪯ M, by enclosures if they decide it, otherwise by rationals.
 [[nodiscard]] bool is_at_least_by_enclosures(const Matrix3<Rational>& matrix, const Rational& bound);
 
-/// Whether M ⪯ bound · I. Enclosures decide if they can; otherwise rationals decide.
+/// Whether M ⪯ bound · I, by enclosures if they decide it, otherwise by rationals.
 [[nodiscard]] bool is_at_most_by_enclosures(const Matrix3<Rational>& matrix, const Rational& bound);
 
 }  // namespace carom::oracles

@@ -15,8 +15,7 @@
 
 namespace carom::oracles {
 
-/// A collision matrix in several number types, reported by a subject (a solver under test) or computed in ℚ. For one
-/// thread.
+/// A collision matrix in several number types, reported by a subject or computed in ℚ. For one thread.
 class LiftedMatrix {
  public:
   explicit LiftedMatrix(const Matrix3<long double>& reported) : reported_(reported) {}
@@ -37,8 +36,8 @@ class LiftedMatrix {
         [this]() -> Matrix3<Rational> { return reported_->unaryExpr([](long double x) { return lift(x); }); });
   }
 
-  /// The matrix in numbers of type T: exact rationals, or approximations and enclosures with their bounds. Any other T
-  /// is rounded. Precondition for approximations: `reported` is not nullptr.
+  /// The matrix in numbers of type T: exact, or with error bounds, or rounded. Precondition for approximations:
+  /// `reported` is not nullptr.
   template <class T>
   [[nodiscard]] Matrix3<T> in() const {
     CAROM_EXPECTS((reported_ || !std::is_same_v<T, Approximation>));

@@ -6,16 +6,13 @@
 #include <carom/collision/collision.hpp>
 #include <carom/oracles/numbers/quantities.hpp>
 
-/// A collision is moderate if its numbers have ordinary sizes, so that no number computed from them leaves the range of
-/// binary64.
+/// A collision is moderate if its numbers have such sizes that no computed number leaves the range of binary64.
 namespace carom::oracles {
 
 /// The limits of the nonzero numbers of a moderate collision. Zeros are moderate.
 inline constexpr double smallest_moderate = 0x1p-64;
 inline constexpr double largest_moderate = 0x1p+44;
-/// The upper limit of masses.
 inline constexpr double largest_moderate_mass = 0x1p+64;
-/// The limits of moments of inertia.
 inline constexpr double smallest_moderate_moment = 0x1p-104;
 inline constexpr double largest_moderate_moment = 0x1p+104;
 /// The limits of the components of normals and orientations. Only the direction of these vectors matters.
@@ -24,8 +21,8 @@ inline constexpr double largest_moderate_direction = 0x1p+110;
 /// The upper limit of the components of an outcome. They may be arbitrarily small.
 inline constexpr double largest_moderate_outcome = 0x1p+63;
 
-/// The constants of inequalities (2) to (5) of `is_moderate`. A test runs the laws over the type Magnitude, which
-/// carries logarithms of sizes, to find them (docs/internals/bounds.md).
+/// The constants of inequalities (2) to (5) of `is_moderate`. Tests find them by running the laws over the type
+/// Magnitude, which carries logarithms of sizes (docs/internals/bounds.md).
 inline constexpr double largest_scale_of_moderate = 0x1p+245;
 inline constexpr double largest_scale_of_moderate_friction = 0x1p+569;
 inline constexpr double largest_sensitivity_of_moderate = 0x1p+594;
@@ -40,7 +37,7 @@ inline constexpr double least_slope_of_moderate = 0x1p-280;
 ///       equations of friction it is at most 2⁵⁶⁹, because they are quadratic in the outcome.
 ///   (3) Σ_q ‖∂y_k/∂q‖ ‖q‖ + ‖y_k⁻‖ ≤ 2⁵⁹⁴ for the exact answer y of each of `linear_laws`, by (1). Σ_q ‖∂K/∂q‖ ‖q‖ has
 ///       the same bound.
-///   (4) Every intermediate number is at most 2⁹²⁰, so that nothing overflows.
+///   (4) No intermediate number exceeds 2⁹²⁰, so nothing overflows.
 ///   (5) A slope ∂g/∂ŷ_k of an affine equation is zero or at least 2⁻²⁸⁰ in size.
 [[nodiscard]] inline bool is_moderate(const Collision& collision) {
   bool moderate = true;

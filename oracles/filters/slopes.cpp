@@ -5,7 +5,8 @@
 namespace carom::oracles {
 namespace {
 
-/// A collision with two movable bodies, in which no number is zero and no number occurs twice.
+/// A collision with two movable bodies, in which no number is zero or occurs twice, so that no derivative vanishes by
+/// chance.
 Collision general_collision() {
   Collision c;
   double next = 1;

@@ -15,8 +15,8 @@ template <class S, std::size_t N, int Size>
   return sides.left[row].derivative[input] - sides.right[row].derivative[input];
 }
 
-/// ‖∂g/∂ŷ_k‖, in the Frobenius norm, for the four vectors of an outcome. N is at least 12, the count of an outcome's
-/// numbers. R is the type of these numbers.
+/// ‖∂g/∂ŷ_k‖, in the Frobenius norm, for the four vectors of an outcome with numbers of type R. Precondition: N ≥ 12,
+/// the count of these numbers.
 template <class S, std::size_t N, class OneEquation, class R>
 [[nodiscard]] PerVector<S> output_slopes(const OneEquation& equation, const Collision& collision,
                                          const Outcome<R>& outcome) {
@@ -45,12 +45,11 @@ template <class S, class OneEquation, class R>
                              [&](std::size_t i, std::size_t j) -> S { return derivative_of(sides, i, j); });
 }
 
-/// ‖∂g/∂ŷ_k‖ for an equation that is affine in the outcome. These norms do not depend on the outcome. Precondition:
-/// name_of(equation) has a value.
+/// ‖∂g/∂ŷ_k‖ for an equation that is affine in the outcome, and so for every outcome. Precondition: name_of(equation)
+/// has a value.
 [[nodiscard]] PerVector<double> slopes_of(const Equation& equation, const Collision& collision);
 
-/// The vectors of an outcome that occur in an equation. A vector occurs if the derivative with respect to it is not
-/// zero, for a collision without zeros.
+/// For each vector of an outcome, whether the equation depends on it.
 [[nodiscard]] const PerVector<bool>& vectors_in(AffineEquation equation);
 
 }  // namespace carom::oracles

@@ -8,16 +8,15 @@
 
 namespace carom::oracles {
 
-/// The ways in which the judge decides a comparison, from cheap to expensive. The cheapest stage that can decide does
-/// so.
+/// The ways in which the judge decides a comparison. The first of these stages that can decide does so.
 enum class Stage { same_bits, closeness, approximation, enclosure, rational };
 
 inline constexpr std::array all_stages{Stage::same_bits, Stage::closeness, Stage::approximation, Stage::enclosure,
                                        Stage::rational};
 static_assert(counts_from_zero_to(all_stages, Stage::rational));
 
-/// For each stage, the number of comparisons that it has decided since the calling thread began. A verdict takes one or
-/// more comparisons.
+/// For each stage, the number of comparisons that it has decided in the calling thread. A verdict takes one or more
+/// comparisons.
 using StageCounts = EnumArray<Stage, std::uint64_t, all_stages.size()>;
 
 namespace detail {
@@ -28,9 +27,8 @@ inline thread_local StageCounts stage_counts{};
 
 inline void count(Stage stage) { ++detail::stage_counts[stage]; }
 
-/// Below this allowance, approximations decide too seldom to be worth trying. Their error bound of an equation is at
-/// least n u times the sum of the sizes of its terms. n = 30 is the largest number of roundings of a term. The limit is
-/// some tens of n u.
+/// Below this allowance, approximations seldom decide: their error bound is at least n u times the sum of the sizes of
+/// an equation's terms, for up to n = 30 roundings of a term. The limit is 34 n u.
 inline constexpr double least_allowance_for_approximations = 0x1p-43;
 
 }  // namespace carom::oracles

@@ -15,8 +15,8 @@
 namespace carom::oracles {
 namespace {
 
-/// Twice the kinetic energy of the movable bodies: for each, m v² + Σ I_i w_i², with w_i the components of w along the
-/// body axes. Nothing cancels in the sum.
+/// Twice the kinetic energy of the movable bodies: Σ (m v² + Σ_i I_i w_i²), with w_i the components of w along the body
+/// axes.
 template <class T>
 T twice_energy(const BasicCollision<T>& collision, const Outcome<T>& change) {
   T sum(0);
@@ -44,7 +44,6 @@ std::optional<int> certain_sign(const Radical& x) { return sign_of(x); }
 template <class T>
 inline constexpr bool is_exact = std::is_same_v<T, Rational> || std::is_same_v<T, Radical>;
 
-/// The collision and the outcome in the field of the truth, which is a law's exact answer: ℚ or ℚ(√s).
 template <class T>
 BasicCollision<T> collision_in(const ExactCase& exact_case) {
   return map_numbers<T>(exact_case.collision(), [](double number) { return T(number); });
@@ -65,8 +64,7 @@ std::optional<bool> relative_error_at_most(double bound, const BasicCollision<T>
   return sign ? std::optional<bool>(*sign >= 0) : std::nullopt;
 }
 
-/// The deviation of an outcome from the truth, as numbers of type T, and the part of the accuracy that needs no
-/// sensitivity.
+/// The error of each vector of an outcome, and the part of the accuracy that needs no sensitivity.
 template <class T>
 struct Deviation {
   PerVector<Components<T>> of_vector;
@@ -105,14 +103,14 @@ Deviation<T> deviation_of(const ExactCase& exact_case, Law law, Approach as, con
                                       ? exact_case.energy_norm_of_change(law, is_exact<T>, find_norm_of_change)
                                       : find_norm_of_change();
     const double ratio = norm_of_deviation / norm_of_change;
-    // If the squares leave the range of numbers, the error counts as infinite, so no digit counts as correct.
+    // If squares leave the range of numbers, the error counts as infinite.
     const bool is_known = norm_of_deviation > 0 && norm_of_change > 0 && std::isfinite(ratio);
     accuracy.relative_error = is_known ? ratio : std::numeric_limits<double>::infinity();
   }
   return result;
 }
 
-/// The accuracy with this sensitivity. No value if T cannot decide it, or is not precise enough for print.
+/// The accuracy with this sensitivity. No value if T does not decide it, or is not precise enough for print.
 template <class T>
 std::optional<Accuracy> accuracy_by(const Deviation<T>& deviation, const Sensitivity& sensitivity,
                                     const Yardstick& yardstick) {
@@ -126,8 +124,7 @@ std::optional<Accuracy> accuracy_by(const Deviation<T>& deviation, const Sensiti
     }
     result.allowed[k] = *allowed;
     if constexpr (!is_exact<T>) {
-      // A component is good enough for print if its radius is at most a thousandth of the component or of the
-      // allowance.
+      // A component is precise enough for print if its radius is at most a thousandth of it or of the permitted error.
       constexpr double thousandth = 0x1p-10;
       for (const T& component : deviation.of_vector[k]) {
         if (component.radius() > thousandth * std::max(component.magnitude_below(), allowance)) {
@@ -174,7 +171,7 @@ double digits_of(const BasicCollision<Rational>& collision, const Outcome<Ration
 
 namespace {
 
-/// The accuracy of the outcome, measured against the law's answer for the approach `as`.
+/// The accuracy against the law's answer for the approach `as`.
 Accuracy accuracy_as(const ExactCase& exact_case, Law law, Approach as, const LiftedOutcome& outcome,
                      const Yardstick& yardstick, double known) {
   const bool may_use_bounds = yardstick.filtered && yardstick.allowance() > 0;
@@ -199,8 +196,8 @@ Accuracy accuracy_as(const ExactCase& exact_case, Law law, Approach as, const Li
     }
     return accuracy_by(*enclosed, sensitivity, yardstick);
   };
-  // If a lower bound of the sensitivity allows an error, the sensitivity, which is finite for moderate numbers, allows
-  // it too. The errors do not depend on the sensitivity, so `known` does not change the reported errors.
+  // The sensitivity permits all that its lower bound permits, and is finite for moderate numbers. The reported errors
+  // do not depend on it, and so not on `known`.
   if (yardstick.uses_bounds() && known > 0 && as == exact_case.approach() && exact_case.is_moderate(law) &&
       outcome.is_moderate()) {
     const Sensitivity& below = exact_case.sensitivity_below(law);
@@ -256,7 +253,6 @@ Accuracy accuracy(const ExactCase& exact_case, Law law, const LiftedOutcome& out
   if (!passes(result, yardstick)) {
     return own;
   }
-  // If the outcome passes by both answers, the nearer answer counts.
   const bool is_nearer = result.backward_error(yardstick.unit_roundoff) < own.backward_error(yardstick.unit_roundoff);
   if (passes(own, yardstick) && !is_nearer) {
     return own;

@@ -25,8 +25,7 @@ struct Accuracy {
   /// Whether the error of every vector is within the yardstick.
   [[nodiscard]] bool is_allowed() const { return allowed == PerVector<bool>{true, true, true, true}; }
 
-  /// η = max_k error_k / (u · sensitivity_k), in ulps: the distance that the inputs would have to move to make the
-  /// outcome exact.
+  /// η = max_k error_k / (u · sensitivity_k): the number of ulps that the inputs must move to make the outcome exact.
   [[nodiscard]] double backward_error(double unit_roundoff) const;
 
   /// Correct decimal digits of the change of the velocities. The maximum, 40, means exact.
@@ -36,17 +35,16 @@ struct Accuracy {
   static constexpr PerVector<double> infinite{HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL};
 };
 
-/// Correct decimal digits of the change of the velocities of a computed outcome, compared with that of an exact outcome
-/// (see Accuracy::digits).
+/// Accuracy::digits of a computed outcome, compared with an exact outcome.
 [[nodiscard]] double digits_of(const BasicCollision<Rational>& collision, const Outcome<Rational>& exact,
                                const Outcome<Rational>& computed);
 
-/// The accuracy of an outcome by this law. If the case has two answers (ExactCase::has_two_answers), the accuracy
-/// refers to the answer by which the outcome passes. If the outcome passes by neither answer, it refers to the truth.
+/// The accuracy of an outcome by this law. Of two answers (ExactCase::has_two_answers), it refers to the one by which
+/// the outcome passes. If the outcome passes by neither, it refers to the truth.
 ///
-/// `known` saves time with a filtered yardstick. A backward error that is certainly at most `known` may be computed
-/// with a lower bound of the sensitivity. It is then too large, but at most `known`. Precondition: the law is one of
-/// `laws_with_truth`.
+/// `known` [ulps] saves time with a filtered yardstick: a backward error that is certainly at most `known` may be
+/// computed with a lower bound of the sensitivity. It is then too large, but at most `known`. Precondition: the law is
+/// one of `laws_with_truth`.
 [[nodiscard]] Accuracy accuracy(const ExactCase& exact_case, Law law, const LiftedOutcome& outcome,
                                 const Yardstick& yardstick, double known = 0);
 

@@ -32,8 +32,7 @@ Components<T> missing(const Sides<T, N>& sides, Relation relation, const IsPermi
   return result;
 }
 
-/// The components that `missing` may give, for numbers with error bounds. A component whose sign is uncertain is
-/// included.
+/// The components that `missing` may give. Components of uncertain sign are included.
 template <class OneEquation, class T>
 Components<T> maybe_missing(const OneEquation& equation, Relation relation, const BasicCollision<T>& collision,
                             const Outcome<T>& outcome) {
@@ -41,9 +40,9 @@ Components<T> maybe_missing(const OneEquation& equation, Relation relation, cons
                  [](const T& x, int sign) { return x.sign().value_or(-sign) != -sign; });
 }
 
-/// The loss of the outputs by underflow, divided by u. An operation that underflows has an error of η = u s, with η the
-/// least positive number and s = η/u. F, and the approach velocity from which F is computed, each have an error of u s.
-/// So r × F has an error of (1 + ‖r‖ + m ‖r‖) u s.
+/// The error of the outputs by underflow, divided by u. With η the least positive number and s = η/u, an operation that
+/// underflows has an error of η = u s. F and the approach velocity from which F is computed each have this error. So r
+/// × F has an error of (1 + ‖r‖ + m ‖r‖) u s.
 PerVector<double> lost_to_underflow(const Collision& c, double s) {
   PerVector<double> lost{};
   const auto add = [&](const Body& body, OutcomeVector velocity, OutcomeVector spin) {
@@ -60,9 +59,8 @@ PerVector<double> lost_to_underflow(const Collision& c, double s) {
   return lost;
 }
 
-/// ‖ŷ_k‖ + ‖y_k⁻‖ plus the loss by underflow. An output is the sum of a velocity before the impulse and a change, so
-/// its error is u times the larger of these terms. The size of the output alone would allow no error if the exact sum
-/// is zero.
+/// ‖ŷ_k‖ + ‖y_k⁻‖ plus the loss by underflow. ŷ_k is the sum of y_k⁻ and a change, so its error is u times the larger
+/// of these terms, even if the sum is zero.
 PerVector<double> sizes_of_outputs(const ExactCase& exact_case, const LiftedOutcome& outcome, double least_size) {
   PerVector<double> sizes = lost_to_underflow(exact_case.collision(), least_size);
   const PerVector<double> norms = outcome.norms();
@@ -82,14 +80,14 @@ S part_by_outputs(const PerVector<S>& slopes, const PerVector<double>& sizes) {
   return part;
 }
 
-/// Whether a scale can be multiplied by an allowance without leaving the range of binary64.
+/// Whether the product of a scale and an allowance stays in the range of binary64.
 template <class S>
 bool is_in_range(S scale) {
   return scale >= static_cast<S>(smallest_scale) && scale <= static_cast<S>(largest_scale);
 }
 
-/// Whether the slopes must be computed from all digits of the outcome. The slopes of an equation that is not affine may
-/// cancel, so that only the digits beyond binary64 remain.
+/// Whether the slopes (norms of derivatives) need all digits of the outcome, because they may cancel down to digits
+/// beyond binary64. Those of an affine equation do not depend on the outcome.
 template <class OneEquation>
 bool needs_all_digits(const OneEquation& equation, const LiftedOutcome& outcome) {
   if constexpr (std::is_convertible_v<const OneEquation&, Equation>) {
@@ -99,8 +97,7 @@ bool needs_all_digits(const OneEquation& equation, const LiftedOutcome& outcome)
   }
 }
 
-/// The part of the scale by outputs, in binary64. The case stores the slopes of an equation that is affine in the
-/// outcome.
+/// The part of the scale by outputs, in binary64. The case stores the slopes of an affine equation.
 template <class OneEquation>
 double part_by_outputs(const OneEquation& equation, const ExactCase& exact_case, const LiftedOutcome& outcome,
                        const PerVector<double>& sizes) {
@@ -117,14 +114,15 @@ double part_by_outputs(const OneEquation& equation, const ExactCase& exact_case,
   return part_by_outputs(output_slopes<double, outcome_inputs>(equation, collision, outcome.rounded()), sizes);
 }
 
-/// The second-order error of an equation that is quadratic in the outcome, divided by the allowance a. The slopes do
-/// not contain it. The outputs have errors s_k = a (‖ŷ_k‖ + ‖y_k⁻‖). So the energy has an error of (m s_v² + I s_w²) /
-/// 2 if its slopes vanish, for example for a body that moves with a moving wall.
+/// The second-order error of an equation that is quadratic in the outcome, divided by the allowance α. The slopes do
+/// not contain it. It is 0 for an affine equation.
 template <class OneEquation>
 double part_by_curvature(const OneEquation& /*affine*/, const ExactCase& /*exact_case*/,
                          const LiftedOutcome& /*outcome*/, double /*allowance*/) {
   return 0;
 }
+/// The outputs have errors δ_k = α (‖ŷ_k‖ + ‖y_k⁻‖). If the slopes vanish, as for a body that moves with a moving wall,
+/// the energy has an error of (m δ_v² + I δ_w²) / 2.
 double part_by_curvature(const equation::Energy& /*energy*/, const ExactCase& exact_case, const LiftedOutcome& outcome,
                          double allowance) {
   const PerVector<double> norms = outcome.norms();
@@ -140,8 +138,8 @@ double part_by_curvature(const equation::Energy& /*energy*/, const ExactCase& ex
                       of_body(c.b, OutcomeVector::velocity_of_b, OutcomeVector::angular_velocity_of_b));
 }
 
-/// F has an error of a m (‖ŷ_v‖ + ‖y_v⁻‖), with the mass and velocity of the body from which F is computed. If the
-/// slopes vanish, the squares of F have the square of this error.
+/// F has an error of α m (‖ŷ_v‖ + ‖y_v⁻‖), with the mass and velocity of the body that gives F. If the slopes vanish,
+/// ‖N × F‖² and (μ N·F)² have the square of this error.
 double part_by_curvature(const equation::FrictionCone& cone, const ExactCase& exact_case, const LiftedOutcome& outcome,
                          double allowance) {
   const Collision& c = exact_case.collision();
@@ -151,8 +149,8 @@ double part_by_curvature(const equation::FrictionCone& cone, const ExactCase& ex
   return allowance * impulse * impulse * (1 + c.friction * c.friction);
 }
 
-/// Friction and slip have errors of a times the velocities from which they are computed. If the slopes vanish, the
-/// error of the product of friction and slip is the product of their errors.
+/// Friction and slip have errors of α times the velocities that give them. If the slopes vanish, their product has the
+/// product of these errors.
 double curvature_of_friction_and_slip(bool read_off_a, const ExactCase& exact_case, const LiftedOutcome& outcome,
                                       double allowance) {
   const Collision& c = exact_case.collision();
@@ -176,7 +174,7 @@ double part_by_curvature(const equation::FrictionAgainstSlip& against, const Exa
   return curvature_of_friction_and_slip(against.read_off_a, exact_case, outcome, allowance);
 }
 
-/// V⁺ − V⁻ = C F for the collision matrix C that a subject (a solver under test) reports.
+/// V⁺ − V⁻ = C F for the collision matrix C that a subject reports.
 struct ByShownMatrix {
   const LiftedMatrix& shown;
   bool read_off_a;
@@ -187,8 +185,8 @@ struct ByShownMatrix {
   }
 };
 
-/// C stands for the exact matrix K, which the inputs determine. K has an error of a Σ_q ‖∂K/∂q‖_F ‖q‖ in the Frobenius
-/// norm. C F has ‖F‖ times this error.
+/// C stands for the exact K, whose permitted error is α Σ_q ‖∂K/∂q‖_F ‖q‖ (Frobenius norm). C F has ‖F‖ times this
+/// error.
 double part_by_curvature(const ByShownMatrix& by_matrix, const ExactCase& exact_case, const LiftedOutcome& outcome,
                          double allowance) {
   const Vector3<double> impulse = impulse_on_a(exact_case.collision(), outcome.rounded(), by_matrix.read_off_a);
@@ -214,7 +212,7 @@ bool is_moderate(const LiftedMatrix& shown) {
   return shown.reported() != nullptr && shown.reported()->cwiseAbs().maxCoeff() <= largest_moderate_outcome;
 }
 
-/// The scale of an equation, as the sum of all parts. No value if the sum leaves the range of numbers.
+/// The scale of an equation. No value if it leaves the range of numbers.
 template <class OneEquation>
 std::optional<double> scale_of(const OneEquation& equation, const ExactCase& exact_case, const LiftedOutcome& outcome,
                                const PerVector<double>& sizes, double allowance) {
@@ -238,8 +236,7 @@ std::optional<double> scale_of(const OneEquation& equation, const ExactCase& exa
   return wide == 0 || is_in_range(wide) ? std::optional<double>(static_cast<double>(wide)) : std::nullopt;
 }
 
-/// A lower bound of the scale that costs much less: the part by outputs alone. Precondition: `is_moderate` of the
-/// bounds and of the outcome.
+/// A cheap lower bound of the scale: the part by outputs. Precondition: the bounds and the outcome are moderate.
 template <class OneEquation>
 double part_of_scale(const OneEquation& equation, const ExactCase& exact_case, const LiftedOutcome& outcome,
                      const PerVector<double>& sizes) {
@@ -248,7 +245,7 @@ double part_of_scale(const OneEquation& equation, const ExactCase& exact_case, c
   return is_in_range(part) ? part : 0;
 }
 
-/// Whether approximations alone show that the equation holds. If false, nothing is known.
+/// Whether approximations show that the equation holds.
 template <class OneEquation>
 bool surely_holds(const OneEquation& equation, Relation relation, const ExactCase& exact_case,
                   const LiftedOutcome& outcome, const PerVector<double>& sizes, double allowance) {
@@ -260,7 +257,6 @@ bool surely_holds(const OneEquation& equation, Relation relation, const ExactCas
          norm_at_most(missed, allowance * part_of_scale(equation, exact_case, outcome, sizes)).value_or(false);
 }
 
-/// The two sides and their distance, rounded for print.
 template <class T, int N>
 Comparison violation(const Sides<T, N>& sides, const Components<T>& missed, double allowed) {
   Comparison comparison{false, true, norm(missed), allowed, {}, {}};
@@ -296,7 +292,7 @@ Comparison compare_one(const OneEquation& equation, Relation relation, const Exa
       return {};
     }
     const auto missed = maybe_missing(equation, relation, exact_case.bounds().enclosed(), outcome.enclosed());
-    // For numbers that are not moderate, the whole scale may leave the range of numbers although a part of it does not.
+    // Without moderate numbers, the scale may leave the range of numbers although its lower bound does not.
     const bool is_moderate = exact_case.bounds().is_moderate() && outcome.is_moderate();
     if (missed.empty() ||
         (is_moderate &&

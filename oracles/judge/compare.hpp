@@ -9,14 +9,13 @@
 
 namespace carom::oracles {
 
-/// Scales (yardstick.hpp) between these limits can be multiplied by an allowance without leaving the range of binary64.
+/// The product of an allowance and a scale (yardstick.hpp) between these limits stays in the range of binary64.
 inline constexpr double smallest_scale = 0x1p-900;
 inline constexpr double largest_scale = 0x1p+1000;
 
 enum class Relation { equal, at_least, at_most };
 
-/// The result of comparing the two sides of an equation at an outcome. The decision is exact. The numbers are for
-/// print.
+/// The comparison of the two sides of an equation at an outcome. The decision is exact. The numbers are for print.
 struct Comparison {
   bool holds = true;
   bool is_decided = true;  // false if the scale, or the allowance times it, leaves the range of numbers
@@ -27,16 +26,16 @@ struct Comparison {
   std::vector<double> right;
 };
 
-/// Evaluates an equation exactly at an outcome. The equation holds if its residual is at most yardstick.allowance()
-/// times its scale. A filtered yardstick uses the first of these that decides: approximations with a lower bound of the
-/// scale; enclosures with this lower bound; enclosures with the scale; rationals. Precondition: that of the equation
+/// Decides exactly whether an equation holds at an outcome: its residual is at most yardstick.allowance() times its
+/// scale. A filtered yardstick uses the first of these that decides: approximations with a lower bound of the scale;
+/// enclosures with this bound; enclosures with the scale; rationals. Precondition: that of the equation
 /// (equations.hpp).
 [[nodiscard]] Comparison compare(const Equation& equation, Relation relation, const ExactCase& exact_case,
                                  const LiftedOutcome& outcome, const Yardstick& yardstick);
 
-/// Compares V⁺ − V⁻ with C F as `compare` does, for the collision matrix C that a subject (a solver under test)
-/// reports. C may differ from the exact K by as much as permitted inputs (permitted_inputs.hpp) change K. F is computed
-/// from the velocity change of the lighter movable body. Preconditions: a body is movable; shown.is_finite().
+/// Compares V⁺ − V⁻ with C F as `compare` does, for the collision matrix C that a subject reports. C may differ from
+/// the exact K by as much as permitted inputs (permitted_inputs.hpp) change K. The velocity change of the lighter
+/// movable body gives F. Preconditions: a body is movable; shown.is_finite().
 [[nodiscard]] Comparison compare_change_by(const LiftedMatrix& shown, const ExactCase& exact_case,
                                            const LiftedOutcome& outcome, const Yardstick& yardstick);
 

@@ -6,11 +6,10 @@
 namespace carom::oracles {
 
 std::vector<CoulombAnswer> coulomb_answers(const ExactCase& exact_case) {
-  const BasicCollision<Rational>& collision = exact_case.exact();
   if (exact_case.approach() == Approach::colliding) {
-    return coulomb_answers(collision);
+    return coulomb_answers(exact_case.exact());
   }
-  return {{AnswerKind::untouched, {Vector3<Rational>{Rational(0), Rational(0), Rational(0)}, unchanged(collision)}}};
+  return {{AnswerKind::untouched, exact_case.truth(Law::frictionless)}};
 }
 
 NearestAnswer nearest_answer(const ExactCase& exact_case, const std::vector<CoulombAnswer>& answers,

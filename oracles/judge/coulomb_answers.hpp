@@ -9,11 +9,10 @@
 
 namespace carom::oracles {
 
-/// All answers of the law `coulomb` to the collision of a case. If the case does not collide, the only answer is the
+/// All answers of the law `coulomb` to the collision of a case. If the case does not collide, the answer is the
 /// unchanged velocities.
 [[nodiscard]] std::vector<CoulombAnswer> coulomb_answers(const ExactCase& exact_case);
 
-/// The answer nearest to an outcome, and its distance in digits.
 struct NearestAnswer {
   std::size_t number;  // index of the answer, from 0
   double digits;       // correct digits of the change of the velocities (see Accuracy::digits)

@@ -56,8 +56,7 @@ Sensitivity second_order_scale(const Collision& c) {
   return scale;
 }
 
-/// Σ_q ‖∂(N·V⁻)/∂q‖ ‖q‖. The derivatives of N·(v + w × r) are: V with respect to N, N with respect to v, r × N with
-/// respect to w, and N × w with respect to r = P − X.
+/// Σ_q ‖∂(N·V⁻)/∂q‖ ‖q‖, from the derivatives of N·(v + w × r) with r = P − X.
 double sensitivity_of_normal_velocity(const Collision& c) {
   // A quantity that is zero has no relative perturbation, even if its derivative is infinite.
   const auto weighted = [](const Vector3<double>& derivative, double length) {
@@ -279,8 +278,7 @@ bool ExactCase::has_two_answers(Law law, double allowance) const {
 }
 
 const Sensitivity& ExactCase::colliding_first_order(Law law, Branch branch) const {
-  // Use binary64 if it keeps ten digits, otherwise double-double arithmetic if it keeps three, otherwise exact
-  // arithmetic.
+  // Binary64 if it keeps ten digits, otherwise double-double arithmetic if it keeps three, otherwise exact arithmetic.
   return of_law_[law].colliding_sensitivity[branch].get([&]() -> Sensitivity {
     std::optional<Sensitivity> known;
     if (bounds_.is_moderate() && bounds_.is_well_conditioned() &&

@@ -12,8 +12,7 @@
 
 namespace carom::oracles {
 
-/// Whether ‖v‖ ≤ bound. Exact numbers always decide it. Numbers with error bounds give no value if the errors do not
-/// decide it. Precondition: the bound is finite.
+/// Whether ‖v‖ ≤ bound. No value if error bounds of the components do not decide it. Precondition: the bound is finite.
 [[nodiscard]] bool norm_at_most(std::span<const Rational> vector, double bound);
 [[nodiscard]] bool norm_at_most(std::span<const Radical> vector, double bound);
 [[nodiscard]] std::optional<bool> norm_at_most(std::span<const Enclosure> vector, double bound);

@@ -28,12 +28,13 @@ PermittedInputs::PermittedInputs(const BoundedCase& bounds, double allowance) : 
   };
   a_ = body_with_arm(c.a);
   b_ = body_with_arm(c.b);
-  // A change of N by at most a ‖N‖ turns N by at most asin(a). The chord of this angle is less than a / (1 − a).
+  // The allowance α moves N by at most α ‖N‖, and so turns N by at most asin(α). The chord of this angle is less than α
+  // / (1 − α).
   unit_normal_ = {c.normal / norm_of(c.normal), allowance / (1 - allowance)};
   const auto at_point = [&](const OfBody& of) {
     return vector(of.body.velocity) + cross(vector(of.body.angular_velocity), of.arm);
   };
-  // Enclosures are needed because cancellation in V⁻ may leave binary64 without a correct digit.
+  // In binary64, cancellation may leave V⁻ without a correct digit.
   const Vector3<double> velocity =
       middle(oracles::relative_velocity<Enclosure>(bounds.enclosed(), unchanged(bounds.enclosed())));
   relative_velocity_ = {velocity, (at_point(a_) - at_point(b_)).radius};
@@ -75,8 +76,7 @@ bool PermittedInputs::is_finite() const {
   return finite && std::isfinite(response_at_point(unit_normal_).largest());
 }
 
-/// If a quaternion changes by a of its length, its rotation changes by at most 2 asin(a). So v moves by at most 2 a
-/// ‖v‖.
+/// If a quaternion changes by α of its length, v turns by at most 2 asin(α), and so moves by at most 2 α ‖v‖.
 VectorBall PermittedInputs::rotated(const VectorBall& v, const Quaternion<double>& orientation) const {
   return {turned<double>(orientation, v.centre), v.radius + 2 * allowance_ * v.largest()};
 }
@@ -103,8 +103,8 @@ VectorBall PermittedInputs::response_at_point(const VectorBall& impulse) const {
   return sum;
 }
 
-/// F′ = φ′ N has N·K F′ = N·b. For the given impulse φ N, φ′ − φ = N·(b − K φ N) / (N·K N). The divisor N·K N is at
-/// least λ for a unit normal.
+/// All F′ = φ′ N with N·K F′ = N·b, with b in `wanted`. For the given impulse φ N, φ′ − φ = N·(b − K φ N) / (N·K N).
+/// The divisor N·K N is at least λ for a unit normal.
 VectorBall PermittedInputs::along_normal(const Vector3<double>& impulse, const ScalarBall& wanted) const {
   const double share = unit_normal_.centre.dot(impulse);
   const ScalarBall along{share, 0};
@@ -113,7 +113,8 @@ VectorBall PermittedInputs::along_normal(const Vector3<double>& impulse, const S
   return ScalarBall{share, missed / divisor} * unit_normal_;
 }
 
-/// F′ has K F′ = b. For the given impulse F, F′ − F = K⁻¹ (b − K F), of length at most ‖b − K F‖ / λ.
+/// All F′ with K F′ = b, with b in `wanted`. For the given impulse F, F′ − F = K⁻¹ (b − K F) is at most ‖b − K F‖ / λ
+/// long.
 VectorBall PermittedInputs::by_matrix(const Vector3<double>& impulse, const VectorBall& wanted) const {
   const double missed = wanted.radius + response_at_point({impulse, 0}).radius;
   return {impulse, missed / least_inverse_mass_};
@@ -127,8 +128,7 @@ PermittedInputs::RoughParts PermittedInputs::rough_parts() const {
   const VectorBall tangential = cross(unit_normal_, difference);
   const ScalarBall divisor =
       ScalarBall{norm_of(tangential.centre), tangential.radius} + -(friction_ * dot(unit_normal_, difference));
-  // The cone is convex, and F lies in it for κ = 0. So F leaves the cone for good at the κ that puts F on its surface,
-  // if any.
+  // F lies in the convex cone for κ = 0. So F leaves the cone at most once, at the κ that puts F on the surface.
   const auto share = [](double above, double below) { return below > 0 ? std::max(above, 0.0) / below : infinity; };
   return {stops_approach, difference, share(numerator.least(), divisor.largest()),
           share(numerator.largest(), divisor.least())};

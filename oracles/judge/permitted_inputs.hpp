@@ -6,55 +6,44 @@
 
 namespace carom::oracles {
 
-/// All collisions whose quantities differ from those of a given collision by at most `allowance` times their lengths
-/// (quantities.hpp). The class encloses the law's answers to them. It serves collisions for which the first order of
-/// the backward error is blind (`first_order_is_blind`), for example because a lever arm is not much longer than its
-/// rounding.
-///
-/// The enclosure is finite for every collision in the range of numbers, by the theorem λI ⪯ K with λ = 1/m_A + 1/m_B
-/// and the collision matrix K. An impulse that cancels a relative velocity of length d is at most d / λ, for any lever
-/// arms.
+/// All collisions whose quantities (quantities.hpp) differ from those of a given collision by at most `allowance` times
+/// their lengths. The class encloses the law's answers to them, if derivatives do not describe these answers
+/// (`first_order_is_blind`). The enclosure is finite in the range of numbers, for any lever arms
+/// (docs/reference/yardstick.md#hard-cases).
 class PermittedInputs {
  public:
   /// Preconditions: the collision is valid; 0 < allowance < 1/2.
   PermittedInputs(const BoundedCase& bounds, double allowance);
 
-  /// Whether derivatives do not describe the law's answers to these inputs. a is the allowance, and ρ = a (‖P‖ + ‖X‖ +
-  /// s) is the permitted change of a lever arm r. s is the extent (quantities.hpp). True if, for a movable body:
-  ///
-  ///   (1) 32 ρ > ‖r‖, r ≠ 0: the lever arm changes by a large part of itself;
-  ///   (2) 32 ρ > √(min I / m): the body's thickness is no more than the rounding of its position;
-  ///
-  /// or if, for the collision:
-  ///
-  ///   (3) ‖N‖ Σ ‖w‖ ‖r‖ > 32 Σ_q ‖∂(N·V⁻)/∂q‖ ‖q‖: w, r and N are nearly parallel, and the rounding of N·V⁻ comes from
-  ///       products that no single quantity changes.
+  /// Whether derivatives fail to describe the law's answers to permitted inputs, by conditions (1) to (3) of
+  /// docs/reference/yardstick.md#hard-cases. `normal_velocity_sensitivity` is Σ_q ‖∂(N·V⁻)/∂q‖ ‖q‖.
   [[nodiscard]] static bool first_order_is_blind(const Collision& collision, double allowance,
                                                  double normal_velocity_sensitivity);
 
   /// Whether velocities, lever arms, and the bodies' responses to an impulse have finite enclosures.
   [[nodiscard]] bool is_finite() const;
 
-  /// An upper bound of the distance of the answers to permitted inputs from the law's answer to a contact that
-  /// collides. `impulse` is the impulse of the latter answer. If `from_rest`, the distance is from the velocities
-  /// before the impulse. Infinite beyond the range of numbers. Preconditions: a body is movable; the law is one of
-  /// `laws_with_truth`.
+  /// For each vector, an upper bound of the distance between the law's answer to a contact that collides, with the
+  /// impulse `impulse`, and its answers to permitted inputs. If `from_rest`, the distance between these answers and the
+  /// velocities before the impulse. Infinite beyond the range of numbers. Preconditions: a body is movable; the law is
+  /// one of `laws_with_truth`.
   [[nodiscard]] PerVector<double> distance_of_answers(const Vector3<double>& impulse, Law law, Branch branch,
                                                       bool from_rest) const;
 
-  /// Whether the answers of the law `rough` to permitted inputs may lie on both sides of the cone's surface.
-  /// Precondition: a body is movable.
+  /// Whether answers of the law `rough` to permitted inputs may lie on both sides of the cone's surface. Precondition:
+  /// a body is movable.
   [[nodiscard]] bool reach_both_sides_of_cone() const;
 
-  /// An upper bound of Σ ‖[δr]ᵀ J⁻¹ [δr]‖ over the bodies, with [δr] y = δr × y. The sum is the change of K by the
-  /// squares of the changes δr of lever arms.
+  /// An upper bound of the second-order change of K by changes δr of the lever arms: Σ ‖[δr]ᵀ J⁻¹ [δr]‖ over the
+  /// bodies, with [δr] y = δr × y.
   [[nodiscard]] double second_order_of_matrix() const;
 
-  /// V⁻ and N·V⁻ / ‖N‖.
+  /// V⁻.
   [[nodiscard]] const VectorBall& relative_velocity() const { return relative_velocity_; }
+  /// N·V⁻ / ‖N‖.
   [[nodiscard]] const ScalarBall& normal_velocity() const { return normal_velocity_; }
 
-  /// N / ‖N‖ and the lever arms.
+  /// N / ‖N‖.
   [[nodiscard]] const VectorBall& unit_normal() const { return unit_normal_; }
   [[nodiscard]] const VectorBall& lever_arm_of_a() const { return a_.arm; }
   [[nodiscard]] const VectorBall& lever_arm_of_b() const { return b_.arm; }
@@ -85,8 +74,9 @@ class PermittedInputs {
   [[nodiscard]] Change response(const OfBody& of, const VectorBall& impulse) const;
   /// K F.
   [[nodiscard]] VectorBall response_at_point(const VectorBall& impulse) const;
-  /// All F = φ N with N·K F = N·b, and all F with K F = b.
+  /// All F = φ N with N·K F = N·b, for b in `wanted`.
   [[nodiscard]] VectorBall along_normal(const Vector3<double>& impulse, const ScalarBall& wanted) const;
+  /// All F with K F = b, for b in `wanted`.
   [[nodiscard]] VectorBall by_matrix(const Vector3<double>& impulse, const VectorBall& wanted) const;
   [[nodiscard]] RoughParts rough_parts() const;
   [[nodiscard]] VectorBall rough(const Vector3<double>& impulse) const;

@@ -4,7 +4,6 @@
 namespace carom::oracles {
 namespace {
 
-/// For each equation, an upper bound of its residual for permitted inputs and outputs.
 class Residual {
  public:
   Residual(const PermittedInputs& inputs, const Collision& collision, const Outcome<double>& after,
@@ -33,8 +32,6 @@ class Residual {
   double operator()(const equation::FrictionAgainstSlip& of) const {
     return squared_normal() * dot(friction(of.read_off_a), slip()).radius;
   }
-  /// The work of a moving wall depends on the wall's velocity at the contact point and on the impulse on the other
-  /// body.
   double operator()(const equation::Energy&) const {
     double radius = 0;
     for (const bool a : {true, false}) {
@@ -48,8 +45,8 @@ class Residual {
     return radius;
   }
 
-  // These equations contain no lever arm, or only lever arms about the world's origin, which are as long as the
-  // positions themselves.
+  // These equations contain no lever arm, or only lever arms about the world's origin, as long as the positions
+  // themselves.
   double operator()(const equation::LinearMomentum&) const { return 0; }
   double operator()(const equation::TotalAngularMomentum&) const { return 0; }
   double operator()(const equation::Untouched&) const { return 0; }
@@ -57,13 +54,11 @@ class Residual {
   double operator()(const equation::FrictionlessDirection&) const { return 0; }
   double operator()(const equation::FrictionCone&) const { return 0; }
 
-  /// V⁺ − V⁻ and C F.
   [[nodiscard]] double of_change(const Matrix3<double>& matrix, bool read_off_a) const {
     return velocity_after().radius + inputs_.relative_velocity().radius + matrix.norm() * impulse_on(read_off_a).radius;
   }
 
  private:
-  /// A vector of the outcome and its permitted error.
   [[nodiscard]] VectorBall output(OutcomeVector k) const {
     return {*vectors(after_)[k], inputs_.allowance() * sizes_[k]};
   }
@@ -82,8 +77,9 @@ class Residual {
             cross(output(OutcomeVector::angular_velocity_of_b), inputs_.lever_arm_of_b()));
   }
 
-  /// N × V⁺ and N × F, divided by ‖N‖.
+  /// N × V⁺ / ‖N‖.
   [[nodiscard]] VectorBall slip() const { return cross(inputs_.unit_normal(), velocity_after()); }
+  /// N × F / ‖N‖.
   [[nodiscard]] VectorBall friction(bool read_off_a) const {
     return cross(inputs_.unit_normal(), impulse_on(read_off_a));
   }

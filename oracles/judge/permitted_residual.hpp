@@ -6,9 +6,9 @@
 
 namespace carom::oracles {
 
-/// An upper bound of the residual that permitted inputs (permitted_inputs.hpp) and outputs cause beyond their first
-/// order. It encloses the products that contain a lever arm. It is 0 for an equation without a lever arm. `after` is
-/// the outcome. Each of its vectors is perturbed by ulps of the length in `sizes`. Precondition: that of the equation.
+/// An upper bound of the residual that permitted inputs (permitted_inputs.hpp) and outputs cause through products with
+/// a lever arm. `compare` permits this residual in addition to the first order. Vector k of the outcome `after` moves
+/// by at most the allowance times sizes[k]. Precondition: that of the equation.
 [[nodiscard]] double permitted_residual(const Equation& equation, const PermittedInputs& inputs,
                                         const Collision& collision, const Outcome<double>& after,
                                         const PerVector<double>& sizes);

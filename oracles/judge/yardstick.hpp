@@ -8,26 +8,25 @@
 
 namespace carom::oracles {
 
-/// The limit of the backward error [ulps]. In measurements, accurate solvers stay below the limit on every physically
-/// possible body.
+/// The limit of the backward error [ulps]. By measurement, accurate solvers stay below it on every physically possible
+/// body.
 inline constexpr double default_limit_ulps = 32;
 
 /// The largest allowance for which lower bounds of sensitivities and scales may decide. Up to this limit, the allowance
-/// times a sensitivity or scale of a moderate collision (moderate.hpp) is finite, as a pass requires.
+/// times a sensitivity or scale of a moderate collision (moderate.hpp) is finite.
 inline constexpr double largest_allowance_for_bounds = 0x1p+64;
 
-/// The amount of rounding that is allowed. The residual of an equation g passes if it is at most `allowance` times its
-/// scale. The scale is the sum of ‖∂g/∂q‖ ‖q‖ over the quantities q (quantities.hpp) and of ‖∂g/∂ŷ‖ (‖ŷ‖ + ‖y⁻‖) over
-/// the outputs ŷ. y⁻ is the same vector before the impulse. To first order, a residual that passes vanishes for some
-/// inputs and outputs that differ relatively by at most the allowance. In binary32 the outputs are also allowed the
-/// loss by underflow.
+/// The amount of rounding that is allowed (docs/reference/yardstick.md). The residual of an equation g passes if it is
+/// at most `allowance` times its scale: the sum of ‖∂g/∂q‖ ‖q‖ over the quantities q and of ‖∂g/∂ŷ‖ (‖ŷ‖ + ‖y⁻‖) over
+/// the outputs ŷ, with y⁻ the same vector before the impulse. In binary32 the outputs are also allowed the loss by
+/// underflow.
 struct Yardstick {
   double unit_roundoff = 0;  // u of the subject's precision; 0 judges exact arithmetic, which is allowed no rounding
   double least_size = 0;     // least_size_known_to_a_roundoff of that precision
   double limit_ulps = default_limit_ulps;
   std::optional<int> digits;  // if set, decides instead of ulps
 
-  /// Whether numbers with error bounds may decide before rationals. Without them, the verdicts are the same but slower.
+  /// Whether numbers with error bounds may decide before rationals. Without them, the same verdicts take longer.
   bool filtered = true;
 
   /// Whether lower bounds of the allowed error may decide.
@@ -37,8 +36,7 @@ struct Yardstick {
 
   [[nodiscard]] double allowance() const { return digits ? std::pow(10.0, -*digits) : limit_ulps * unit_roundoff; }
 
-  /// The allowance times a scale. No value if the product leaves the range in which binary64 has all its digits,
-  /// because it then decides nothing.
+  /// The allowance times a scale. No value if the product leaves the range in which binary64 has all its digits.
   [[nodiscard]] std::optional<double> allowed(double scale) const {
     const double product = allowance() * scale;
     const bool is_zero = product == 0 && (scale == 0 || allowance() == 0);

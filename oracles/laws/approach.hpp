@@ -11,7 +11,7 @@ enum class Approach {
   inert,       // both bodies immovable
 };
 
-/// The approach at a contact that has a movable body, for the sign −1, 0 or 1 of N·V⁻.
+/// The approach of a contact with a movable body, from the sign (−1, 0 or 1) of N·V⁻.
 [[nodiscard]] constexpr Approach approach_of_sign(int sign) {
   if (sign < 0) {
     return Approach::colliding;

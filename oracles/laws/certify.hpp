@@ -8,9 +8,8 @@
 
 namespace carom::oracles {
 
-/// Substitutes an outcome into the equations that define the law. If the outcome is the law's answer, both sides of
-/// each equation are equal. Otherwise the function throws a std::logic_error that names the equation. T is an exact
-/// field. Precondition: the law is one of `laws_with_truth`.
+/// Checks exactly that an outcome satisfies the equations that define the law. Throws a std::logic_error that names the
+/// first equation whose sides differ. T is an exact field. Precondition: the law is one of `laws_with_truth`.
 template <class T>
 void certify(const BasicCollision<T>& collision, Law law, Approach approach, const Outcome<T>& outcome) {
   for_each_defining_equation(collision, law, approach, [&](const char* name, const auto& equation) {

@@ -5,9 +5,8 @@
 
 namespace carom::oracles {
 
-/// The traits that Eigen requires of a scalar type T that is its own real type. T is signed, is constructed from int,
-/// and has no functions such as sin. `Read`, `Add` and `Multiply` are costs in approximate cycles. NumTraits<T> derives
-/// from this struct.
+/// The base of Eigen::NumTraits<T> for a signed real scalar type T. `Read`, `Add` and `Multiply` are costs in
+/// approximate cycles.
 template <class T, int Read, int Add, int Multiply>
 struct EigenScalar : Eigen::GenericNumTraits<T> {
   using Real = T;

@@ -9,9 +9,8 @@
 #include <carom/oracles/laws/mechanics.hpp>
 #include <carom/oracles/laws/truth.hpp>
 
-/// The equations, and the set of equations that defines each law. Every verdict rests on these equations, so they have
-/// to be trusted. "Note" stands for D. Eberly, "Computing Impulse Forces for Colliding Contact"
-/// (docs/findings/note.md).
+/// The equations, and the set of equations that defines each law. Every verdict rests on them. "Note" stands for D.
+/// Eberly, "Computing Impulse Forces for Colliding Contact" (docs/findings/note.md).
 namespace carom::oracles {
 
 template <class T, int N>
@@ -51,7 +50,7 @@ template <class T>
 }
 
 /// The equations that are affine in the outcome. For one collision, their derivatives with respect to the outcome are
-/// the same for every outcome.
+/// constant.
 enum class AffineEquation {
   linear_momentum,
   angular_momentum_of_a,
@@ -70,11 +69,10 @@ enum class AffineEquation {
   untouched_velocity_of_b,
   untouched_angular_velocity_of_b,
 };
-/// Each struct maps (collision, outcome) to the two sides of an equation or inequality. The outcome may be exact or
-/// not, and T may be any field. `name` is set if the equation is affine in the outcome. `slopes_may_cancel` is true if
-/// the derivatives with respect to the outcome are sums that may cancel, such as r × N. Their computed values may then
-/// be mostly rounding errors. `read_off_a` selects the body, A or B, from whose velocity change F is computed.
-/// Precondition: this body is movable.
+/// Each struct maps (collision, outcome) to the two sides of an equation or inequality, in any field T. `name` is set
+/// if the equation is affine in the outcome. `slopes_may_cancel` tells whether the derivatives with respect to the
+/// outcome are sums that may cancel, such as r × N, so that their computed values may be mostly rounding errors.
+/// `read_off_a` selects the body, A or B, whose velocity change gives F. Precondition: this body is movable.
 namespace equation {
 
 /// m_A Δv_A = −m_B Δv_B. Precondition: both bodies are movable.
@@ -108,8 +106,7 @@ struct AngularMomentum {
   }
 };
 
-/// The angular momentum about the origin that A gains is the angular momentum that B loses. If linear momentum is kept
-/// too, this holds about every point. Precondition: both bodies are movable.
+/// A gains the angular momentum about the origin that B loses. Precondition: both bodies are movable.
 struct TotalAngularMomentum {
   static constexpr bool slopes_may_cancel = false;
 
@@ -121,7 +118,7 @@ struct TotalAngularMomentum {
   }
 };
 
-/// A velocity or an angular velocity is unchanged. The two are separate equations because their units differ.
+/// One velocity or angular velocity is unchanged.
 struct Untouched {
   OutcomeVector vector;
 
@@ -230,7 +227,7 @@ struct Sticks {
   }
 };
 
-/// ‖N × F‖² ≤ (μ N·F)², which is the friction cone if N·F ≥ 0. Not affine.
+/// ‖N × F‖² ≤ (μ N·F)², which is the friction cone if N·F ≥ 0.
 struct FrictionCone {
   bool read_off_a;
 
@@ -244,7 +241,7 @@ struct FrictionCone {
   }
 };
 
-/// (N × F) × (N × V⁺) = 0: friction is parallel to the slip after the impulse. Not affine.
+/// (N × F) × (N × V⁺) = 0: friction is parallel to the slip after the impulse.
 struct FrictionAlongSlip {
   bool read_off_a;
 
@@ -259,7 +256,7 @@ struct FrictionAlongSlip {
   }
 };
 
-/// (N × F)·(N × V⁺) ≤ 0: friction does not act in the direction of the slip. Not affine.
+/// (N × F)·(N × V⁺) ≤ 0: friction does not act in the direction of the slip.
 struct FrictionAgainstSlip {
   bool read_off_a;
 
@@ -274,8 +271,8 @@ struct FrictionAgainstSlip {
   }
 };
 
-/// E⁺ − E⁻ ≤ W: the kinetic energy of the movable bodies grows by at most W. W is the work of a driven wall (an
-/// immovable body that moves), computed with the wall's velocity at the contact point. Not affine, but convex in the
+/// E⁺ − E⁻ ≤ W: the kinetic energy of the movable bodies grows by at most W, the work of a driven wall (an immovable
+/// body that moves). W is the wall's velocity at the contact point times the impulse on the other body. Convex in the
 /// outcome. Precondition: a body is movable.
 struct Energy {
   static constexpr bool slopes_may_cancel = true;
@@ -305,14 +302,12 @@ struct Energy {
 
 }  // namespace equation
 
-/// An equation or inequality that the judge evaluates at an outcome.
 using Equation =
     std::variant<equation::LinearMomentum, equation::AngularMomentum, equation::TotalAngularMomentum,
                  equation::Untouched, equation::Restitution, equation::NonPenetration, equation::Push,
                  equation::FrictionlessDirection, equation::ReflectionPlane, equation::Sticks, equation::FrictionCone,
                  equation::FrictionAlongSlip, equation::FrictionAgainstSlip, equation::Energy>;
 
-/// The equations that are affine in the outcome, in the order of AffineEquation.
 inline constexpr std::array<Equation, 16> affine_equations{equation::LinearMomentum{},
                                                            equation::AngularMomentum{true},
                                                            equation::AngularMomentum{false},
@@ -349,9 +344,8 @@ consteval bool stand_in_the_order_of_their_names() {
 }  // namespace detail
 static_assert(detail::stand_in_the_order_of_their_names());
 
-/// Calls visit(name, equation) for each equation that defines the answer of a law to a contact with this approach. They
-/// determine the answer of every law except `rough`. `certify_rough` checks the rest of `rough`. Precondition: the law
-/// is one of `laws_with_truth`.
+/// Calls visit(name, equation) for each equation that defines the answer of a law to a contact with this approach.
+/// `certify_rough` checks the other conditions of `rough`. Precondition: the law is one of `laws_with_truth`.
 template <class T, class Visit>
 void for_each_defining_equation(const BasicCollision<T>& c, Law law, Approach approach, const Visit& visit) {
   const auto visit_untouched = [&](const char* name, bool a) {
@@ -364,7 +358,6 @@ void for_each_defining_equation(const BasicCollision<T>& c, Law law, Approach ap
     visit_untouched("the velocities of B being untouched", false);
     return;
   }
-  // The contact transmits one impulse, F on A and −F on B.
   if (c.a.immovable) {
     visit_untouched("the immovable A being untouched", true);
   } else {
@@ -378,7 +371,6 @@ void for_each_defining_equation(const BasicCollision<T>& c, Law law, Approach ap
   if (!c.a.immovable && !c.b.immovable) {
     visit("linear momentum", equation::LinearMomentum{});
   }
-  // The law's own conditions on F or V⁺.
   switch (law) {
     case Law::frictionless:
       visit("restitution", equation::Restitution{});

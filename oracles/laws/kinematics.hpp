@@ -6,7 +6,7 @@
 #include <carom/collision/expects.hpp>
 #include <carom/collision/outcome.hpp>
 
-/// The kinematics that the defining equations use, for any field T, such as rationals or dual numbers.
+/// The kinematics of the defining equations, for any field T, such as rationals or dual numbers.
 namespace carom::oracles {
 
 template <class T>
@@ -14,9 +14,8 @@ template <class T>
   return {q[0], -q[1], -q[2], -q[3]};
 }
 
-/// q v q* / ‖q‖²: v turned by the rotation that q = (w, u) represents. The code omits the terms of Hamilton's products
-/// that the zero real part of v multiplies. The first product is q v = (−u·v, t) with t = w v + u × v. The second
-/// factor is q* = (w, −u).
+/// q v q* / ‖q‖²: v turned by the rotation of the quaternion q = (w, u). With t = w v + u × v, q v = (−u·v, t). The
+/// vector part of (−u·v, t) q* is (u·v) u + w t + u × t.
 template <class T>
 [[nodiscard]] Vector3<T> turned(const Quaternion<T>& q, const Vector3<T>& v) {
   const T& w = q[0];
@@ -26,8 +25,7 @@ template <class T>
   return Vector3<T>(u.dot(v) * u + w * t + u.cross(t)) * inverse_squared_length;
 }
 
-/// J x: turns x into the body frame, multiplies it by the principal moments, and turns it back. Precondition: the body
-/// is movable.
+/// J x in world axes, with the inertia tensor J of the body. Precondition: the body is movable.
 template <class T>
 [[nodiscard]] Vector3<T> apply_inertia(const BasicBody<T>& body, const Vector3<T>& x) {
   CAROM_EXPECTS(!body.immovable);

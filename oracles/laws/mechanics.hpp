@@ -4,7 +4,7 @@
 #include <carom/collision/expects.hpp>
 #include <carom/oracles/laws/kinematics.hpp>
 
-/// Impulses, momenta and energies of an outcome. The outcome may be exact or not, and T may be any field.
+/// Impulses, momenta and energies of an outcome, for any field T.
 namespace carom::oracles {
 
 /// λ = 1/m_A + 1/m_B [1/kg]. An immovable body contributes 0.
@@ -40,8 +40,8 @@ template <class T>
   return c.b.immovable || (!c.a.immovable && c.a.mass <= c.b.mass);
 }
 
-/// F on A [N s], computed from the velocity change of A or of B. `reads_impulse_off_a` selects the body whose velocity
-/// changes more. Precondition: the selected body is movable.
+/// F on A [N s], computed from the velocity change of A or of B. `reads_impulse_off_a` is the more accurate choice.
+/// Precondition: the selected body is movable.
 template <class T>
 [[nodiscard]] Vector3<T> impulse_on_a(const BasicCollision<T>& c, const Outcome<T>& after, bool read_off_a) {
   return read_off_a ? impulse_on(c.a, after.a) : Vector3<T>(-impulse_on(c.b, after.b));
@@ -54,8 +54,8 @@ template <class T>
          apply_inertia<T>(body, after.angular_velocity - body.angular_velocity);
 }
 
-/// The kinetic energy that a movable body gains [J]: ½ m (v⁺² − v⁻²) + ½ (w⁺ᵀ J w⁺ − w⁻ᵀ J w⁻). The code writes v⁺² −
-/// v⁻² as (v⁺ + v⁻)·(v⁺ − v⁻), so that a large common velocity cancels.
+/// The kinetic energy that a movable body gains [J]: ½ m (v⁺² − v⁻²) + ½ (w⁺ᵀ J w⁺ − w⁻ᵀ J w⁻). It contains v⁺² − v⁻²
+/// as (v⁺ + v⁻)·(v⁺ − v⁻), so that a large common velocity cancels.
 template <class T>
 [[nodiscard]] T kinetic_energy_gain(const BasicBody<T>& body, const BodyVelocity<T>& after) {
   const Vector3<T> sum = after.velocity + body.velocity;

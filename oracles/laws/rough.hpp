@@ -17,16 +17,16 @@ struct RoughParts {
   T friction_share;             // κ
 };
 
-/// Substitutes a truth y (the law's exact answer) and its parts into their definitions. y⁻ are the velocities before
-/// the impulse, y_I and y_II the outcomes of the parts, and e_t is the tangential restitution:
+/// Checks exactly that a truth y (the law's exact answer) and its parts satisfy their definitions. y⁻ are the
+/// velocities before the impulse. The parts have the outcomes y_I and y_II. e_t is the tangential restitution:
 ///
 ///   (1) the parts are the answers of their laws;
 ///   (2) y − y⁻ = (1 + ε) (y_I − y⁻) + κ (y_II − y_I), so that F = (1 + ε) P_I + κ (P_II − P_I);
 ///   (3) F lies in the cone, N·F ≥ 0 and ‖N × F‖ ≤ μ N·F;
 ///   (4) κ = 1 + e_t; or else 0 ≤ κ ≤ 1 + e_t and F lies on the cone's surface.
 ///
-/// T is an ordered exact field. Throws a std::logic_error that names the condition that does not hold. Preconditions:
-/// the contact collides; a body is movable.
+/// T is an ordered exact field. Throws a std::logic_error that names the condition that fails. Preconditions: the
+/// contact collides; a body is movable.
 template <class T>
 void certify_rough(const BasicCollision<T>& collision, const Outcome<T>& outcome, const RoughParts<T>& parts) {
   CAROM_EXPECTS(has_movable_body(collision));

@@ -16,7 +16,7 @@ struct Truth {
   Outcome<T> outcome;
 };
 
-/// Throws std::invalid_argument. Call the function for a law that is not one of `laws_with_truth`.
+/// Throws std::invalid_argument, for a law that is not one of `laws_with_truth`.
 [[noreturn]] inline void determines_no_outcome(Law law) {
   throw std::invalid_argument("the law `" + std::string(name_of(law)) + "` determines no outcome");
 }

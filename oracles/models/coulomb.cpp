@@ -12,7 +12,7 @@ namespace {
 /// The number of bits of a slip resistance ν (coulomb.hpp).
 constexpr int bits_of_resistance = 120;
 
-/// The linear system of one collision (see coulomb_answers).
+/// The linear system M(ν) F = b of one collision (`coulomb_answers`).
 struct Slip {
   Matrix3<Rational> response;  // K
   Matrix3<Rational> across;    // P

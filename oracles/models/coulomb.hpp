@@ -29,7 +29,7 @@ enum class AnswerKind {
   return "untouched";
 }
 
-/// An answer of the law `coulomb`. The law may have several answers to one collision.
+/// One of the answers of the law `coulomb` to a collision.
 struct CoulombAnswer {
   AnswerKind kind;
   Truth<Rational> truth;  // exact for each kind except `slips`, which has a slip resistance within 2⁻¹²⁰ of the exact
@@ -43,12 +43,10 @@ struct CoulombAnswer {
 ///   N·V⁺ = −ε N·V⁻,   ‖N × F‖ ≤ μ N·F,   and either N × V⁺ = 0, or ‖N × F‖ = μ N·F and ν F_T = −V_T⁺ with ν > 0.
 ///
 /// ν is the slip resistance, and T marks the part across N. Let P be the projection onto the plane across N, M(ν) = K +
-/// ν P, and b = −(V⁻ + ε (N·V⁻)/(N·N) N). Then F = M(ν)⁻¹ b, and ν = 0 is sticking. By Cramer's rule F = n(ν) / det
-/// M(ν), with n quadratic and the determinant positive. So the answers that slip are the positive roots of the quartic
-/// ‖N × n‖² − (μ N·n)² with N·n > 0. CGAL isolates and counts these roots exactly.
-///
-/// There is at least one answer. If F(0) is not in the friction cone, F(ν) crosses the cone's surface for some ν,
-/// because the frictionless F(∞) is in the cone. Preconditions: the contact collides; a body is movable.
+/// ν P, and b = −(V⁻ + ε (N·V⁻)/(N·N) N). Then F = M(ν)⁻¹ b = n(ν) / det M(ν), with n quadratic and the determinant
+/// positive (Cramer). ν = 0 is sticking. The answers that slip are the positive roots of the quartic ‖N × n‖² − (μ
+/// N·n)² with N·n > 0. There is at least one answer (docs/guide/laws.md). Preconditions: the contact collides; a body
+/// is movable.
 [[nodiscard]] std::vector<CoulombAnswer> coulomb_answers(const BasicCollision<Rational>& collision);
 
 }  // namespace carom::oracles

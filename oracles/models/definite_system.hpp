@@ -5,8 +5,9 @@
 
 namespace carom::oracles {
 
-/// M x = b for a symmetric positive definite M = L D Lᵀ. The solution loses about κ(M) roundings. Cramer's rule loses a
-/// higher power of κ(M). See N. Higham, Accuracy and Stability of Numerical Algorithms, §10.1 and §1.10.1.
+/// M x = b for a symmetric positive definite M = L D Lᵀ. The solution loses about κ(M) roundings, with the condition
+/// number κ. Cramer's rule loses a higher power of κ(M) (N. Higham, Accuracy and Stability of Numerical Algorithms,
+/// §10.1 and §1.10.1).
 template <class S>
 class DefiniteSystem {
  public:

@@ -12,16 +12,13 @@ namespace carom::oracles {
 
 /// The law `frictionless` (eq. 18 of the note, docs/findings/note.md): F = φ N with N·K F = −(1 + ε) N·V⁻.
 struct Frictionless {
-  // The truth, the law's exact answer. F causes the normal component of the wanted change of relative velocity, and F
-  // is linear in this change.
-
   template <class T>
   [[nodiscard]] static Vector3<T> wanted_change(const Vector3<T>& n, const T& restitution,
                                                 const Vector3<T>& velocity_before) {
     return change_by_restitution<T>(n, restitution, velocity_before);
   }
 
-  /// `matrix` is K (`response_matrix`) if it is known, otherwise nullptr.
+  /// `matrix` is K, or nullptr if K is not known. F is linear in `change`, and causes its normal component.
   template <class T>
   [[nodiscard]] static Vector3<T> impulse_for(const BasicCollision<T>& collision, const Vector3<T>& change,
                                               const Matrix3<T>* matrix) {
@@ -31,25 +28,22 @@ struct Frictionless {
     return n * T(n.dot(change) / n.dot(answer));
   }
 
-  // The refinement (filters/refined_truth.hpp) uses these members.
-
-  /// A multiple of N near `impulse`. The law permits such multiples exactly.
+  /// A multiple of N near `impulse`, which the law permits exactly (filters/refined_truth.hpp).
   [[nodiscard]] static Vector3<Enclosure> permitted(const BasicCollision<Enclosure>& collision,
                                                     const Vector3<double>& impulse) {
     const Vector3<double> n = collision.normal.unaryExpr([](const Enclosure& x) { return x.middle(); });
     return collision.normal * Enclosure(n.dot(impulse) / n.squaredNorm());
   }
 
-  /// The component of a change along the normal, which is the part that the law must cause. In refinement, this
-  /// component is small, unlike the tangential components.
+  /// The normal component of a change, which the law must cause. In refinement it is small, unlike the tangential
+  /// components.
   [[nodiscard]] static Vector3<Enclosure> asked_for(const Vector3<Enclosure>& n, const Vector3<Enclosure>& change) {
     return n * Enclosure(n.dot(change) / n.dot(n));
   }
 
-  // The sensitivity uses this member.
-
-  /// N·(K F − b) = 0 and F = φ N, so dF = φ dN + N dφ. b is the wanted change. The responses to N are computed
-  /// directly. As sums over the columns of matrices they would cancel if a lever arm is along N.
+  /// The derivatives from N·(K F − b) = 0 and F = φ N, so that dF = φ dN + N dφ, with b the wanted change. The
+  /// responses to N are computed directly, because sums over columns of matrices would cancel if a lever arm is along
+  /// N.
   template <class S>
   [[nodiscard]] static Derivatives<S> derivatives(const BasicCollision<S>& c, const ImpulseDifferential<S>& of) {
     const Vector3<S>& n = c.normal;
@@ -75,8 +69,6 @@ struct Frictionless {
     return {impulse, change};
   }
 
-  // `Closeness` uses these members.
-
   /// The equations that the law's answer satisfies, if they apply, in addition to `kept_by_every_law`.
   static constexpr std::array keeps{AffineEquation::push_read_off_a, AffineEquation::push_read_off_b,
                                     AffineEquation::frictionless_direction_read_off_a,
@@ -84,9 +76,7 @@ struct Frictionless {
   /// Whether the law never adds energy, apart from the work of a driven wall: ΔE = −(1 − ε²)(N·V⁻)² / (2 NᵀKN).
   static constexpr bool creates_no_energy = true;
 
-  // ExactCase::has_two_answers uses this member.
-
-  /// Whether the impulse does not tend to 0 with N·V⁻.
+  /// Whether the impulse does not tend to 0 with N·V⁻ (ExactCase::has_two_answers).
   static constexpr bool acts_at_once = false;
 };
 

@@ -18,7 +18,7 @@ namespace carom::oracles {
 template <class S>
 using Jacobian = Eigen::Matrix<S, 3, collision_inputs, Eigen::RowMajor>;
 
-/// The indices of the numbers of a collision among the inputs of differentiation.
+/// The indices of a collision's numbers among the inputs.
 struct InputIndices {
   struct OfBody {
     Eigen::Index position = 0;  // after mass, principal inertia and orientation, if the body has them
@@ -59,7 +59,6 @@ template <class S, std::size_t N>
   return {numbers[0].value, numbers[1].value, numbers[2].value};
 }
 
-/// The derivatives with respect to `Count` inputs, starting at `first`.
 template <int Count, class S, std::size_t N>
 [[nodiscard]] Eigen::Matrix<S, 3, Count> derivatives(const Vector3<Dual<S, N>>& numbers, std::size_t first) {
   Eigen::Matrix<S, 3, Count> result;
@@ -71,14 +70,14 @@ template <int Count, class S, std::size_t N>
   return result;
 }
 
-/// The response of one body to impulses at the contact point. It is zero if the body is immovable.
+/// The response of one body to impulses at the contact point; zero if the body is immovable.
 template <class S>
 struct BodyResponse {
   // The columns are the responses to unit impulses.
   Matrix3<S> velocity = Matrix3<S>::Constant(S(0));
   Matrix3<S> angular_velocity = Matrix3<S>::Constant(S(0));
   Matrix3<S> at_point = Matrix3<S>::Constant(S(0));
-  // The derivatives of the response to the given impulse. The impulse itself is constant.
+  // The derivatives of the response to a given, constant impulse.
   Jacobian<S> d_velocity = Jacobian<S>::Constant(S(0));
   Jacobian<S> d_angular_velocity = Jacobian<S>::Constant(S(0));
   Jacobian<S> d_at_point = Jacobian<S>::Constant(S(0));
@@ -98,8 +97,7 @@ template <class S>
     result.angular_velocity.col(i) = answer.angular_velocity;
     result.at_point.col(i) = point_velocity<S>(answer, arm);
   }
-  // The inputs are the mass, three moments, four numbers of the orientation, three of the position, and three of the
-  // contact point.
+  // The inputs are the mass, three moments, four numbers of the orientation, the position, and the contact point.
   constexpr int own = 11;
   using T = Dual<S, own + 3>;
   BasicBody<T> dual;
@@ -121,14 +119,14 @@ template <class S>
   return result;
 }
 
-/// The derivatives of an impulse, and of the changes that it causes in each of the four velocities.
+/// The derivatives of an impulse and of the velocity changes that it causes.
 template <class S>
 struct Derivatives {
   Jacobian<S> of_impulse;
   PerVector<Jacobian<S>> of_change;
 };
 
-/// The input of the differentiation: the responses of both bodies to the impulse F on A and −F on B.
+/// The responses of both bodies to the impulse F on A and −F on B.
 template <class S>
 struct ImpulseDifferential {
   BodyResponse<S> a;

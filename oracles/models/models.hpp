@@ -11,12 +11,12 @@
 #include <carom/oracles/models/rough.hpp>
 #include <carom/oracles/models/sticking.hpp>
 
-/// The laws that determine an outcome, each as a type. Nothing in these types has to be trusted. `certify` checks each
-/// truth (a law's exact answer), and tests compare the rest with the truth.
+/// The laws that determine an outcome, each as a type. `certify` checks each truth (a law's exact answer), and tests
+/// compare the rest with the truth, so these types need no trust.
 namespace carom::oracles {
 
-/// Calls use(type) with an object of the type that stands for the law. Throws std::invalid_argument if the law is
-/// not one of `laws_with_truth`.
+/// Calls use(type) with an object of the law's type. Throws std::invalid_argument if the law is not one of
+/// `laws_with_truth`.
 template <class Use>
 decltype(auto) with_law(Law law, Use&& use) {
   switch (law) {
@@ -35,24 +35,22 @@ decltype(auto) with_law(Law law, Use&& use) {
   determines_no_outcome(law);
 }
 
-/// Calls use(type) with the type by which the law answers on this branch. On the branch without friction, `rough` is
-/// frictionless.
+/// Calls use(type) with the type by which the law answers on this branch: `rough` without friction is frictionless.
 template <class Use>
 decltype(auto) with_law(Law law, Branch branch, Use&& use) {
   return with_law(law == Law::rough && branch == Branch::only ? Law::frictionless : law, std::forward<Use>(use));
 }
 
-/// A type whose impulse is linear in the change of relative velocity that it requires. Every other law type combines
-/// two such types by a share that is not linear, κ of `rough`.
+/// A type whose impulse is linear in the change of relative velocity that it requires. `rough` combines two such types
+/// by κ, which is not linear.
 template <class LawType>
 concept LinearLaw = requires {
   &LawType::template wanted_change<double>;
 };
 
-/// The laws whose types are linear. One formula gives their truth, which is rational.
+/// The laws whose types are linear, so that their truth is rational.
 inline constexpr std::array linear_laws{Law::frictionless, Law::reflection, Law::sticking};
 
-/// The change of relative velocity that a linear type requires.
 template <class LawType, class T>
 [[nodiscard]] Vector3<T> wanted_change(const BasicCollision<T>& c) {
   return LawType::template wanted_change<T>(c.normal, c.restitution, relative_velocity<T>(c, unchanged(c)));
@@ -66,7 +64,7 @@ struct RoughImpulses {
   Vector3<T> stops_approach;
   Vector3<T> stops_point;
 
-  /// `matrix` is K (`response_matrix`) if it is known, otherwise nullptr.
+  /// `matrix` is K, or nullptr if K is not known.
   RoughImpulses(const BasicCollision<T>& c, const Matrix3<T>* matrix) {
     CAROM_EXPECTS(has_movable_body(c));
     const Vector3<T> stop = -relative_velocity<T>(c, unchanged(c));
@@ -78,9 +76,9 @@ struct RoughImpulses {
 
 }  // namespace detail
 
-/// The impulse on A of the law's answer to a contact that collides. `branch` is the branch of the collision, or the
-/// other side of the cone. `matrix` is K if it is known. T is a field, with square roots if `branch` is `on_cone`. The
-/// function does not check the sign of N·V⁻. Precondition: a body is movable.
+/// The impulse [N s] on A of the law's answer to a contact that collides. `branch` is the branch of the collision, or
+/// the other side of the cone. `matrix` is K if it is known. T is a field, with square roots if `branch` is `on_cone`.
+/// The sign of N·V⁻ is not checked. Precondition: a body is movable.
 template <class T>
 [[nodiscard]] Vector3<T> colliding_impulse(const BasicCollision<T>& c, Law law, Branch branch,
                                            const Matrix3<T>* matrix = nullptr) {
@@ -97,21 +95,20 @@ template <class T>
   });
 }
 
-/// The law's answer to a contact that collides, from `colliding_impulse` with the same parameters and precondition.
+/// The law's answer to a contact that collides, by `colliding_impulse`, with its precondition.
 template <class T>
 [[nodiscard]] Truth<T> colliding_truth(const BasicCollision<T>& c, Law law, Branch branch) {
   const Vector3<T> impulse = colliding_impulse<T>(c, law, branch);
   return {impulse, sum(unchanged(c), response<T>(c, impulse))};
 }
 
-/// The law's answer to a contact with this approach.
 template <class T>
 [[nodiscard]] Truth<T> truth_of(const BasicCollision<T>& c, Law law, Approach approach, Branch branch) {
   return approach == Approach::colliding ? colliding_truth(c, law, branch) : Truth<T>{{T(0), T(0), T(0)}, unchanged(c)};
 }
 
-/// Whether `rough` answers inside the cone. `sign` maps a number of type T to −1, 0, 1 or no value. The result has no
-/// value if the known signs do not decide it. Precondition: a body is movable.
+/// Whether `rough` answers inside the cone. `sign` maps a number of type T to −1, 0, 1 or no value. No value if the
+/// known signs do not decide it. Precondition: a body is movable.
 template <class T, class Sign>
 [[nodiscard]] std::optional<bool> is_inside_cone(const BasicCollision<T>& c, const Matrix3<T>* matrix,
                                                  const Sign& sign) {
@@ -125,7 +122,7 @@ template <class T, class Sign>
   return along_normal && slack ? std::optional(true) : std::nullopt;
 }
 
-/// Whether some κ > 0 puts F on the cone's surface, so that the formula of `on_cone` has an answer. `sign` and the
+/// Whether some κ > 0 puts F on the cone's surface, so that the formula of `on_cone` has an answer. Parameters and
 /// precondition are those of `is_inside_cone`.
 template <class T, class Sign>
 [[nodiscard]] std::optional<bool> reaches_cone(const BasicCollision<T>& c, const Matrix3<T>* matrix, const Sign& sign) {
@@ -138,8 +135,8 @@ template <class T, class Sign>
   return along_normal && beyond ? std::optional(false) : std::nullopt;
 }
 
-/// The equations that the answer of every law satisfies for every contact to which they apply. `restitution` applies
-/// if the contact collides. `untouched` applies to immovable bodies, and to all bodies if the contact does not collide.
+/// The equations that the answer of every law satisfies where they apply. `restitution` applies if the contact
+/// collides. `untouched` applies to immovable bodies, and to all bodies if the contact does not collide.
 inline constexpr std::array kept_by_every_law{AffineEquation::linear_momentum,
                                               AffineEquation::angular_momentum_of_a,
                                               AffineEquation::angular_momentum_of_b,
@@ -170,13 +167,12 @@ inline constexpr PerAffineEquation<bool> kept_equations_of = kept_equations<LawT
 
 }  // namespace detail
 
-/// Whether the answer of the law satisfies the equation for every contact to which the equation applies.
 [[nodiscard]] inline bool keeps(Law law, AffineEquation equation) {
   return with_law(law, [&]<class LawType>(LawType) { return detail::kept_equations_of<LawType>[equation]; });
 }
 
-/// Whether the impulse of the law on this branch does not tend to 0 with N·V⁻. If rounding of the inputs then decides
-/// whether the contact collides, there are two answers, and an outcome may be either.
+/// Whether the impulse of the law on this branch does not tend to 0 with N·V⁻. If rounding of the inputs decides
+/// whether the contact collides, an outcome may then be either of two answers.
 [[nodiscard]] inline bool acts_at_once(Law law, Branch branch) {
   return with_law(law, branch,
                   [&]<class LawType>(LawType) { return LawType::acts_at_once && branch != Branch::on_cone; });

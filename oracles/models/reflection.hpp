@@ -12,35 +12,29 @@ namespace carom::oracles {
 
 /// The law `reflection` (eq. 17, 20, 21 of the note, docs/findings/note.md): K F = −(1 + ε) (N·V⁻) / (N·N) N.
 struct Reflection {
-  // The truth, the law's exact answer. F causes the wanted change of relative velocity and is linear in it.
-
   template <class T>
   [[nodiscard]] static Vector3<T> wanted_change(const Vector3<T>& n, const T& restitution,
                                                 const Vector3<T>& velocity_before) {
     return change_by_restitution<T>(n, restitution, velocity_before);
   }
 
-  /// `matrix` is K (`response_matrix`) if it is known, otherwise nullptr.
+  /// `matrix` is K, or nullptr if K is not known. F causes `change` and is linear in it.
   template <class T>
   [[nodiscard]] static Vector3<T> impulse_for(const BasicCollision<T>& collision, const Vector3<T>& change,
                                               const Matrix3<T>* matrix) {
     return impulse_by_matrix<T>(collision, change, matrix);
   }
 
-  // The refinement (filters/refined_truth.hpp) uses these members.
-
-  /// The same impulse, because the law permits every impulse exactly.
+  /// The same impulse, which the law permits exactly (filters/refined_truth.hpp).
   [[nodiscard]] static Vector3<Enclosure> permitted(const BasicCollision<Enclosure>& /*collision*/,
                                                     const Vector3<double>& impulse) {
     return impulse.unaryExpr([](double x) { return Enclosure(x); });
   }
 
-  /// The part of a change of relative velocity that the law must cause.
+  /// The whole change, which the law must cause.
   [[nodiscard]] static Vector3<Enclosure> asked_for(const Vector3<Enclosure>& /*n*/, const Vector3<Enclosure>& change) {
     return change;
   }
-
-  // The sensitivity uses this member.
 
   template <class S>
   [[nodiscard]] static Derivatives<S> derivatives(const BasicCollision<S>& /*collision*/,
@@ -48,17 +42,13 @@ struct Reflection {
     return derivatives_by_matrix<S>(of);
   }
 
-  // `Closeness` uses these members.
-
-  /// The equations that the law's answer satisfies, if they apply, in addition to `kept_by_every_law`.
+  /// The equations that hold in addition to `kept_by_every_law`.
   static constexpr std::array keeps{AffineEquation::push_read_off_a, AffineEquation::push_read_off_b,
                                     AffineEquation::reflection_plane};
   /// Whether the law never adds energy, apart from the work of a driven wall.
   static constexpr bool creates_no_energy = false;
 
-  // ExactCase::has_two_answers uses this member.
-
-  /// Whether the impulse does not tend to 0 with N·V⁻.
+  /// Whether the impulse does not tend to 0 with N·V⁻ (ExactCase::has_two_answers).
   static constexpr bool acts_at_once = false;
 };
 

@@ -12,9 +12,9 @@
 namespace carom::oracles {
 
 /// The law `rough` (A. Chatterjee, A. Ruina 1998): F = (1 + ε) P_I + κ D with D = P_II − P_I. P_I stops the approach,
-/// and P_II stops the contact point. κ = 1 + e_t, with the tangential restitution e_t, if the resulting F lies in the
-/// friction cone. Otherwise κ is the value that puts F on the cone's surface. P_I and P_II are the impulses of two
-/// linear laws without restitution. For fixed κ, F is linear in them.
+/// and P_II stops the contact point, by two linear laws without restitution. If F lies in the friction cone for κ = 1 +
+/// e_t, with the tangential restitution e_t, κ has this value. Otherwise κ is the value that puts F on the cone's
+/// surface.
 struct Rough {
   using StopsApproach = Frictionless;
   using StopsPoint = Sticking;
@@ -53,7 +53,7 @@ struct Rough {
     return sqrt(T(tangential.dot(tangential))) - c.friction * c.normal.dot(d);
   }
 
-  /// κ. It is 0 on the branch without friction.
+  /// κ, which is 0 without friction.
   template <class T>
   [[nodiscard]] static T friction_share(const BasicCollision<T>& c, const Vector3<T>& stops_approach,
                                         const Vector3<T>& d, Branch branch) {
@@ -73,18 +73,13 @@ struct Rough {
     return Vector3<T>(stops_approach * T(T(1) + c.restitution)) + Vector3<T>(d * share);
   }
 
-  // `Closeness` uses these members.
-
-  /// The equations that the law's answer satisfies, if they apply, in addition to `kept_by_every_law`.
+  /// The equations that hold in addition to `kept_by_every_law`.
   static constexpr std::array keeps{AffineEquation::push_read_off_a, AffineEquation::push_read_off_b};
-  /// Whether the law never adds energy, apart from the work of a driven wall. P_IᵀK D = 0, so ΔE = −½ (1
-  /// − ε²) P_IᵀK P_I − ½ κ (2 − κ) DᵀK D, and 0 ≤ κ ≤ 2.
+  /// Whether the law never adds energy, apart from the work of a driven wall (docs/guide/laws.md#rough).
   static constexpr bool creates_no_energy = true;
 
-  // ExactCase::has_two_answers uses this member.
-
-  /// Whether the impulse inside the cone does not tend to 0 with N·V⁻. The impulse tends to κ D, which lies in the cone
-  /// for large friction.
+  /// Whether the impulse inside the cone does not tend to 0 with N·V⁻ (ExactCase::has_two_answers). The impulse tends
+  /// to κ D, which lies in the cone for large friction.
   static constexpr bool acts_at_once = true;
 };
 

@@ -13,7 +13,7 @@
 namespace carom::oracles {
 namespace {
 
-/// V⁻ from enclosures, because its terms may cancel. The remainder determines the direction of the slip.
+/// V⁻ from enclosures. Its terms may cancel, and the remainder gives the direction of the slip.
 template <class S>
 Vector3<S> velocity_before(const BasicCollision<Enclosure>& c) {
   Vector3<Enclosure> velocity = relative_velocity<Enclosure>(c, unchanged(c));
@@ -24,7 +24,6 @@ Vector3<S> velocity_before(const BasicCollision<Enclosure>& c) {
   }
 }
 
-/// A collision and the inputs with respect to which a law is differentiated.
 template <class S>
 struct Differentiable {
   explicit Differentiable(const Collision& collision)
@@ -37,15 +36,13 @@ struct Differentiable {
   Vector3<S> velocity;  // V⁻
 };
 
-/// The required change of relative velocity and its derivatives.
 template <class S>
 struct Wanted {
   Vector3<S> change;
   Jacobian<S> derivative = Jacobian<S>::Constant(S(0));
 };
 
-/// Applies the chain rule through the relative velocity before the impulse. `restitution` is ε, with or without a
-/// derivative.
+/// The wanted change, differentiated through V⁻ by the chain rule. `restitution` is ε, with or without a derivative.
 template <class LawType, class S>
 Wanted<S> wanted_of(const Differentiable<S>& of, const Dual<S, 7>& restitution) {
   const BasicCollision<S>& c = of.c;
@@ -71,7 +68,7 @@ Wanted<S> wanted_of(const Differentiable<S>& of, const Dual<S, 7>& restitution) 
   return result;
 }
 
-/// A linear law's impulse and the changes of the velocities that it causes, with their derivatives.
+/// A linear law's impulse and the velocity changes that it causes, with their derivatives.
 template <class S>
 struct Differentiated {
   Vector3<S> impulse;
@@ -139,7 +136,6 @@ Share<S> friction_share(const Differentiable<S>& of, const Differentiated<S>& ap
   return share;
 }
 
-/// The derivatives of the changes of the velocities by the law's impulse.
 template <class LawType, class S>
 PerVector<Jacobian<S>> change_derivatives(const Differentiable<S>& of, Branch branch) {
   using T = Dual<S, 7>;
@@ -204,8 +200,8 @@ double enclosed_norm(const Jacobian<Enclosure>& jacobian, const std::vector<Quan
 }
 
 /// The factor by which rounding errors grow. The terms of K are at most T = λ + Σ ‖r‖² / min I, and K ⪰ λI. So T / λ
-/// bounds the condition number of K, and it covers cancellation in r × F. On the cone's surface, the divisor ‖N × D‖ −
-/// μ N·D of `rough` may cancel too. Its terms are as large as the impulses, at most Σ (‖v‖ + ‖w‖ ‖r‖) / λ.
+/// bounds the condition number of K, and the cancellation in r × F. On the cone's surface, the terms of the divisor ‖N
+/// × D‖ − μ N·D of `rough` may cancel, too. D is at most Σ (‖v‖ + ‖w‖ ‖r‖) / λ.
 double growth_of_roundings(const Collision& collision, const BasicCollision<Enclosure>& enclosed, Law law,
                            Branch branch) {
   const double lambda = inverse_mass(collision);
@@ -226,9 +222,8 @@ double growth_of_roundings(const Collision& collision, const BasicCollision<Encl
 
 constexpr double thousandth = 0x1p-10;
 
-/// The middles of enclosures lose fewer than 2⁹ roundings of double-double arithmetic (2⁻¹⁰² each), times
-/// `growth_of_roundings`. Up to this growth, the middles are correct to a thousandth. The radii are larger, because
-/// they do not use K ⪰ λI.
+/// The middles of enclosures lose fewer than 2⁹ roundings of 2⁻¹⁰² each, times `growth_of_roundings`. Up to this
+/// growth, they are correct to a thousandth. The radii are larger, because they do not use K ⪰ λI.
 constexpr double largest_growth = thousandth * 0x1p+102 / 0x1p+9;
 
 }  // namespace
@@ -324,13 +319,13 @@ Sensitivity exact_sensitivity(const Collision& collision, Law law, Branch branch
 
 namespace {
 
-/// A lower bound of |μ N·F − ‖N × F‖| for F with κ = 1 + e_t. Enclosures are needed because this difference can be as
-/// small as a rounding error.
+/// A lower bound of |μ N·F − ‖N × F‖| for F with κ = 1 + e_t, by enclosures, because it can be as small as a rounding
+/// error.
 double distance_from_cone(const BasicCollision<Enclosure>& c) {
   const detail::RoughImpulses<Enclosure> of(c, nullptr);
   const Vector3<Enclosure> whole = Rough::combined<Enclosure>(c, of.stops_approach, of.difference(),
                                                               Enclosure(Enclosure(1.0) + c.tangential_restitution));
-  // Scale the impulse to ordinary size, so that its square stays in the range of numbers.
+  // The scaled impulse has a size near 1, so that its square stays in the range of numbers.
   const double size = whole.unaryExpr([](const Enclosure& x) { return x.middle(); }).lpNorm<Eigen::Infinity>();
   const double unit = std::isfinite(size) && size > 0 ? std::ldexp(1.0, std::ilogb(size)) : 1;
   const Vector3<Enclosure> scaled = whole * Enclosure(1 / unit);

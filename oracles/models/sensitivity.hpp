@@ -17,49 +17,46 @@
 
 namespace carom::oracles {
 
-/// For each vector y_k of an outcome, the sum of ‖∂y_k/∂q‖ ‖q‖ over the quantities q (quantities.hpp), plus ‖y_k⁻‖.
-/// y_k⁻ is the vector before the impulse. The sensitivity is the denominator of the backward error, without the unit
-/// roundoff. The term ‖y_k⁻‖ stands for the rounding of the sum y_k⁻ + Δy_k. No change of the inputs explains this
-/// rounding if the sum nearly vanishes and the law is insensitive. An example is a ball that hits a wall head-on at ε =
-/// 0. So the backward error is a mixed forward-backward error: N. Higham, Accuracy and Stability of Numerical
-/// Algorithms, §1.5.
+/// For each vector y_k of an outcome, the sum of ‖∂y_k/∂q‖ ‖q‖ over the quantities q (quantities.hpp), plus ‖y_k⁻‖ of
+/// the vector before the impulse. It is the denominator of the backward error, without the unit roundoff
+/// (docs/reference/yardstick.md). The term ‖y_k⁻‖ makes this a mixed forward-backward error: N. Higham, Accuracy and
+/// Stability of Numerical Algorithms, §1.5.
 using Sensitivity = PerVector<double>;
 
-/// Sums Σ_q ‖∂y/∂q‖ ‖q‖ between these limits are computed by squares in binary64. The underflow of the squares, times
-/// ‖q‖, does not reach the tenth digit of the smaller limit (docs/internals/bounds.md). A sum that overflows is above
-/// the larger limit.
+/// Sums Σ_q ‖∂y/∂q‖ ‖q‖ between these limits are computed by squares in binary64. Below them, underflow of the squares
+/// could reach the tenth digit (docs/internals/bounds.md). Above them, squares could overflow.
 inline constexpr double least_sum_by_squares = 0x1p-380;
 inline constexpr double largest_sum_by_squares = 0x1p+400;
 
-/// The relative precision of ten digits of a sum.
+/// A relative precision of more than ten digits.
 inline constexpr double ten_digits = 0x1p-34;
 
 /// ‖y_k⁻‖.
 [[nodiscard]] Sensitivity norms_before(const Collision& collision);
 
-/// The sensitivity of the law's answer to a contact that collides, in binary64. It uses implicit differentiation
-/// (implicit_differentiation.hpp), and loses about κ(K) u if the law inverts K. κ(K) is the condition number of the
-/// collision matrix. No value if a sum is outside the limits above. Preconditions: the collision is moderate
-/// (moderate.hpp); a body is movable; the law is one of `laws_with_truth`. BoundedCase::is_well_conditioned() is true,
-/// except for the frictionless law. For `on_cone`, BoundedCase::has_clear_divisor() is true.
+/// The sensitivity of the law's answer to a contact that collides, by implicit differentiation in binary64
+/// (implicit_differentiation.hpp). If the law inverts K, the relative error is about the condition number of K times u.
+/// No value if a sum is outside the limits above. Preconditions: the collision is moderate (moderate.hpp); a body is
+/// movable; the law is one of `laws_with_truth`; BoundedCase::is_well_conditioned(), except for the frictionless law;
+/// for `on_cone`, BoundedCase::has_clear_divisor().
 [[nodiscard]] std::optional<Sensitivity> colliding_sensitivity(const Collision& collision, Law law, Branch branch);
 
-/// The sensitivity of `colliding_sensitivity` in double-double arithmetic, for any valid collision with a movable body.
-/// It has a value if its error radii are at most a thousandth of it. If the collision is moderate, a small bound of the
-/// growth of rounding errors suffices too.
+/// `colliding_sensitivity` in double-double arithmetic, for any valid collision with a movable body. No value if its
+/// error radii exceed a thousandth of it. For a moderate collision, a small bound of the growth of rounding errors
+/// suffices too.
 [[nodiscard]] std::optional<Sensitivity> enclosed_sensitivity(const Collision& collision, Law law, Branch branch,
                                                               bool is_moderate);
 
-/// The sensitivity of `colliding_sensitivity` by exact differentiation of the whole law.
+/// `colliding_sensitivity` by exact differentiation of the whole law.
 [[nodiscard]] Sensitivity exact_sensitivity(const Collision& collision, Law law, Branch branch);
 
 /// The distance of the answer of `rough` with κ = 1 + e_t from the cone's surface, and the first-order effect of the
-/// inputs on this distance. Both numbers are rounded as sensitivities are, and NaN if unknown.
+/// inputs on it. Both are rounded, and NaN if unknown.
 struct ConeDistance {
   double distance;     // a lower bound of |μ N·F − ‖N × F‖|, by enclosures
   double sensitivity;  // Σ_q ‖∂(μ N·F)/∂q‖ ‖q‖ + Σ_q ‖∂(N × F)/∂q‖ ‖q‖
 
-  /// Whether inputs that differ relatively by `allowance` have answers on both sides of the surface. True if unknown.
+  /// Whether permitted inputs have answers on both sides of the surface. True if unknown.
   [[nodiscard]] bool is_within(double allowance) const { return !(distance > allowance * sensitivity); }
 };
 

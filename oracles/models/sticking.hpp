@@ -12,8 +12,6 @@ namespace carom::oracles {
 
 /// The law `sticking`, the limit μ → ∞ of Coulomb friction: K F = −(V⁻ + ε (N·V⁻) / (N·N) N).
 struct Sticking {
-  // The truth, the law's exact answer. F causes the wanted change of relative velocity and is linear in it.
-
   template <class T>
   [[nodiscard]] static Vector3<T> wanted_change(const Vector3<T>& n, const T& restitution,
                                                 const Vector3<T>& velocity_before) {
@@ -21,27 +19,23 @@ struct Sticking {
     return -(velocity_before + n * T(rebound / n.dot(n)));
   }
 
-  /// `matrix` is K (`response_matrix`) if it is known, otherwise nullptr.
+  /// `matrix` is K, or nullptr if K is not known. F causes `change` and is linear in it.
   template <class T>
   [[nodiscard]] static Vector3<T> impulse_for(const BasicCollision<T>& collision, const Vector3<T>& change,
                                               const Matrix3<T>* matrix) {
     return impulse_by_matrix<T>(collision, change, matrix);
   }
 
-  // The refinement (filters/refined_truth.hpp) uses these members.
-
-  /// The same impulse, because the law permits every impulse exactly.
+  /// The same impulse, which the law permits exactly (filters/refined_truth.hpp).
   [[nodiscard]] static Vector3<Enclosure> permitted(const BasicCollision<Enclosure>& /*collision*/,
                                                     const Vector3<double>& impulse) {
     return impulse.unaryExpr([](double x) { return Enclosure(x); });
   }
 
-  /// The part of a change of relative velocity that the law must cause.
+  /// The whole change, which the law must cause.
   [[nodiscard]] static Vector3<Enclosure> asked_for(const Vector3<Enclosure>& /*n*/, const Vector3<Enclosure>& change) {
     return change;
   }
-
-  // The sensitivity uses this member.
 
   template <class S>
   [[nodiscard]] static Derivatives<S> derivatives(const BasicCollision<S>& /*collision*/,
@@ -49,17 +43,13 @@ struct Sticking {
     return derivatives_by_matrix<S>(of);
   }
 
-  // `Closeness` uses these members.
-
-  /// The equations that the law's answer satisfies, if they apply, in addition to `kept_by_every_law`.
+  /// The equations that hold in addition to `kept_by_every_law`.
   static constexpr std::array keeps{AffineEquation::sticks};
-  /// Whether the law never adds energy, apart from the work of a driven wall. Sticking may add energy if ε > 0, because
-  /// the tangential impulse also changes the normal velocity.
+  /// Whether the law never adds energy, apart from the work of a driven wall. If ε > 0 it may, because the tangential
+  /// impulse also changes the normal velocity.
   static constexpr bool creates_no_energy = false;
 
-  // ExactCase::has_two_answers uses this member.
-
-  /// Whether the impulse does not tend to 0 with N·V⁻. It stops the slip, however slow the approach is.
+  /// Whether the impulse does not tend to 0 with N·V⁻ (ExactCase::has_two_answers). It stops the slip at any approach.
   static constexpr bool acts_at_once = true;
 };
 

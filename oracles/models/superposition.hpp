@@ -10,8 +10,7 @@
 #include <carom/oracles/models/definite_system.hpp>
 #include <carom/oracles/numbers/enclosure.hpp>
 
-/// The exact outcome by superposition. The velocities respond linearly to the impulse. Unit impulses give the
-/// responses, and the law combines them. T is a field.
+/// The exact outcome by superposition: the velocities respond linearly to the impulse. T is a field.
 namespace carom::oracles {
 
 /// The change of a body's velocities by the impulse F at the contact point. It is zero if the body is immovable.
@@ -43,8 +42,7 @@ template <class T>
   return responses;
 }
 
-/// The collision matrix, from its definition: column i is the change of relative velocity by a unit impulse along axis
-/// i.
+/// The collision matrix by its definition: column i is the change of relative velocity by a unit impulse along axis i.
 template <class T>
 [[nodiscard]] Matrix3<T> response_matrix(const BasicCollision<T>& collision,
                                          const std::array<Outcome<T>, 3>& responses) {
@@ -74,7 +72,7 @@ template <class T>
   return Vector3<T>{b.dot(c12), b.dot(c2.cross(c0)), b.dot(c0.cross(c1))} / determinant;
 }
 
-/// F with K F = change. `matrix` is K if it is already known, otherwise nullptr. Precondition: a body is movable.
+/// F with K F = change. `matrix` is K, or nullptr if K is not known. Precondition: a body is movable.
 template <class T>
 [[nodiscard]] Vector3<T> impulse_by_matrix(const BasicCollision<T>& collision, const Vector3<T>& change,
                                            const Matrix3<T>* matrix) {

@@ -8,8 +8,9 @@
 
 namespace carom::oracles {
 
-/// The bounds of Approximation. Each is a formula for any scalar S, so that a test can count its roundings
-/// (docs/internals/bounds.md). With x = x̂ ± r_x, y = ŷ ± r_y, and ẑ the rounded result of an operation on x̂ and ŷ:
+/// The bounds of Approximation, as formulas for any scalar S, so that a test can count their roundings
+/// (docs/internals/bounds.md). With x = x̂ ± r_x, y = ŷ ± r_y, u = 2⁻⁵³, and ẑ the rounded result of an operation on x̂
+/// and ŷ:
 ///
 ///   (1) |x̂ + ŷ − ẑ|, |x̂ ŷ − ẑ|, |x̂ / ŷ − ẑ| ≤ u |ẑ|, or half the least number if a product or quotient underflows;
 ///   (2) |x + y − (x̂ + ŷ)| ≤ r_x + r_y;
@@ -17,7 +18,7 @@ namespace carom::oracles {
 ///   (4) |x / y − x̂ / ŷ| ≤ (r_x + |x̂ / ŷ| r_y) / (|ŷ| − r_y);
 ///   (5) |√x − √x̂| ≤ r_x / √x̂, and |√x̂ − ẑ| ≤ u |ẑ|.
 ///
-/// The evaluation of (1) to (5) takes fewer than (up − 1) / u roundings. Its underflow loses less than `least`.
+/// The evaluation of (1) to (5) takes fewer than (up − 1) / u roundings, and loses less than `least` to underflow.
 namespace approximation {
 
 inline constexpr double unit_roundoff = 0x1p-53;
@@ -25,35 +26,38 @@ inline constexpr double up = 1 + 0x1p-45;
 inline constexpr double down = 1 - 0x1p-45;
 inline constexpr double least = 0x1p-1000;
 
-/// The most that a product loses to underflow before it is divided by a small number.
+/// The most that the product in `radius_of_quotient` loses to underflow.
 inline constexpr double least_number = 0x1p-1074;
 
-/// Upper and lower bounds of |x| for x = ± size ± radius.
+/// An upper bound of |x| for x = ±size ± radius.
 template <class S>
 [[nodiscard]] S above(const S& size, const S& radius) {
   return (size + radius) * S(up);
 }
+/// A lower bound of |x| for x = ±size ± radius.
 template <class S>
 [[nodiscard]] S below(const S& size, const S& radius) {
   return size * S(down) - radius * S(up);
 }
 
-/// The radii of results. `size` is |ẑ|.
+/// The radius of x + y by (1) and (2). `size` is |ẑ|.
 template <class S>
 [[nodiscard]] S radius_of_sum(const S& radius_x, const S& radius_y, const S& size) {
   return (radius_x + radius_y + size * S(unit_roundoff)) * S(up);
 }
+/// The radius of x y by (1) and (3).
 template <class S>
 [[nodiscard]] S radius_of_product(const S& size_x, const S& radius_x, const S& size_y, const S& radius_y,
                                   const S& size) {
   return (size_x * radius_y + (size_y + radius_y) * radius_x + size * S(unit_roundoff)) * S(up) + S(least);
 }
+/// The radius of x / y by (1) and (4). `below_y` is at most |ŷ| − r_y.
 template <class S>
 [[nodiscard]] S radius_of_quotient(const S& radius_x, const S& radius_y, const S& below_y, const S& size) {
   return ((radius_x + size * radius_y + S(least_number)) / below_y + size * S(unit_roundoff)) * S(up) + S(least);
 }
 
-/// `root` is ẑ of (5). It is at most (1 + u) √x̂.
+/// The radius of √x by (5). `root` is ẑ, which is at most (1 + u) √x̂.
 template <class S>
 [[nodiscard]] S radius_of_root(const S& radius_x, const S& root) {
   return (radius_x / root + root * S(unit_roundoff)) * S(up) + S(least);
@@ -61,9 +65,9 @@ template <class S>
 
 }  // namespace approximation
 
-/// A real number with an error bound: |x − middle| ≤ radius. It is binary64 arithmetic that carries a bound, at a tenth
-/// of the cost of an `Enclosure`. This is running error analysis (J. Wilkinson; N. Higham, Accuracy and Stability of
-/// Numerical Algorithms, §3.3). A bound that overflows is infinite or NaN, and then decides nothing.
+/// A real number x with an error bound: |x − middle| ≤ radius. It is running error analysis in binary64 (J. Wilkinson;
+/// N. Higham, Accuracy and Stability of Numerical Algorithms, §3.3), at a tenth of the cost of an `Enclosure`. A bound
+/// that overflows is infinite or NaN, and decides nothing.
 class Approximation {
  public:
   Approximation() = default;
@@ -78,7 +82,6 @@ class Approximation {
   [[nodiscard]] double middle() const { return middle_; }
   [[nodiscard]] double radius() const { return radius_; }
 
-  /// This number with its radius enlarged by `radius`.
   [[nodiscard]] Approximation widened_by(double radius) const {
     return {middle_, approximation::above(radius_, radius)};
   }
@@ -94,7 +97,7 @@ class Approximation {
 
   [[nodiscard]] bool is_exactly_zero() const { return middle_ == 0 && radius_ == 0; }
 
-  /// −1, 0 or 1 if the sign is certain.
+  /// The sign of x: −1, 0 or 1. No value if the bound does not decide it.
   [[nodiscard]] std::optional<int> sign() const {
     if (is_exactly_zero()) {
       return 0;
@@ -129,7 +132,7 @@ class Approximation {
     return {q, approximation::radius_of_quotient(x.radius_, y.radius_, y.magnitude_below(), std::abs(q))};
   }
 
-  /// √x of a number x that is not negative. The approximation of x may include zero or negative numbers.
+  /// √x. Precondition: x ≥ 0, although the bounds of x may include negative numbers.
   friend Approximation sqrt(const Approximation& x) {
     if (x.is_exactly_zero()) {
       return {};

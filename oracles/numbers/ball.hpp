@@ -6,8 +6,8 @@
 #include <carom/collision/vector.hpp>
 #include <carom/oracles/numbers/norm.hpp>
 
-/// Numbers and vectors with an error radius. A vector lies in a Euclidean ball, so the results do not depend on the
-/// axes. Centres and radii are rounded without bounds, because they only give allowances (permitted_inputs.hpp).
+/// Numbers and vectors with an error radius. Vectors lie in Euclidean balls, so the results do not depend on the axes.
+/// Rounding has no bounds here, because a ball only tells how much error is permitted (permitted_inputs.hpp).
 namespace carom::oracles {
 
 struct ScalarBall {
@@ -46,8 +46,7 @@ struct VectorBall {
 
 namespace detail {
 
-/// The radius of a product of two vectors. Precondition: the length of the product is at most the product of the
-/// lengths.
+/// The radius of a product v ∘ w of two vectors. Precondition: ‖v ∘ w‖ ≤ ‖v‖ ‖w‖.
 [[nodiscard]] inline double radius_of_product(const VectorBall& v, const VectorBall& w) {
   return norm_of(v.centre) * w.radius + v.radius * w.largest();
 }

@@ -11,7 +11,7 @@
 
 namespace carom::oracles {
 
-/// Up to six numbers, stored without heap memory. They hold the difference of the two sides of an equation.
+/// Up to six numbers without heap memory, for the difference of the two sides of an equation.
 template <class T>
 class Components {
  public:

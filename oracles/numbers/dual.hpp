@@ -11,8 +11,8 @@
 
 namespace carom::oracles {
 
-/// A number and its first derivatives with respect to N inputs, in the field S. This is forward differentiation, exact
-/// except for the rounding of S. It has only the operations that the laws need: + − × ÷ √.
+/// A number and its first derivatives with respect to N inputs (forward differentiation), exact except for the rounding
+/// of the field S.
 template <class S, std::size_t N>
 struct Dual {
   S value{0};
@@ -22,7 +22,6 @@ struct Dual {
   Dual(int constant) : value(constant) {}  // NOLINT(google-explicit-constructor)
   explicit Dual(const S& constant) : value(constant) {}
 
-  /// The input with this index. Its derivative with respect to itself is 1.
   static Dual input(const S& value, std::size_t index) {
     Dual dual(value);
     dual.derivative[index] = S(1);
@@ -41,7 +40,7 @@ struct Dual {
     return *this;
   }
 
-  // The operators are written out because a copy of one side costs as much as the operation.
+  // These operators do not use +=, because the copy of a side would cost as much as the operation.
   friend Dual operator+(const Dual& left, const Dual& right) {
     Dual sum(left.value + right.value);
     for (std::size_t i = 0; i < N; ++i) {
@@ -64,7 +63,7 @@ struct Dual {
     return product;
   }
   friend Dual operator/(Dual left, const Dual& right) { return left /= right; }
-  /// Precondition: the value is positive.
+  /// √x. Precondition: x > 0.
   friend Dual sqrt(const Dual& x) {
     using std::sqrt;
     if constexpr (std::totally_ordered<S>) {

@@ -11,9 +11,9 @@
 
 namespace carom::oracles {
 
-/// The bounds of Enclosure. Each is a formula for any scalar S, so that a test can count its roundings
-/// (docs/internals/bounds.md). u = 2⁻⁵³, x = x̂ ± r_x, y = ŷ ± r_y, and z is the result of double-double arithmetic on
-/// x̂ and ŷ. If no number leaves the range of binary64:
+/// The bounds of Enclosure, as formulas for any scalar S, so that a test can count their roundings
+/// (docs/internals/bounds.md). With u = 2⁻⁵³, x = x̂ ± r_x, y = ŷ ± r_y, and z the result of double-double arithmetic
+/// on x̂ and ŷ, if no number leaves the range of binary64:
 ///
 ///   (1) |x̂ + ŷ − z| ≤ 3u² / (1 − 4u) |x̂ + ŷ|, |x̂ ŷ − z| ≤ 7u² |x̂ ŷ| (M. Joldes, J.-M. Muller, V. Popescu, ACM Trans.
 ///       Math. Softw. 44 (2017), algorithms 6 and 10), and both are at most 16u² |z|;
@@ -30,33 +30,35 @@ inline constexpr double up = 1 + 0x1p-48;
 inline constexpr double down = 1 - 0x1p-48;
 inline constexpr double least = 0x1p-900;
 
-/// Upper and lower bounds of |x| for x = ±high ± low ± radius.
+/// An upper bound of |x| for x = ±high ± low ± radius.
 template <class S>
 [[nodiscard]] S above(const S& high, const S& low, const S& radius) {
   return (high * S(up) + low) + radius * S(up);
 }
+/// A lower bound of |x| for x = ±high ± low ± radius.
 template <class S>
 [[nodiscard]] S below(const S& high, const S& low, const S& radius) {
   return high * S(down) - low - radius * S(up);
 }
 
-/// The radius of z = ±high ± low: the error of the operands plus the rounding of the operation.
+/// The radius of z = ±high ± low: the error of the operands, the rounding (1), and the underflow `absolute`.
 template <class S>
 [[nodiscard]] S radius_of_result(const S& of_operands, const S& high, const S& low, double absolute) {
   return of_operands * S(up) + (high + low) * S(rounding) + S(absolute);
 }
+/// The error of the operands of x y, by (2).
 template <class S>
 [[nodiscard]] S radius_of_product(const S& above_x, const S& radius_x, const S& above_y, const S& radius_y) {
   return above_x * radius_y + above_y * radius_x;
 }
-/// `rest` is at least |x̂ − q ŷ|, and `above_q` is at least |q|.
+/// The radius of q by (3). `rest` is at least |x̂ − q ŷ|, and `above_q` is at least |q|.
 template <class S>
 [[nodiscard]] S radius_of_quotient(const S& rest, const S& radius_x, const S& above_q, const S& radius_y,
                                    const S& below_y) {
   return (rest + radius_x + above_q * radius_y) / below_y * S(up);
 }
 
-/// `rest` is at least |x̂ − q²|.
+/// The radius of q by (4). `rest` is at least |x̂ − q²|.
 template <class S>
 [[nodiscard]] S radius_of_root(const S& rest, const S& radius_x, const S& below_q) {
   return (rest + radius_x) / below_q * S(up);
@@ -64,9 +66,9 @@ template <class S>
 
 }  // namespace enclosure
 
-/// A real number with an error bound: |x − (high + low)| ≤ radius. It is double-double arithmetic that carries a bound.
-/// As in CGAL's filtered predicates, an enclosure decides a sign exactly or leaves it to rationals. It has about 100
-/// bits in the range of binary64. Outside this range the radius becomes infinite and decides nothing.
+/// A real number x with an error bound: |x − (high + low)| ≤ radius. It is double-double arithmetic of about 100 bits.
+/// Rationals decide a sign that the bound leaves open. Outside the range of binary64 the radius is infinite and decides
+/// nothing.
 class Enclosure {
  public:
   Enclosure() = default;
@@ -74,8 +76,8 @@ class Enclosure {
   explicit Enclosure(double exact) : high_(exact) {}
   explicit Enclosure(long double exact)
       : high_(static_cast<double>(exact)), low_(static_cast<double>(exact - static_cast<long double>(high_))) {
-    // Extended has a wider range of exponents than two doubles, and other formats have more bits. Rationals handle an
-    // outcome that two doubles do not hold.
+    // A long double may have a wider range or more bits than two doubles. Rationals handle a number that two doubles do
+    // not hold.
     const bool is_held = std::isfinite(high_) && std::abs(high_) >= enclosure::least &&
                          exact - static_cast<long double>(high_) == static_cast<long double>(low_);
     radius_ = is_held || exact == 0 ? 0 : infinity;
@@ -86,7 +88,7 @@ class Enclosure {
       return;
     }
     low_ = to_double(exact - Rational(high_));
-    // The remainder is at most an ulp of the lower part, or it lies below the range of binary64.
+    // The remainder beyond `low_` is at most an ulp of `low_`, or lies below the range of binary64.
     const bool is_exact = exact == Rational(high_) + Rational(low_);
     const Pair normalised = fast_two_sum(high_, low_);
     *this = {normalised.high, normalised.low, is_exact ? 0 : std::abs(low_) * part_of_lower + enclosure::least};
@@ -96,7 +98,6 @@ class Enclosure {
   [[nodiscard]] double lower_part() const { return low_; }
   [[nodiscard]] double radius() const { return radius_; }
 
-  /// This number with its radius enlarged by `radius`.
   [[nodiscard]] Enclosure widened_by(double radius) const { return {high_, low_, (radius_ + radius) * enclosure::up}; }
 
   /// At least |x|.
@@ -109,7 +110,7 @@ class Enclosure {
 
   [[nodiscard]] bool is_exactly_zero() const { return high_ == 0 && low_ == 0 && radius_ == 0; }
 
-  /// −1, 0 or 1 if the sign is certain.
+  /// The sign of x: −1, 0 or 1. No value if the bound does not decide it.
   [[nodiscard]] std::optional<int> sign() const {
     if (is_exactly_zero()) {
       return 0;
@@ -160,7 +161,7 @@ class Enclosure {
     return with_rounding(q, radius, enclosure::least);
   }
 
-  /// √x of a number x that is not negative. The enclosure of x may include zero or negative numbers.
+  /// √x. Precondition: x ≥ 0, although the bounds of x may include negative numbers.
   friend Enclosure sqrt(const Enclosure& x) {
     if (x.is_exactly_zero()) {
       return {};
@@ -211,7 +212,7 @@ class Enclosure {
     return {high, a - high};
   }
 
-  /// Dekker's product, which needs no fused multiply-add. An overflow makes it NaN, and with_rounding catches the NaN.
+  /// Dekker's product, without fused multiply-add. An overflow makes it NaN, which with_rounding catches.
   static Pair two_product(double a, double b) {
     const double p = a * b;
     const Pair x = split(a);
@@ -219,10 +220,9 @@ class Enclosure {
     return {p, ((x.high * y.high - p) + x.high * y.low + x.low * y.high) + x.low * y.low};
   }
 
-  /// The sum, product or quotient z. The radius includes the rounding of double-double arithmetic and of the radius
-  /// itself.
+  /// z with its error bound: `radius`, plus the rounding of double-double arithmetic and of the radius itself.
   static Enclosure with_rounding(const Pair& z, double radius, double absolute) {
-    // The bound includes the small lower part, so that an infinity or NaN in any part makes the bound infinite or NaN.
+    // `bound` includes the lower part, so that an infinity or NaN in any part makes it infinite or NaN.
     const double bound = enclosure::radius_of_result(radius, std::abs(z.high), std::abs(z.low), absolute);
     if (!(bound < infinity)) {
       return {0, 0, infinity};
@@ -232,8 +232,8 @@ class Enclosure {
 
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr double splitter = 134217729;  // 2²⁷ + 1
-  // Bounds the part of a rational beyond `low_`, relative to `low_`. to_double is within an ulp, which is at most 2⁻⁵²
-  // of its result.
+  // A bound of the part of a rational beyond `low_`, relative to `low_`. to_double is within an ulp, at most 2⁻⁵² of
+  // its result.
   static constexpr double part_of_lower = 0x1p-50;
 
   double high_ = 0;

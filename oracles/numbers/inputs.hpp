@@ -10,7 +10,7 @@
 /// The stored numbers of a collision and of an outcome, as the inputs of forward differentiation.
 namespace carom::oracles {
 
-/// Capacity for the 43 numbers of a collision and for the 12 numbers of an outcome. Each is a multiple of four.
+/// Capacities for the 43 numbers of a collision and the 12 numbers of an outcome, as multiples of four.
 inline constexpr std::size_t collision_inputs = 44;
 inline constexpr std::size_t outcome_inputs = 12;
 

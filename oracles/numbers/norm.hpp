@@ -8,13 +8,12 @@
 
 namespace carom::oracles {
 
-/// Sums of squares between these limits keep their digits. Each square loses at most 2⁻¹⁰⁷⁵ to underflow, which is
-/// negligible next to the smaller limit. The larger limit is far from overflow.
+/// Sums of squares between these limits keep their digits. A square loses at most 2⁻¹⁰⁷⁵ to underflow, which is
+/// negligible at the smaller limit, and the larger limit is far from overflow.
 inline constexpr double smallest_sum_of_squares = 0x1p-900;
 inline constexpr double largest_sum_of_squares = 0x1p+900;
 
-/// √(Σ number(i)²), i < count, of numbers of any size, rounded. It uses squares if these keep their digits, and
-/// std::hypot otherwise.
+/// √(Σ number(i)²) over i < count, rounded, for numbers of any size.
 template <class Number>
 [[nodiscard]] auto root_of_squares(std::size_t count, const Number& number) {
   using S = decltype(number(0));
@@ -36,13 +35,13 @@ template <class Number>
   return norm;
 }
 
-/// ‖v‖ by `root_of_squares`.
+/// ‖v‖, rounded.
 template <class S>
 [[nodiscard]] S norm_of(const Vector3<S>& v) {
   return root_of_squares(3, [&](std::size_t i) { return v[static_cast<Eigen::Index>(i)]; });
 }
 
-/// ‖v‖ of the four vectors of an outcome.
+/// The lengths of the four vectors of an outcome, rounded.
 [[nodiscard]] inline PerVector<double> norms_of(const Outcome<double>& outcome) {
   return {norm_of(outcome.a.velocity), norm_of(outcome.a.angular_velocity), norm_of(outcome.b.velocity),
           norm_of(outcome.b.angular_velocity)};

@@ -7,7 +7,6 @@
 
 #include <carom/collision/expects.hpp>
 
-/// Upper and lower bounds of norms of vectors whose components have error bounds.
 namespace carom::oracles {
 
 namespace norm_bounds {
@@ -16,18 +15,17 @@ namespace norm_bounds {
 /// comparison.
 inline constexpr double rounding = 0x1p-45;
 
-/// Bounds between these limits are compared by squares. Underflow of the squares is negligible next to the square of
-/// the smaller limit. The square of the larger limit is far from overflow.
+/// Bounds between these limits are compared by squares. Underflow of squares is negligible at the smaller limit, and
+/// the square of the larger limit is far from overflow.
 inline constexpr double least_by_squares = 0x1p-400;
 inline constexpr double largest_by_squares = 0x1p+400;
 
-/// More than the square root of the amount that squares lose to underflow.
+/// More than the square root of the underflow of squares.
 inline constexpr double lost_by_root = 0x1p-500;
 
-/// More than the amount that hypotenuses lose to underflow.
+/// More than the underflow of hypotenuses.
 inline constexpr double lost_by_hypotenuses = 0x1p-1070;
 
-/// Σ x² with x = size(component) for each component of the vector.
 template <class S, class T, class Size>
 [[nodiscard]] S sum_of_squares(std::span<const T> vector, const Size& size) {
   S sum(0);
@@ -57,8 +55,7 @@ template <class T>
 ///
 ///   (1) true if A (1 + rounding) + lost ≤ bound, or A = 0;
 ///   (2) false if B (1 − rounding) − lost > bound;
-///   (3) both tests compare squares and omit `lost` if the bound is between `least_by_squares` and
-///       `largest_by_squares`.
+///   (3) for a bound between `least_by_squares` and `largest_by_squares`, both tests compare squares without `lost`.
 ///
 /// Precondition: the bound is finite and not negative.
 template <class T>

@@ -9,8 +9,7 @@
 
 namespace carom::conformance {
 
-/// Forwards to the given printer, but writes its own last lines: skipped tests are only counted, and failed tests are
-/// listed last.
+/// Forwards to another printer, but writes its own last lines: it counts skipped tests, and lists failed tests last.
 class ClosingLines : public testing::TestEventListener {
  public:
   explicit ClosingLines(testing::TestEventListener* printer) : printer_(printer) {}
@@ -74,8 +73,8 @@ class ClosingLines : public testing::TestEventListener {
   std::unique_ptr<testing::TestEventListener> printer_;
 };
 
-/// Replaces GoogleTest's own printer by ClosingLines, after the flags have chosen it. Does nothing if there is no such
-/// printer or if the flag `brief` is set.
+/// Replaces GoogleTest's printer by ClosingLines, after the flags have chosen it. Does nothing without a printer or
+/// with `brief`.
 class ClosingLinesInPlace : public testing::Environment {
  public:
   void SetUp() override {

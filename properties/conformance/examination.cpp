@@ -19,13 +19,13 @@ using properties::Verdict;
 
 Verdict single_verdict(const Judgement& judgement) {
   if (judgement.skipped) {
-    return {Status::skipped, "the subject skipped the case: " + judgement.skipped->why, 0, 0, {}, {}};
+    return {.status = Status::skipped, .detail = "the subject skipped the case: " + judgement.skipped->why};
   }
   if (judgement.unjudged) {
-    return {Status::skipped, "not judged: " + std::string(in_words(*judgement.unjudged)), 0, 0, {}, {}};
+    return {.status = Status::skipped, .detail = "not judged: " + std::string(in_words(*judgement.unjudged))};
   }
   if (judgement.verdicts.empty()) {
-    return {Status::skipped, "the invariant does not apply to this case", 0, 0, {}, {}};
+    return {.status = Status::skipped, .detail = "the invariant does not apply to this case"};
   }
   return judgement.verdicts.front().verdict;
 }
@@ -80,9 +80,9 @@ Verdict Examination::verdict_on(const Case& one) {
     return single_verdict(properties::try_case(judged_case, claim_, solve));
   } catch (const SessionFailure& failure) {
     has_failed_ = true;
-    return {Status::violated, std::string("the subject failed: ") + failure.what(), 0, 0, {}, {}};
+    return {.status = Status::violated, .detail = std::string("the subject failed: ") + failure.what()};
   } catch (const std::exception& exception) {
-    return {Status::violated, std::string("the subject threw: ") + exception.what(), 0, 0, {}, {}};
+    return {.status = Status::violated, .detail = std::string("the subject threw: ") + exception.what()};
   }
 }
 

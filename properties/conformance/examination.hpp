@@ -9,20 +9,20 @@
 
 namespace carom::conformance {
 
-/// Tests a statement (statement.hpp) on cases, all in one session of the subject.
+/// Tests a statement on cases, in one session of the subject.
 class Examination {
  public:
-  /// Precondition: `absent` of the subject is empty, and the statement outlives the examination.
+  /// Preconditions: `absent` of the subject is empty; the statement outlives the examination.
   explicit Examination(const Statement& statement);
 
-  /// Whether the statement holds of the case. A subject that throws violates every invariant. After the first
-  /// violation, a much less serious one does not count, so that the shrunk case shows the fault as plainly as the first
-  /// one. After a session has failed, every case holds.
+  /// Whether the statement holds on the case. A subject that throws violates every invariant. After a violation, a much
+  /// less serious one does not count, so the shrunk case shows the fault as plainly. After a session has failed, every
+  /// case holds.
   [[nodiscard]] bool holds(const properties::Case& one);
 
   [[nodiscard]] bool was_in_domain() const { return was_in_domain_; }
 
-  /// The reason for the first skipped case; empty if no case was skipped.
+  /// The reason for the first skipped case; empty if none was skipped.
   [[nodiscard]] const std::string& why_skipped() const { return why_skipped_; }
 
   /// The last violation in words. Precondition: `holds` returned false.
@@ -34,7 +34,7 @@ class Examination {
   const Statement* statement_;
   properties::Claim claim_;
   Session session_;
-  Answer answer_;            // to the last case
+  Answer answer_;
   bool has_failed_ = false;  // then the session cannot continue
   struct Violation {
     properties::Case one;

@@ -10,12 +10,11 @@
 
 namespace carom::conformance {
 
-/// Whether RapidCheck falsifies the property of this name. This function discards RapidCheck's text on a single
-/// property. At the end of the program RapidCheck prints how to reproduce all failures.
+/// Whether RapidCheck falsifies the property of this name. Discards its text on this property; it prints how to
+/// reproduce all failures at the end of the program.
 template <class Property>
 [[nodiscard]] bool falsified(const std::string& name, Property&& property) {
-  // RapidCheck reads RC_PARAMS once, prints the seed, and ends the program if RC_PARAMS is wrong. This output is not
-  // discarded.
+  // RapidCheck reads RC_PARAMS once and prints the seed. It ends the program if RC_PARAMS is wrong.
   static const bool has_read_parameters = rc::check([] {});
   std::ostringstream kept_back;
   struct Usual {

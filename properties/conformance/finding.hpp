@@ -9,13 +9,12 @@
 
 namespace carom::conformance {
 
-/// The result of testing a statement.
 struct Finding {
-  properties::Status status;  // skipped if no case was in the invariant's domain, or the subject is absent
-  std::string text;           // what was violated, or why it was skipped; empty if the statement holds
+  properties::Status status;  // skipped if no case was in the domain, or the subject is absent
+  std::string text;           // what was violated, or why it was skipped; empty if it holds
 };
 
-/// Tests a statement on cases that RapidCheck draws. RapidCheck knows the property by this name.
+/// Tests a statement on cases that RapidCheck draws. `name` is the property's name for RapidCheck.
 [[nodiscard]] inline Finding find(const Statement& statement, const std::string& name = {}) {
   using properties::Status;
   const Subject& subject = *statement.subject;

@@ -8,12 +8,11 @@
 
 namespace carom::conformance {
 
-/// The options of a suite.
 struct Options {
   double limit_ulps = oracles::default_limit_ulps;  // in units in the last place of the subject's precision
   std::vector<std::string> families = {};           // names; empty for all families
   std::vector<std::string> deviates = {};  // "invariant" or "invariant@family" to leave out, besides Subject::deviates
-  /// Judge in exact arithmetic alone, without the filters. CAROM_EXACT in the environment overrides it.
+  /// Exact arithmetic alone judges. CAROM_EXACT in the environment overrides this option.
   bool exact = false;
 };
 

@@ -14,34 +14,30 @@
 #include <carom/properties/features/feature.hpp>
 #include <carom/properties/search/simpler_cases.hpp>
 
-/// Collisions for RapidCheck: rc::Arbitrary<carom::Collision>, and a generator for each family. They draw with
-/// RapidCheck's random numbers. Small sizes give simple collisions. From size 50 on, a generator gives the family's
-/// whole distribution. A collision shrinks to numbers with few binary digits. Each step on the way is a collision
-/// that its generator could draw.
+/// Collisions for RapidCheck: rc::Arbitrary<carom::Collision>, and a generator for each family. Small sizes give simple
+/// collisions; from size 50 on, a generator gives the family's whole distribution. A collision shrinks to numbers with
+/// few binary digits, through collisions that its generator could draw.
 namespace carom {
 
 namespace properties {
-// Declared here because users compile this header, and trial/in_words.hpp includes exact arithmetic.
+// Declared here, because trial/in_words.hpp includes exact arithmetic, which a user need not compile.
 [[nodiscard]] std::string in_words(const Collision& collision, const std::string& indent);
 }  // namespace properties
 
-/// Prints a collision for RapidCheck: both bodies, the contact and the coefficients.
 inline void showValue(const Collision& collision, std::ostream& out) {
   out << '\n' << properties::in_words(collision, "  ");
 }
 
 namespace gen {
 
-/// The cases of a draw function (`Draw`). RapidCheck shrinks the choices that make a case, and `draw` makes the case
-/// again.
+/// The cases of a draw function. RapidCheck shrinks the choices from which `draw` makes a case.
 [[nodiscard]] inline rc::Gen<properties::Case> cases(properties::Draw draw) {
   struct Shrinks {
     static rc::Shrinkable<properties::Case> of(const properties::Draw& draw, properties::ChosenCase chosen,
                                                std::size_t first) {
       auto one = [case_of_it = chosen.one] { return case_of_it; };
       return rc::shrinkable::lambda(std::move(one), [=] {
-        // The search continues after the last success, because a candidate that failed before it seldom succeeds after
-        // it.
+        // Goes on after the last success, because candidates that failed before seldom succeed later.
         return rc::Seq<rc::Shrinkable<properties::Case>>(
             [draw, simpler = properties::SimplerCases(draw, chosen,
                                                       first)]() mutable -> rc::Maybe<rc::Shrinkable<properties::Case>> {
@@ -62,13 +58,11 @@ namespace gen {
   };
 }
 
-/// The collisions of the cases that `draw` makes.
 [[nodiscard]] inline rc::Gen<Collision> collisions(properties::Draw draw) {
   return rc::gen::map(cases(std::move(draw)), [](const properties::Case& one) { return one.collision; });
 }
 
-/// The collisions of the family with this name. `carom families` lists the names. Throws std::invalid_argument if there
-/// is none.
+/// The collisions of the family with this name (`carom families`). Throws std::invalid_argument if there is none.
 [[nodiscard]] inline rc::Gen<Collision> family(std::string_view name) {
   const properties::Family* const found = properties::family_named(name);
   if (found == nullptr) {
@@ -80,7 +74,7 @@ namespace gen {
 /// Valid collisions of all families of the claimed domain, by their weights.
 [[nodiscard]] inline rc::Gen<Collision> any_family() { return collisions(properties::case_of_any_family); }
 
-// A generator for each family, for example carom::gen::near_head_on().
+// For example carom::gen::near_head_on().
 #define CAROM_GEN_FAMILIES(F)       \
   F(structured)                     \
   F(generic)                        \
@@ -124,11 +118,10 @@ namespace gen {
 CAROM_GEN_FAMILIES(CAROM_GEN_FAMILY)
 #undef CAROM_GEN_FAMILY
 
-/// Two balls that touch: the centres and the contact lie exactly on one line along the normal.
+/// Two balls that touch. The centres and the contact are exactly on one line along the normal.
 [[nodiscard]] inline rc::Gen<Collision> between_spheres() { return collisions(properties::touching_spheres); }
 
-/// The generator's collisions in which the bodies approach: N·V⁻ < 0 as rounded. If the bodies separate, all motion is
-/// reversed.
+/// The generator's collisions with N·V⁻ < 0 as rounded. If the bodies separate, all motion is reversed.
 [[nodiscard]] inline rc::Gen<Collision> approaching(rc::Gen<Collision> generator) {
   auto reversed = rc::gen::map(std::move(generator), [](Collision collision) {
     properties::reverse_if_separating(collision);
@@ -137,7 +130,7 @@ CAROM_GEN_FAMILIES(CAROM_GEN_FAMILY)
   return rc::gen::suchThat(std::move(reversed), properties::is_approaching);
 }
 
-/// Bodies of any inertia and motion. The position is relative to the contact point, as `with_bodies` expects it.
+/// Bodies of any inertia and motion, at positions relative to the contact point.
 [[nodiscard]] inline rc::Gen<Body> body() {
   return rc::gen::map(collisions(properties::general_bodies), [](Collision collision) {
     collision.a.position -= collision.point;
@@ -145,10 +138,9 @@ CAROM_GEN_FAMILIES(CAROM_GEN_FAMILY)
   });
 }
 
-/// An immovable body at rest.
 [[nodiscard]] inline rc::Gen<Body> wall() { return rc::gen::just(Body{.immovable = true}); }
 
-/// The generator's collisions with other bodies. The bodies' positions are relative to the contact point.
+/// The generator's collisions with these bodies, whose positions are relative to the contact point.
 [[nodiscard]] inline rc::Gen<Collision> with_bodies(rc::Gen<Collision> generator, rc::Gen<Body> a, rc::Gen<Body> b) {
   return rc::gen::apply(
       [](Collision collision, const Body& of_a, const Body& of_b) {
@@ -161,8 +153,8 @@ CAROM_GEN_FAMILIES(CAROM_GEN_FAMILY)
       std::move(generator), std::move(a), std::move(b));
 }
 
-/// The generator's collisions with this feature added. Collisions that cannot have it are left out. `carom features`
-/// lists the names. Throws std::invalid_argument if no feature has this name.
+/// The generator's collisions with this feature added (`carom features`). Leaves out collisions that cannot have it.
+/// Throws std::invalid_argument if there is no such feature.
 [[nodiscard]] inline rc::Gen<Collision> with_feature(std::string_view name, rc::Gen<Collision> generator = generic()) {
   const properties::Feature* const feature = properties::feature_named(name);
   if (feature == nullptr) {

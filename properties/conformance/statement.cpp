@@ -42,7 +42,6 @@ std::vector<const Family*> families_of(const Options& options) {
   return families;
 }
 
-/// Throws std::invalid_argument if a deviation names no invariant or family.
 void require_known_deviations(const Options& options) {
   for (const std::string& name : options.deviates) {
     try {

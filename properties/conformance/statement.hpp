@@ -9,7 +9,7 @@
 #include <carom/collision/subject.hpp>
 #include <carom/properties/conformance/options.hpp>
 
-// Declared and not included, because users compile this header without the judge.
+// Declared here, because users compile this header without the judge.
 namespace carom::properties {
 struct Claim;
 struct Family;
@@ -18,30 +18,27 @@ struct Invariant;
 
 namespace carom::conformance {
 
-/// The claim of one test: an invariant holds for a subject in the cases of a family.
+/// The claim that an invariant holds for a subject in the cases of a family.
 struct Statement {
   std::shared_ptr<const Subject> subject;
   const properties::Invariant* invariant;
   const properties::Family* family;
   oracles::Yardstick yardstick;
-  const char* file = "";  // the place of the suite in the source
+  const char* file = "";  // of the suite
   int line = 0;
-  std::string error = {};  // why there is no suite; if not empty, only `file` and `line` above have a meaning
+  std::string error = {};  // why there is no suite; if not empty, only `file` and `line` have a meaning
 
-  /// The claim of this invariant alone.
   [[nodiscard]] properties::Claim claim() const;
 };
 
-/// Every statement of a suite: each claimed invariant in each family. The invariants of the collision matrix are left
-/// out if the subject shows no matrix. The family of invalid collisions is left out if `invalid_refused` is not
-/// claimed. Throws std::invalid_argument if an option names an unknown family, invariant or deviation, or if
+/// All statements of a suite: each claimed invariant in each family. Leaves out invalid collisions if `invalid_refused`
+/// is not claimed. Throws std::invalid_argument if an option names an unknown family, invariant or deviation, or if
 /// CAROM_EXACT is neither 0 nor 1.
 [[nodiscard]] std::vector<Statement> statements(const Subject& subject, const Options& options = {});
 
 /// For example "restitution_in_near_head_on"; "options" if the statement has an error.
 [[nodiscard]] std::string name_of(const Statement& statement);
 
-/// Prints a statement for GoogleTest.
 void PrintTo(const Statement& statement, std::ostream* out);
 
 }  // namespace carom::conformance

@@ -13,10 +13,9 @@
 #include <carom/collision/validate.hpp>
 #include <carom/impulse/contact.hpp>
 
-/// Makes subjects (solvers under test) from callables.
 namespace carom::conformance {
 
-/// Contact<S> → Outcome<S>, or SolvedOutcome<S>.
+/// Contact<S> → Outcome<S> or SolvedOutcome<S>.
 template <class Solver, class S>
 concept SolvesContacts = std::is_invocable_r_v<Outcome<S>, Solver&, const impulse::Contact<S>&>;
 
@@ -25,11 +24,10 @@ namespace detail {
 template <class S>
 S scalar_of(const Outcome<S>&);
 
-/// S of a callable Collision → Outcome<S>.
 template <class Solver>
 using ScalarOfOutcome = decltype(scalar_of(std::declval<std::invoke_result_t<Solver&, const Collision&>>()));
 
-/// A value of the scalar type S that the solver is made for, deduced from its signature.
+/// The scalar type S of the solver, deduced from its signature.
 template <class Solver>
 [[nodiscard]] constexpr auto deduced_scalar() {
   constexpr int contacts = int{SolvesContacts<Solver, float>} + int{SolvesContacts<Solver, double>} +
@@ -65,7 +63,6 @@ template <class S, class Solver>
   return reported(SolvedOutcome<S>(solved()));
 }
 
-/// Whether the solver returns SolvedOutcome<S>, which may hold the collision matrix.
 template <class Solver, class S>
 [[nodiscard]] constexpr bool shows_matrix() {
   if constexpr (SolvesContacts<Solver, S>) {
@@ -79,13 +76,10 @@ template <class Solver, class S>
 
 /// A callable as a subject. It solves contacts, const impulse::Contact<S>& → Outcome<S>, or collisions, const
 /// Collision& → Outcome<S>. S is float, double or long double. Give S explicitly if the callable takes contacts of any
-/// scalar type. Every session has a copy of the callable. The subject is judged in the precision of S unless another
-/// precision is given.
+/// scalar type. Every session has a copy of the callable. The default precision is that of S.
 ///
-/// If the callable returns SolvedOutcome<S>, it shows its collision matrix, and the matrix is judged too.
-///
-/// The callable sees only valid collisions. The kit refuses the invalid ones itself, so `invalid_refused` is not
-/// claimed.
+/// If the callable returns SolvedOutcome<S>, its collision matrix is judged too. The kit refuses invalid collisions
+/// itself, so `invalid_refused` is not claimed.
 template <class S = void, class Solver>
 [[nodiscard]] Subject subject(std::string name, Law law, Solver solver,
                               std::optional<Precision> precision = std::nullopt) {

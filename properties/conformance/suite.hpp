@@ -11,7 +11,7 @@
 
 namespace carom::conformance {
 
-/// The test of one statement. It is defined in suite.cpp, which every test program compiles once.
+/// The test of one statement. Every test program compiles its definition, suite.cpp, once.
 class Conformance : public testing::TestWithParam<Statement> {};
 
 /// The statements of the suite at this place in the source. If `make` throws, the suite is one test, `options`, which

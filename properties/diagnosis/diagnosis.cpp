@@ -15,9 +15,8 @@
 namespace carom::properties::diagnosis {
 namespace {
 
-/// For each family, the numbers of the sampled cases whose answers are wrong by themselves. If there are none, the
-/// cases that violate any invariant. Relations come second, because they can also fail on a case whose own answer is
-/// right.
+/// By family, the numbers of the sampled cases with answers that are wrong by themselves. If there are none, the cases
+/// that violate any invariant. Relations come second, because they may fail on a case with a right answer.
 std::vector<std::vector<std::uint64_t>> violated_cases(const SubjectResult& result) {
   std::vector<std::vector<std::uint64_t>> all;
   bool is_any = false;
@@ -40,7 +39,7 @@ std::vector<std::vector<std::uint64_t>> violated_cases(const SubjectResult& resu
   return all;
 }
 
-/// The number of judged sampled cases of each family: the first ones, if the subject was not judged to the end.
+/// By family, the number of judged sampled cases. They are the first ones.
 std::vector<std::uint64_t> judged_of(const SubjectResult& result) {
   std::vector<std::uint64_t> judged;
   for (const FamilyResult& family : result.families) {
@@ -58,13 +57,13 @@ std::uint64_t cases_that_violate(const SubjectResult& result, const std::string&
   return sum;
 }
 
-/// The first invariant, in the order of `rank_as_cause`, that is violated in most of the violated cases. If there is
-/// none, the invariant that is violated most often.
+/// The first invariant by `rank_as_cause` that is violated in most violated cases. If there is none, the invariant that
+/// is violated most often.
 std::string telling_invariant(const SubjectResult& result, std::uint64_t violated) {
   std::vector<std::string> names = result.violated_invariants();
   const auto is_of_relations = [](const std::string& name) { return !invariant_named(name)->is_of_one_answer(); };
   if (!std::all_of(names.begin(), names.end(), is_of_relations)) {
-    // Invariants of the session stay, because state can spoil every answer and only a repeated question shows it.
+    // State can spoil every answer and only a repeated question shows it, so invariants of the session stay.
     std::erase_if(names, [&](const std::string& name) {
       return is_of_relations(name) && !invariant_named(name)->is_of_session();
     });
@@ -81,7 +80,7 @@ std::string telling_invariant(const SubjectResult& result, std::uint64_t violate
   });
 }
 
-/// The cases to examine: the first ones of each family, in turns.
+/// The first cases of each family, in turns.
 std::vector<ViolatedCase> examples_of(const SubjectResult& result) {
   std::vector<ViolatedCase> examples;
   for (const auto first : {&FamilyResult::first_violated, &FamilyResult::first_violated_by_relations}) {
@@ -103,8 +102,7 @@ std::vector<ViolatedCase> examples_of(const SubjectResult& result) {
 
 std::string counted(std::size_t part, std::size_t whole) { return fmt::format("{} of {}", part, whole); }
 
-/// The hypothesis that explains the most outcomes that are visibly off. No hypothesis if even the best one explains at
-/// most half of these outcomes.
+/// The hypothesis that explains the most outcomes that are visibly off; none if it explains at most half of them.
 struct Explanation {
   const Hypothesis* hypothesis = nullptr;
   std::size_t explained = 0;
@@ -112,8 +110,7 @@ struct Explanation {
 
 Explanation best_explanation(const std::vector<KnownCase>& cases) {
   constexpr std::size_t most_looked_at = 40;
-  constexpr std::size_t most_missed_at_first = 8;  // a hypothesis that explains half of them fits none of eight once in
-                                                   // 256 times
+  constexpr std::size_t most_missed_at_first = 8;  // if it explains half of them, it misses the first 8 once in 256
   const std::span<const KnownCase> looked_at(cases.data(), std::min(cases.size(), most_looked_at));
   Explanation best;
   for (const Hypothesis& hypothesis : all_hypotheses()) {
@@ -135,7 +132,6 @@ Explanation best_explanation(const std::vector<KnownCase>& cases) {
   return best;
 }
 
-/// The last line that the subject wrote on standard error.
 std::string last_words(const Failed& failed) {
   const std::string mark = "standard error: ";
   const std::size_t begin = failed.said.find(mark);
@@ -148,8 +144,7 @@ std::string last_words(const Failed& failed) {
   return ": " + failed.said.substr(from, end + 1 - from);
 }
 
-/// The faults of answers that are not outcomes of finite numbers: failures, refusals, and outcomes to valid collisions
-/// with numbers that are not finite.
+/// The faults of answers that are not outcomes of finite numbers.
 std::vector<Fault> without_outcome(const std::vector<ViolatedCase>& examples) {
   std::size_t failed = 0;
   std::size_t refused = 0;
@@ -196,7 +191,7 @@ std::string first_invalid(const std::vector<ViolatedCase>& examples) {
   return {};
 }
 
-/// The fault of the matrix that a subject shows, if nothing else is wrong. Otherwise no value.
+/// The fault of the matrix that a subject shows, if nothing else is wrong.
 std::optional<Fault> fault_of_matrix(const SubjectResult& result) {
   const std::vector<std::string> violated = result.violated_invariants();
   const bool is_all = std::all_of(violated.begin(), violated.end(),

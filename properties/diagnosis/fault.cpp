@@ -37,7 +37,7 @@ double norm(const Vector3<Rational>& v) {
   return std::hypot(oracles::nearest_double(v[0]), oracles::nearest_double(v[1]), oracles::nearest_double(v[2]));
 }
 
-/// Whether x and y differ by more than a thousandth of `size` or of the larger vector.
+/// Whether x and y differ by more than a thousandth of the largest of `size`, ‖x‖ and ‖y‖.
 bool differ(const Vector3<Rational>& x, const Vector3<Rational>& y, double size = 0) {
   return norm(Vector3<Rational>(x - y)) > visible * std::max({norm(x), norm(y), size});
 }
@@ -61,8 +61,8 @@ bool is_spin_wrong(const Exact& c, const Outcome<Rational>& after, bool of_a) {
   return differ(sides.left, sides.right, size);
 }
 
-/// A computed impulse, compared with the right one. `along` is its component along the normal, divided by the right
-/// component. `across` is its error across the normal, divided by the length of the whole impulse.
+/// A computed impulse compared with the right one. `along` is the ratio of the components along the normal. `across` is
+/// the error across the normal, divided by the length of the impulse.
 struct Shares {
   double along = 0;
   double across = 0;
@@ -125,7 +125,7 @@ bool are_alike(const std::vector<double>& numbers) {
   return *greatest - *least <= visible * std::max(std::abs(*least), std::abs(*greatest));
 }
 
-/// Describes the restitution if all outcomes show one value of ε, or one value that is added to ε. Otherwise empty.
+/// Empty unless all outcomes show one ε, or one number that is added to ε.
 std::string restitution_in_words(const std::vector<Shares>& all, bool is_normal_right) {
   if (is_normal_right) {
     return {};
@@ -145,7 +145,7 @@ std::string restitution_in_words(const std::vector<Shares>& all, bool is_normal_
   return {};
 }
 
-/// Describes the size of the impulses if many have the same size. Otherwise empty.
+/// Empty unless many impulses have the same size.
 std::string limit_in_words(const std::vector<Shares>& all) {
   constexpr std::size_t least = 5;
   for (const Shares& one : all) {
@@ -186,14 +186,13 @@ std::string impulse_in_words(const std::vector<Shares>& all) {
 
 }  // namespace
 
-/// Describes a speed or an angular speed if many wrong outcomes have the same one, which the law does not give.
-/// Otherwise empty.
+/// Empty unless many wrong outcomes share a speed or an angular speed that the law does not give.
 std::string limits_in_words(std::span<const ViolatedCase> cases, Law law) {
   struct Size {
     OutcomeVector vector;
     double computed;
   };
-  std::vector<Size> sizes;  // sizes that differ from those of the law
+  std::vector<Size> sizes;  // those that the law does not give
   for (const ViolatedCase& violated : cases) {
     const std::optional<KnownCase> known = known_case(violated, law);
     for (const OutcomeVector k : all_outcome_vectors) {

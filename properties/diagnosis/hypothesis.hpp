@@ -10,19 +10,18 @@
 
 namespace carom::properties::diagnosis {
 
-/// A possible fault of a solver: the right law for another collision, or a wrong use of the right impulse. It explains
-/// an outcome if its own answer is the same.
+/// A possible fault of a solver: it applies the law to another collision, or misuses the right impulse.
 struct Hypothesis {
   std::string as_if;    // "the lever arms of both bodies began at the world's origin"
   std::string look_at;  // the place in a solver that does this
-  /// The answer of a solver with this fault. No value if the hypothesis does not apply.
+  /// The outcome of a solver with this fault. No value if the hypothesis does not apply.
   std::function<std::optional<Outcome<double>>(const KnownCase&)> answer;
 };
 
-/// All hypotheses, in the order of preference if several explain the same outcome.
+/// All hypotheses. If several explain an outcome, the first one is preferred.
 [[nodiscard]] std::span<const Hypothesis> all_hypotheses();
 
-/// Whether the hypothesis answers as the subject did. The tolerance is a thousandth of the subject's error.
+/// Whether the hypothesis answers as the subject did, within a thousandth of the subject's error.
 [[nodiscard]] bool explains(const Hypothesis& hypothesis, const KnownCase& one);
 
 }  // namespace carom::properties::diagnosis

@@ -10,7 +10,7 @@
 namespace carom::properties::diagnosis {
 namespace {
 
-// The range is large enough for squares of all binary64 numbers.
+// Its range holds the squares of all binary64 numbers.
 using Wide = long double;
 
 BasicCollision<Wide> widened(const Collision& collision) {
@@ -46,7 +46,6 @@ BodyVelocity<Wide> pushed_body(const BasicBody<Wide>& body, const Vector3<Wide>&
       body.angular_velocity + oracles::turned<Wide>(body.orientation, in_body.cwiseQuotient(body.principal_inertia))};
 }
 
-/// Converts a truth in any type of number to double.
 template <class T, class Nearest>
 LawAnswer rounded(const oracles::Truth<T>& truth, const Nearest& nearest) {
   LawAnswer answer{map_outcome<double>(truth.outcome, nearest), {}};
@@ -70,7 +69,6 @@ LawAnswer law_answer(const Collision& collision, Law law, std::optional<oracles:
   CAROM_EXPECTS(determines_outcome(law), law);
   const oracles::ExactCase exact_case(collision);
   const oracles::Approach as = approach.value_or(exact_case.approach());
-  // Exact arithmetic takes ten times as long, and a hint does not need it.
   if (const auto& enclosed = exact_case.enclosed_truth(law, as); is_known(enclosed)) {
     return rounded(enclosed, [](const oracles::Enclosure& x) { return x.middle(); });
   }
@@ -100,7 +98,7 @@ double energy_distance(const Collision& collision, const Outcome<double>& x, con
 }
 
 bool is_visibly_off(const KnownCase& one, double unit_roundoff) {
-  // A million times the rounding error of velocities of this size.
+  // A million times the rounding error of such velocities.
   constexpr double far_above_rounding = 0x1p20;
   const Outcome<double> still;
   const double size =

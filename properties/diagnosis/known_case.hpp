@@ -7,17 +7,17 @@
 
 namespace carom::properties::diagnosis {
 
-/// A law's answer in binary64. Each number is the nearest, or within one or two roundings of it.
+/// A law's answer in binary64, within one or two roundings.
 struct LawAnswer {
   Outcome<double> outcome;
   Vector3<double> impulse;  // on A
 };
 
-/// The law's answer to a collision. `approach` replaces the collision's own approach. Preconditions: the collision is
+/// The law's answer to a collision. If set, `approach` replaces the collision's own. Preconditions: the collision is
 /// valid; the law determines an outcome.
 [[nodiscard]] LawAnswer law_answer(const Collision& collision, Law law, std::optional<oracles::Approach> approach = {});
 
-/// A case that has an outcome as its answer, with the law's answer.
+/// A case answered by an outcome, with the law's answer.
 struct KnownCase {
   Collision collision;
   Law law = Law::any;
@@ -28,15 +28,15 @@ struct KnownCase {
   Vector3<double> impulse;  // of the law, on A
 };
 
-/// No value if the collision is invalid, the answer is not an outcome of finite numbers, or the law determines no
+/// No value if the collision is invalid, if the answer is not an outcome of finite numbers, or if the law determines no
 /// outcome.
 [[nodiscard]] std::optional<KnownCase> known_case(const ViolatedCase& violated, Law law);
 
-/// The square root of Σ m ‖δv‖² + δwᵀ J δw over the movable bodies, for the difference of two outcomes [√J]. Its square
-/// is twice the kinetic energy of the difference. It makes velocities and angular velocities comparable.
+/// √(Σ m ‖δv‖² + δwᵀ J δw) [√J] over the movable bodies, for the difference of two outcomes. It makes velocities and
+/// angular velocities comparable.
 [[nodiscard]] double energy_distance(const Collision& collision, const Outcome<double>& x, const Outcome<double>& y);
 
-/// Whether the outcome is so far off that rounding alone does not explain it, for arithmetic with this unit roundoff.
+/// Whether the outcome is so far off that rounding with this unit roundoff does not explain it.
 [[nodiscard]] bool is_visibly_off(const KnownCase& one, double unit_roundoff);
 
 /// The velocities that the impulse gives to the movable bodies: v ± F/m, w ± J⁻¹(r × F).

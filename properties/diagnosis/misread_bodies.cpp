@@ -9,13 +9,11 @@
 namespace carom::properties::diagnosis {
 namespace {
 
-/// A way to misread a body. A solver first computes the impulse and then applies it. If the misread property is part of
-/// both steps, one of the two steps may still be right.
+/// A way to misread a body, in the computation of the impulse, in its application, or in both steps.
 struct Misreading {
-  const char* as_if;  // `{}` stands for the name of the body or of both bodies
+  const char* as_if;  // `{}` stands for one or both bodies
   const char* look_at;
-  bool of_mechanics;  // true for mass, moments, orientation and lever arm, which are part of both steps
-  /// Changes a body. The other body and the collision are unchanged inputs.
+  bool of_mechanics;  // whether both steps read it: mass, moments, orientation, lever arm
   void (*change)(Body& body, const Body& other, const Collision& collision);
   bool of_one_body_alone = false;  // misreading both bodies would change nothing
 };
@@ -189,7 +187,7 @@ Collision misread(const Collision& collision, const Misreading& misreading, cons
   return changed;
 }
 
-/// The law's impulse, applied to misread bodies. No value if the changed collision is invalid.
+/// The law's impulse, applied to misread bodies. No value as in `answer_to`.
 std::optional<Outcome<double>> misapplied(const Collision& changed, const KnownCase& one) {
   if (!validate(changed).empty()) {
     return std::nullopt;
@@ -218,7 +216,7 @@ std::vector<Hypothesis> misread_bodies() {
     bool of_mechanics_alone;
     std::optional<Outcome<double>> (*answer)(const Collision& changed, const KnownCase& one);
   };
-  // The misreading affects both steps, only the computation of the impulse, or only its application.
+  // Both steps, or one step alone.
   constexpr std::array steps{
       Step{"", false, answer_to},
       Step{" in the computation of the impulse; the impulse is applied correctly", true, impulse_of},

@@ -27,7 +27,7 @@ void make_practically_immovable(Body& body) {
   body.principal_inertia *= 0x1p100;
 }
 
-/// The largest component of the normal, with the others set to zero.
+/// The normal with only its largest component.
 Vector3<double> nearest_axis(const Vector3<double>& normal) {
   int largest = 0;
   normal.cwiseAbs().maxCoeff(&largest);

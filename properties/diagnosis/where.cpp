@@ -15,7 +15,6 @@
 namespace carom::properties::diagnosis {
 namespace {
 
-/// A set of cases, by their numbers in the sample.
 class CaseSet {
  public:
   explicit CaseSet(std::size_t size = 0) : words_((size + 63) / 64) {}
@@ -52,7 +51,7 @@ class CaseSet {
   std::vector<std::uint64_t> words_;
 };
 
-/// How plain a condition is for a reader. If two conditions fit equally well, the lower value wins.
+/// If two conditions fit equally well, the lower value wins, which is plainer for a reader.
 enum class Plainness { feature, either, absence, size, family };
 
 struct Literal {
@@ -62,11 +61,11 @@ struct Literal {
   const char* usual_cause = "";
 };
 
-/// Fraction of violated cases that a condition may miss (mostly overflow and underflow). The second value applies if
-/// the first finds no condition.
+/// A condition may miss this fraction of the violated cases (mostly overflow and underflow). The second value applies
+/// if the first finds no condition.
 constexpr std::array most_left_out{0.05, 0.2};
 
-/// Fraction of the other cases that a condition has to exclude to be worth its words.
+/// A condition must exclude this fraction of the other cases.
 constexpr double least_taken_away = 0.3;
 
 /// The usual cause of violations if the quantity is large; empty if none is known.
@@ -109,7 +108,7 @@ class Sample {
           violated_.add(number);
         }
       }
-      // The `structured` family consists of features, which describe a case better than its name does.
+      // Features describe cases of `structured` better than the family's name.
       if (report.options.families[f]->name != "structured") {
         add(fmt::format("the family is {}", report.options.families[f]->name), Plainness::family, std::move(of_family));
       }
@@ -169,7 +168,7 @@ class Sample {
     }
   }
 
-  /// For each quantity, an upper limit and a lower limit that nearly all violated cases keep.
+  /// Adds the upper and the lower limit of each quantity that nearly all violated cases keep.
   void add_sizes() {
     const std::span<const ComparedQuantity> quantities = all_compared_quantities();
     for (std::size_t q = 0; q < quantities.size(); ++q) {
@@ -265,7 +264,7 @@ Where where_in(const Sample& sample, double left_out) {
         continue;
       }
       const auto others = static_cast<double>(there.size() - found);
-      // A plainer condition wins even if it leaves a few more cases that are not violated.
+      // A plainer condition wins even if it includes a few more cases that are not violated.
       constexpr double worth_of_plainness = 0.02;
       const double burden = others + worth_of_plainness * rest * static_cast<double>(literal.plainness);
       if (best == nullptr || burden < best_rest) {

@@ -9,31 +9,29 @@
 
 namespace carom::properties::diagnosis {
 
-/// One condition on a case, in words.
 struct Condition {
   std::string words;        // "for A or B the orientation is exactly 1, 0, 0, 0"
   std::string usual_cause;  // of violations that meet it, as a place in a solver to check; empty if none is known
 };
 
-/// The conditions that the violated cases meet and the other cases do not.
+/// The conditions that the violated cases meet and the others do not.
 struct Where {
-  std::string of;  // the kind of nearly all violated cases, such as "contacts that approach"; empty: cases of all kinds
-  std::vector<Condition> conditions;  // all hold together; empty if no feature separates the violated cases from the
-                                      // others
+  std::string of;  // the kind of nearly all violated cases, such as "contacts that approach"; empty: all kinds
+  std::vector<Condition> conditions;  // all hold together; empty if no feature separates the violated cases
   std::uint64_t violated = 0;         // sampled cases in which something is violated
-  std::uint64_t violated_there = 0;   // the number of those cases in which the conditions hold
-  std::uint64_t cases_there = 0;      // sampled cases in which the conditions hold, violated or not
+  std::uint64_t violated_there = 0;   // the number of those cases that meet the conditions
+  std::uint64_t cases_there = 0;      // sampled cases that meet the conditions, violated or not
 };
 
-/// The violated cases of a run. For each family, `violated` has the numbers of its violated sampled cases, ascending.
-/// `judged` has the number of its judged sampled cases, which are the first ones.
+/// The violated cases of a run. By family, `violated` lists the numbers of violated sampled cases, ascending. `judged`
+/// counts the judged sampled cases, which come first.
 struct Violations {
   std::vector<std::vector<std::uint64_t>> violated;
   std::vector<std::uint64_t> judged;
 };
 
-/// Finds a few conditions that nearly all violated cases meet and as few other cases as possible. The conditions are
-/// features, their absence, sizes, the approach of the contact, and the family.
+/// Finds a few conditions that nearly all violated cases meet, and as few others as possible. A condition is a feature
+/// or its absence, a size, the approach of the contact, or the family.
 [[nodiscard]] Where where_violated(const GateReport& report, const Violations& violations);
 
 /// The result in one sentence. Empty if there are fewer than `least_violated` violated cases (evidence.hpp).

@@ -9,12 +9,11 @@
 
 namespace carom::properties {
 
-/// A change that a family (families/family.hpp) makes to a case after drawing it. The change does not depend on any
-/// solver.
+/// A change that a family makes to a case after drawing it. It does not depend on any solver.
 enum class Adjustment {
   moments_enlarged,  // enlarged until the contact lies within twice the radius of gyration
   moved_to_origin,   // the contact is at the origin, so that parallel vectors are exactly parallel
-  reversed,          // all velocities are reversed, because the bodies separated
+  reversed,          // because the bodies separated
   drawn_again,       // masses, sizes or speeds left the domain
 };
 inline constexpr std::array all_adjustments{Adjustment::moments_enlarged, Adjustment::moved_to_origin,
@@ -24,10 +23,9 @@ static_assert(counts_from_zero_to(all_adjustments, Adjustment::drawn_again));
 template <class T>
 using PerAdjustment = EnumArray<Adjustment, T, all_adjustments.size()>;
 
-/// The number of cases with each change.
 using AdjustmentCounts = PerAdjustment<std::uint64_t>;
 
-/// The name in reports: `moments_enlarged`, …
+/// For example `moments_enlarged`.
 [[nodiscard]] std::string_view name_of(Adjustment adjustment);
 
 }  // namespace carom::properties

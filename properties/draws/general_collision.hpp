@@ -4,7 +4,7 @@
 #include <carom/properties/draws/relative_velocity.hpp>
 #include <carom/properties/draws/stream.hpp>
 
-/// Draws bodies of any inertia, and the numbers that other bodies need. SI units throughout.
+/// Draws bodies of any inertia, in SI units.
 namespace carom::properties {
 
 /// The restitution ε: 0, 1, or a number between them.
@@ -13,14 +13,13 @@ namespace carom::properties {
 /// From 2⁻⁶ kg to 2⁷ kg.
 [[nodiscard]] double drawn_mass(Stream& stream);
 
-/// Draws the velocity and the angular velocity of a body of this size [m]. By rotation, the surface moves about as fast
-/// as the centre.
+/// For a body of this size [m]. Rotation moves the surface about as fast as the centre.
 void set_velocities(Stream& stream, Body& body, double size);
 
 /// Principal moments of a body with these second moments per mass: I_x = m (S_y + S_z), and so on.
 [[nodiscard]] Vector3<double> principal_moments(double mass, const Vector3<double>& second_moments);
 
-/// Two bodies that `make_body(stream, contact point)` draws, approaching at a contact with any normal.
+/// Two approaching bodies by `make_body(stream, contact point)`, with any normal.
 template <class MakeBody>
 [[nodiscard]] Collision two_bodies(Stream& stream, MakeBody make_body) {
   Collision collision;
@@ -34,7 +33,7 @@ template <class MakeBody>
   return collision;
 }
 
-/// Two bodies of general inertia, the contact within about one body's size of both, approaching.
+/// Two approaching bodies of general inertia. The contact is within about one body's size of each.
 [[nodiscard]] Collision general_collision(Stream& stream);
 
 }  // namespace carom::properties

@@ -14,7 +14,7 @@ std::uint64_t mixed(std::uint64_t z) {
   return z ^ (z >> 31U);
 }
 
-// Written as literals, because a library's powers need not round correctly.
+// Literals, because a library's powers need not round correctly.
 constexpr std::array<double, 31> powers_of_ten{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10,
                                                1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21,
                                                1e22, 1e23, 1e24, 1e25, 1e26, 1e27, 1e28, 1e29, 1e30};
@@ -77,7 +77,7 @@ Vector3<double> Stream::direction() {
   } else {
     result = vector();
   }
-  // Keeps the vector far enough from zero that its square is not rounding noise.
+  // The square of a shorter vector is rounding noise.
   constexpr double short_length = 1.0 / 16;
   if ((result.array().abs() < short_length).all()) {
     result[integer(0, 2)] = 1;

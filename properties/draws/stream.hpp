@@ -11,8 +11,8 @@
 
 namespace carom::properties {
 
-/// A question that a family (families/family.hpp) asks its stream. It has `count` answers, 0 … count − 1. The answer
-/// `simplest` gives the simplest collisions.
+/// A question that a family asks its stream, with the answers 0 … count − 1. The answer `simplest` gives the simplest
+/// collisions.
 struct StreamQuestion {
   std::uint64_t count;
   std::uint64_t simplest = 0;
@@ -22,9 +22,9 @@ struct StreamQuestion {
 /// The number of fractions k 2⁻⁵³ in [0, 1).
 inline constexpr std::uint64_t fractions = std::uint64_t{1} << 53U;
 
-/// A stream of integers that decides everything that a family draws. The gate and the fuzzers supply words of 64 bits;
-/// RapidCheck answers questions. The stream makes numbers from the integers by + − × ÷ alone, so that the same integers
-/// give the same collision on every machine.
+/// A stream of integers that decides everything that a family draws. The gate and the fuzzers supply 64-bit words;
+/// RapidCheck answers questions. Numbers come from the integers by + − × ÷ alone, so they are the same on every
+/// machine.
 class Stream {
  public:
   explicit Stream(std::function<std::uint64_t()> next) : next_(std::move(next)) {}
@@ -39,18 +39,18 @@ class Stream {
     return answer_ ? answer_({count, simplest, false}) : next_() % count;
   }
 
-  /// Uniform in low … high, both included. The simplest answer is the one closest to 0, unless it is given.
+  /// Uniform in low … high, both included. The simplest answer is closest to 0, unless it is given.
   [[nodiscard]] int integer(int low, int high) { return integer(low, high, std::clamp(0, low, high)); }
   [[nodiscard]] int integer(int low, int high, int simplest);
 
   /// True once in `one_in` times. The simplest answer is false.
   [[nodiscard]] bool chance(int one_in) { return integer(1, one_in, one_in == 1 ? 1 : 2) == 1; }
 
-  /// Whether to use a plain number, such as 1, instead of the drawn one. It is false for a stream of words, and takes
-  /// no word.
+  /// Whether to use a plain number, such as 1, in place of the drawn number. A stream of words takes no word for it,
+  /// and answers false.
   [[nodiscard]] bool plainly() { return answer_ && answer_({2, 1, true}) == 1; }
 
-  /// A number in [0, 1): mostly with all 53 bits; one in eight is a multiple of 1/8, so that special values occur.
+  /// In [0, 1): mostly with all 53 bits; one in eight is a multiple of 1/8.
   [[nodiscard]] double unit();
 
   /// `unit()` with a random sign, in (-1, 1).
@@ -68,15 +68,14 @@ class Stream {
   /// Components in (-1, 1).
   [[nodiscard]] Vector3<double> vector();
 
-  /// A vector that is never zero. At times its components are small integers.
+  /// Never zero. At times, its components are small integers.
   [[nodiscard]] Vector3<double> direction();
 
   /// A quaternion with a length from about 1/8 to 2.
   [[nodiscard]] Quaternion<double> quaternion();
 
-  /// Records a change of the collision that is being drawn.
   void note(Adjustment adjustment) { adjusted_[adjustment] = true; }
-  /// Records that the collision is drawn again. The changes of the previous draw do not count.
+  /// Records that the collision is drawn again, without the changes of the previous draw.
   void note_drawn_again() {
     adjusted_ = {};
     note(Adjustment::drawn_again);
@@ -85,18 +84,17 @@ class Stream {
 
  private:
   std::function<std::uint64_t()> next_;
-  std::function<std::uint64_t(const StreamQuestion&)> answer_;  // if it is empty, `next_` is not
+  std::function<std::uint64_t(const StreamQuestion&)> answer_;  // empty only if `next_` is not
   PerAdjustment<bool> adjusted_;
 };
 
-/// 10^k, |k| ≤ 30. For k ≥ 0 it is the nearest double. For k < 0 it is 1 divided by the nearest double of 10^−k.
+/// 10^k, |k| ≤ 30: the nearest double, or 1 divided by the nearest double of 10^−k if k < 0.
 [[nodiscard]] double power_of_ten(int k);
 
-/// The stream of one case: SplitMix64 (G. Steele, D. Lea, C. Flood, OOPSLA 2014). Its initial state depends on the
-/// seed, the family's name and the number of the case alone, so each case can be drawn alone.
+/// The stream of one case: SplitMix64 (G. Steele, D. Lea, C. Flood, OOPSLA 2014). Its initial state depends only on the
+/// seed, the family's name and the number of the case.
 [[nodiscard]] Stream case_stream(std::uint64_t seed, std::string_view family, std::uint64_t index);
 
-/// The stream that a single integer starts.
 [[nodiscard]] Stream stream_from(std::uint64_t seed);
 
 }  // namespace carom::properties

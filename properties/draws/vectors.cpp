@@ -62,8 +62,7 @@ Vector3<double> plus(const Vector3<double>& v, const Vector3<double>& u, double 
 }
 
 Vector3<double> turned(const Quaternion<double>& q, const Vector3<double>& v) {
-  // q v = (−u·v, t) with t = w v + u × v. The result is the vector part of its product with q* = (w, −u), divided by
-  // ‖q‖².
+  // q v = (−u·v, t) with t = w v + u × v. The result is the vector part of q v q*, with q* = (w, −u), divided by ‖q‖².
   const double w = q[0];
   const Vector3<double> u{q[1], q[2], q[3]};
   const Vector3<double> t = plus(cross(u, v), v, w);

@@ -12,7 +12,7 @@
 namespace carom::properties {
 namespace {
 
-/// tr([r]ᵀ J⁻¹ [r]) = Σ ‖e × r‖² / I over the body axes e, with I the moment about e.
+/// tr([r]ᵀ J⁻¹ [r]) = Σ ‖e × r‖² / I over the body axes e, with the moment I about e.
 double response_to_torque(const Collision& collision, const Body& body) {
   if (body.immovable) {
     return 0;
@@ -40,7 +40,7 @@ double excess_of(const Body& body) {
   return body.principal_inertia[largest] / sum(others);
 }
 
-/// One body or both. At times A becomes immovable, and only B is chosen.
+/// At times, A becomes immovable and only B is chosen.
 std::vector<Body*> chosen_bodies(Stream& stream, Collision& c) {
   switch (stream.integer(0, 3)) {
     case 0:
@@ -90,7 +90,7 @@ Case far_contacts(Stream& stream) {
     if (stream.chance(2)) {
       const Vector3<double> lever_arm = c.point - body->position;
       body->position = plus(c.point, lever_arm, -times);
-      // At times the spin is divided too, because otherwise w × r dominates the approach velocity.
+      // Otherwise w × r would always dominate the approach velocity.
       body->angular_velocity /= stream.chance(2) ? times : 1;
     } else {
       body->principal_inertia /= times * times;

@@ -3,28 +3,28 @@
 
 #include <carom/properties/families/family.hpp>
 
-/// Families (family.hpp) whose collisions lie beyond the domain that solvers claim. They show the limits of a method.
+/// Families beyond the domain that solvers claim. They show the limits of a method.
 namespace carom::properties {
 
-/// An upper bound of the condition number κ(K) of the collision matrix K = λI + Σ [r]ᵀ J⁻¹ [r], λ = 1/m_A + 1/m_B. It
-/// is 1 + tr(Σ [r]ᵀ J⁻¹ [r]) / λ, because λI ⪯ K. It is 1 for two immovable bodies.
+/// An upper bound of the condition number κ(K) of the collision matrix K = λI + Σ [r]ᵀ J⁻¹ [r], with λ = 1/m_A + 1/m_B.
+/// As λI ⪯ K, the bound is 1 + tr(Σ [r]ᵀ J⁻¹ [r]) / λ. It is 1 for two immovable bodies.
 [[nodiscard]] double condition_number_at_most(const Collision& collision);
 
-/// The greatest principal moment of a body divided by the sum of its other two; the greater value of the two bodies. No
-/// distribution of mass gives more than 1. An immovable body counts as 0.
+/// The greatest principal moment of a body divided by the sum of the others, for the body with the greater quotient. No
+/// body exceeds 1. An immovable body counts as 0.
 [[nodiscard]] double moment_excess(const Collision& collision);
 
-/// Sets the body's moments so that one of them is `excess` times the sum of the two others.
+/// Sets the moments so that one of them is `excess` times the sum of the others.
 void set_moment_excess(Stream& stream, Body& body, double excess);
 
-/// Moves the body so that the contact lies within √(I/m) of its centre of mass, with I the body's least moment. This
-/// limit also bounds κ(K).
+/// Moves the body so that the contact lies within √(I/m) of its centre of mass, with the least moment I. This bounds
+/// κ(K).
 void strike_close(Stream& stream, const Collision& collision, Body& body);
 
-/// A case whose contact lies far outside one body or both.
+/// The contact lies far outside one body or both.
 [[nodiscard]] Case far_contacts(Stream& stream);
 
-/// A case in which one body or both have a moment that is at least the sum of the two others.
+/// One body or both have a moment that is at least the sum of the others.
 [[nodiscard]] Case impossible_moments(Stream& stream);
 
 }  // namespace carom::properties

@@ -23,7 +23,7 @@ struct SizedShape {
   double size;
 };
 
-/// Factors of the axes. At times one axis is shorter than the others (a plate), or two are (a rod).
+/// Factors of the axes. At times, one axis is shorter (a plate), or two are (a rod).
 Vector3<double> slenderness(Stream& stream) {
   Vector3<double> stretch{1, 1, 1};
   if (stream.chance(2)) {
@@ -82,7 +82,7 @@ Case touching_spheres(Stream& stream) {
   Case spheres;
   spheres.convex_uniform = true;
   Collision& c = spheres.collision;
-  // All numbers have few bits, so that X = P ± distance N is exact and the lever arms are parallel to N.
+  // All numbers have few bits, so X = P ± distance N is exact and the lever arms are parallel to N.
   for (int i = 0; i < 3; ++i) {
     c.normal[i] = stream.integer(-63, 63) / 64.0;
     c.point[i] = stream.integer(-64, 64) / 16.0;
@@ -94,7 +94,7 @@ Case touching_spheres(Stream& stream) {
     const double distance = stream.integer(1, 32, 16) / 16.0;
     const double squared_radius = distance * distance * squared_length(c.normal);
     body->mass = drawn_mass(stream);
-    // A plain ball has the moment m r²/2. It is not uniform, because more of its mass is near the surface.
+    // A plain ball has the moment m r²/2. It is not uniform.
     const bool is_uniform = !stream.plainly();
     spheres.convex_uniform = spheres.convex_uniform && is_uniform;
     const double moment = body->mass * squared_radius;

@@ -3,20 +3,18 @@
 
 #include <carom/properties/families/family.hpp>
 
-/// The pairs of bodies that families (family.hpp) start from.
 namespace carom::properties {
 
 /// Two approaching bodies of general inertia. The contact is within about one body's size of each.
 [[nodiscard]] Case general_bodies(Stream& stream);
 
-/// Two bodies as in `general_bodies`, with friction. One case in four has a few special values and relations
-/// (features/compose.hpp).
+/// `general_bodies` with friction. One case in four has a few features (features/compose.hpp).
 [[nodiscard]] Case sprinkled_bodies(Stream& stream);
 
 /// Two approaching convex bodies of uniform density, ellipsoids or polyhedra. The contact is in or on both.
 [[nodiscard]] Case convex_bodies(Stream& stream);
 
-/// Two approaching spheres that touch. Their lever arms r are exactly parallel to N: r_A × N = r_B × N = 0.
+/// Two approaching spheres that touch, with lever arms r exactly parallel to N.
 [[nodiscard]] Case touching_spheres(Stream& stream);
 
 }  // namespace carom::properties

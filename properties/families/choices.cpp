@@ -6,7 +6,6 @@
 namespace carom::properties {
 namespace {
 
-/// Draws a case with the answers that `answer` gives, and records them.
 template <class Answer>
 ChosenCase noted(const Draw& draw, Answer answer) {
   ChosenCase chosen;

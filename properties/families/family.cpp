@@ -13,7 +13,7 @@
 namespace carom::properties {
 namespace {
 
-/// ‖V‖, or 1 if V = 0: a family sets its relative velocity to a multiple of it.
+/// ‖V‖, or 1 if V = 0.
 double speed_of(const Collision& c) {
   const double speed = length(relative_velocity(c));
   return speed > 0 ? speed : 1;
@@ -56,8 +56,7 @@ Case near_head_on(Stream& stream) {
   return result;
 }
 
-/// Touching spheres. At times one is a wall. At times they meet head-on without spin; with a wall and ε = 0, the
-/// outcome is then zero.
+/// At times, one sphere is a wall, or they meet head-on without spin. With both and ε = 0, the outcome is zero.
 Case collinear_spheres(Stream& stream) {
   Case result = touching_spheres(stream);
   Collision& c = result.collision;
@@ -82,7 +81,6 @@ Case collinear_spheres(Stream& stream) {
   return result;
 }
 
-/// Spheres whose contact lies 10^−k of a radius beside the line of centres.
 Case near_collinear(Stream& stream) {
   Case result = touching_spheres(stream);
   Collision& c = result.collision;
@@ -93,7 +91,6 @@ Case near_collinear(Stream& stream) {
   return result;
 }
 
-/// |N·V| = 10^−k ‖V‖; the bodies approach or separate.
 Case grazing(Stream& stream) {
   Case result = sprinkled_bodies(stream);
   Collision& c = result.collision;
@@ -103,7 +100,6 @@ Case grazing(Stream& stream) {
   return result;
 }
 
-/// N·V⁻ = 0 exactly: sliding without spin, or no relative velocity at all.
 Case resting(Stream& stream) {
   Case result = sprinkled_bodies(stream);
   Collision& c = result.collision;
@@ -141,7 +137,6 @@ Case mass_ratio(Stream& stream) {
   return result;
 }
 
-/// Both masses are scaled, as by another unit of mass. Determinants and absolute thresholds fail here.
 Case mass_scale(Stream& stream) {
   Case result = sprinkled_bodies(stream);
   const double scale = stream.power_of_ten(-12, 12);
@@ -192,7 +187,6 @@ Case both_immovable(Stream& stream) {
   return result;
 }
 
-/// The contact is at the centre of mass of one body or of both.
 Case zero_lever(Stream& stream) {
   Case result = sprinkled_bodies(stream);
   Collision& c = result.collision;
@@ -230,7 +224,6 @@ Case common_velocity(Stream& stream) {
   return result;
 }
 
-/// Angular velocities that dwarf the velocities, so that the approach comes from w × r.
 Case fast_spin(Stream& stream) {
   Case result = sprinkled_bodies(stream);
   Collision& c = result.collision;
@@ -241,7 +234,6 @@ Case fast_spin(Stream& stream) {
   return result;
 }
 
-/// Speeds down to values below any threshold of an engine.
 Case slow(Stream& stream) {
   Case result = sprinkled_bodies(stream);
   const double scale = stream.power_of_ten(-12, -1);

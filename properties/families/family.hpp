@@ -11,17 +11,15 @@
 
 namespace carom::properties {
 
-/// A collision, and the facts that its family knows about it.
 struct Case {
   Collision collision;
-  /// Each movable body is convex with uniform density, and the contact lies in or on it. Then C ⪯ 16 λI, with C the
-  /// collision matrix and λ = 1/m_A + 1/m_B.
+  /// Whether each movable body is convex with uniform density, with the contact in or on it. Then C ⪯ 16 λI, with the
+  /// collision matrix C and λ = 1/m_A + 1/m_B.
   bool convex_uniform = false;
-  /// The changes that the family made after it drew the numbers.
   PerAdjustment<bool> adjusted = {};
 };
 
-/// The quantity that a family takes beyond the domain that solvers claim.
+/// A quantity that a family takes beyond the domain that solvers claim.
 struct MeasuredQuantity {
   std::string_view name;  // "upper bound of κ(K)"
   double (*of)(const Collision&) = nullptr;
@@ -30,21 +28,21 @@ struct MeasuredQuantity {
 /// The turn of each family beyond the claimed domain: after all others.
 inline constexpr int last_turn = 1000;
 
-/// A named distribution of random collisions, and its properties.
+/// A named distribution of random collisions.
 struct Family {
   std::string_view name;
   std::string_view summary;
   Case (*generate)(Stream&);
-  /// The place of the family in a run, from 1: families take turns in this order (gate/schedule.hpp), so that the first
-  /// cases find most defects. `first_violation --families` (tests/benchmarks) ranks the families by the planted defects
-  /// (tests/mutants) that their first two cases find, for eight seeds. Families 1 to 10 are chosen greedily: each finds
-  /// the most defects that those before it miss. The ten together miss no defect that another family finds. The other
-  /// families follow by the number of defects that each finds alone, except the last two, which are not ranked.
+  /// Families take turns in this order, from 1 (gate/schedule.hpp), so the first cases find most defects.
+  /// `first_violation --families` (tests/benchmarks) ranks them by the planted defects (tests/mutants) that their first
+  /// two cases find, for eight seeds. Each of families 1 to 10 finds the most defects that the families before it miss.
+  /// Together they miss no defect. The others follow by the number of defects that each finds alone; the last two are
+  /// not ranked.
   int turn = last_turn;
   int weight = 1;        // factor of the number of cases that the gate draws
-  bool is_valid = true;  // false if a subject must refuse each of its collisions
-  /// For a family beyond the domain that solvers claim. The limit of a subject (a solver under test) is the least value
-  /// of this quantity at which it violates an invariant. The family decides no verdict unless the user names it.
+  bool is_valid = true;  // false if a subject must refuse its collisions
+  /// For a family beyond the claimed domain. A subject's limit is the least value at which it violates an invariant.
+  /// The family decides no verdict unless the user names it.
   MeasuredQuantity beyond = {};
 
   [[nodiscard]] bool is_beyond_domain() const { return beyond.of != nullptr; }
@@ -53,14 +51,12 @@ struct Family {
 /// Every family of the claimed domain, in the order of the reports.
 [[nodiscard]] std::span<const Family> all_families();
 
-/// Every family beyond the claimed domain.
 [[nodiscard]] std::span<const Family> families_beyond_domain();
 
-/// The family of this name, within the claimed domain or beyond it; nullptr if there is none.
+/// In the claimed domain or beyond it; nullptr if no family has this name.
 [[nodiscard]] const Family* family_named(std::string_view name);
 
-/// The family's case with the number `index`, from 0. The case depends only on the seed, the family's name and the
-/// number.
+/// The family's case with the number `index`, from 0. It depends only on the seed, the family's name and the number.
 [[nodiscard]] Case drawn_case(const Family& family, std::uint64_t seed, std::uint64_t index);
 
 }  // namespace carom::properties

@@ -10,7 +10,7 @@
 namespace carom::properties {
 namespace {
 
-/// The velocity that a unit impulse at the contact point, along this axis, gives to this point of the body: a column of
+/// The velocity that a unit impulse along this axis at the contact point gives to this point of the body: a column of
 /// I/m + [r]ᵀ J⁻¹ [r].
 Vector3<double> mobility(const Body& body, const Vector3<double>& point, const Vector3<double>& axis) {
   if (body.immovable) {
@@ -22,7 +22,6 @@ Vector3<double> mobility(const Body& body, const Vector3<double>& point, const V
   return axis / body.mass + cross(spin, arm);
 }
 
-/// Two bodies, or a body and a wall, with μ and e_t.
 Case rubbing_bodies(Stream& stream) {
   Case result = sprinkled_bodies(stream);
   if (stream.chance(3)) {
@@ -66,7 +65,7 @@ Columns mobility(const Collision& c) {
   return {along({1, 0, 0}), along({0, 1, 0}), along({0, 0, 1})};
 }
 
-/// The μ at which an impulse lies on the surface of the friction cone; 1 if there is no such μ.
+/// The μ at which an impulse lies on the friction cone's surface; 1 if there is none.
 double friction_of(const Vector3<double>& n, const Vector3<double>& impulse) {
   const double friction = length(cross(n, impulse)) / dot(n, impulse);
   return std::isfinite(friction) && friction > 0 ? friction : 1;
@@ -133,7 +132,6 @@ Case great_friction(Stream& stream) {
   return result;
 }
 
-/// Spheres whose spins alone make the contact slip. At times one of them is a wall.
 Case spin_alone(Stream& stream) {
   Case result = touching_spheres(stream);
   Collision& c = result.collision;

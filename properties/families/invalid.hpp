@@ -5,8 +5,7 @@
 
 namespace carom::properties {
 
-/// A collision of `general_bodies` with one invalid field. Either a random number is not finite, or a random field is
-/// outside its range.
+/// `general_bodies` with one invalid field: a random number is not finite, or a random field is out of range.
 [[nodiscard]] Case invalid(Stream& stream);
 
 }  // namespace carom::properties

@@ -20,7 +20,7 @@ struct Integrals {
   IntegerMatrix second = IntegerMatrix::Zero();
 };
 
-/// Adds the tetrahedron over a face with its apex at the origin. Its volume has a sign, so that any origin works.
+/// Adds the tetrahedron with this face and its apex at the origin. Its volume has a sign, so any origin works.
 void add_tetrahedron(Integrals& integrals, const IntegerVector& a, const IntegerVector& b, const IntegerVector& c) {
   const std::int64_t determinant = a.dot(b.cross(c));
   const IntegerVector sum = a + b + c;
@@ -30,7 +30,7 @@ void add_tetrahedron(Integrals& integrals, const IntegerVector& a, const Integer
 }
 
 /// The integrals over the hull. A triangle is a face if all other points lie on one side of it. If four points share a
-/// plane, all integrals are 0, because a face with more than three corners would count more than once.
+/// plane, all integrals are 0, because faces with more corners would count twice.
 Integrals integrals_of_hull(const std::vector<IntegerVector>& points) {
   Integrals integrals;
   const std::size_t n = points.size();
@@ -89,7 +89,7 @@ PrincipalShape random_polyhedron(Stream& stream) {
     }
   }
 
-  // A corner of the polyhedron, or a point between corners: weights k/8 that sum to 1.
+  // A corner, or a point between corners with weights k/8 that sum to 1.
   std::array<Rational, 3> point{0, 0, 0};
   const int parts = stream.chance(2) ? 1 : 8;
   for (int part = 0; part < parts; ++part) {

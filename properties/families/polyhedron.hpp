@@ -8,15 +8,15 @@
 
 namespace carom::properties {
 
-/// A convex body in axes that make its inertia diagonal, with the centre of mass at the origin.
+/// A convex body with its centre of mass at the origin, in axes that make its inertia diagonal.
 struct PrincipalShape {
   Vector3<double> second_moments;  // the diagonal of S = (1/vol) ∫ x xᵀ, each correct to the last place [m²]
   Vector3<double> point;           // a point of the body [m]
 };
 
-/// A random convex polyhedron. It starts from the hull of 4 to 8 integer points, whose second moments S are rational.
-/// With S = L D Lᵀ (L unit triangular, D diagonal), the shear L⁻¹ maps the hull to a convex polyhedron with second
-/// moments D. So the mass properties of this polyhedron are exact without an eigenvalue problem.
+/// A random convex polyhedron with exact mass properties, without an eigenvalue problem. The hull of 4 to 8 integer
+/// points has rational second moments S = L D Lᵀ (L unit triangular, D diagonal). The shear L⁻¹ gives a convex
+/// polyhedron with second moments D.
 [[nodiscard]] PrincipalShape random_polyhedron(Stream& stream);
 
 }  // namespace carom::properties

@@ -24,7 +24,7 @@ Collision on_a_plane(double radius) {
   return c;
 }
 
-/// B below A.
+/// B is below A.
 Collision two_spheres(double radius_a, double radius_b) {
   Collision c;
   c.a = sphere(radius_a, radius_a);
@@ -32,7 +32,7 @@ Collision two_spheres(double radius_a, double radius_b) {
   return c;
 }
 
-/// Both spheres move towards the contact with this speed [m/s].
+/// Both spheres move towards the contact at this speed [m/s].
 Collision two_equal_spheres(double radius, double speed) {
   Collision c = two_spheres(radius, radius);
   c.a.velocity = {0, -speed, 0};
@@ -40,7 +40,7 @@ Collision two_equal_spheres(double radius, double speed) {
   return c;
 }
 
-/// The velocity with this speed [m/s] and the angle of incidence θ, given by tan(θ/2). Its components are rational in
+/// The velocity of this speed [m/s] at the angle of incidence θ, given by tan(θ/2). Its components are rational in
 /// tan(θ/2), so they are the same on every machine.
 Vector3<double> oblique(double speed, double tangent_of_half) {
   const double squared = tangent_of_half * tangent_of_half;

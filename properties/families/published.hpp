@@ -3,15 +3,14 @@
 
 #include <carom/properties/families/family.hpp>
 
-/// Published benchmark impacts whose rigid-body answers have a closed form.
 namespace carom::properties {
 
 inline constexpr int chung_ooi_count = 8;
 
-/// The benchmark impact with this number, 1 to 8, of Y. Chung, J. Ooi, "Benchmark tests for verifying discrete element
-/// modelling codes at particle impact level", Granular Matter 13, 2011. The quantity that the benchmark varies is
-/// random. Two spheres of uniform density meet, or one meets a plane y = 0 below it. The density is 2700 kg/m³; no
-/// velocity after the impact depends on it. e_t = 0. Throws std::invalid_argument for any other number.
+/// An impact of Y. Chung, J. Ooi, "Benchmark tests for verifying discrete element modelling codes at particle impact
+/// level", Granular Matter 13, 2011, by its number from 1 to 8. The quantity that the benchmark varies is random.
+/// Spheres of uniform density, 2700 kg/m³, meet, or one meets the plane y = 0 from above. e_t = 0. Throws
+/// std::invalid_argument for any other number.
 ///
 ///   1: Two equal spheres, head-on.
 ///   2: A sphere on the plane, normally, ε = 1.

@@ -12,8 +12,8 @@
 namespace carom::properties {
 namespace {
 
-/// One movable body with J = j I. The eigenvalues of K are 1/m along r and 1/m + ‖r‖²/j across it, so κ(K) = 1 + m
-/// ‖r‖²/j.
+/// One movable body with moment of inertia matrix J = j I. K has the eigenvalues 1/m along r and 1/m + ‖r‖²/j across
+/// it, so κ(K) = 1 + m ‖r‖²/j.
 Collision condition_number(Stream& stream, double condition) {
   Collision c = general_bodies(stream).collision;
   make_immovable(c.b);
@@ -65,7 +65,7 @@ Collision distance(Stream& stream, double metres) {
 }
 
 /// A rod with moments 1 : ratio : ratio. Along the rod, the contact is 0.5 to 1 radii of gyration from the centre.
-/// Across the rod, it is off the axis by at most about the rod's thickness.
+/// Across it, the contact is about on the rod.
 Collision slenderness(Stream& stream, double ratio) {
   Collision c = general_bodies(stream).collision;
   const double thinness = 1 / std::sqrt(ratio);
@@ -79,7 +79,7 @@ Collision slenderness(Stream& stream, double ratio) {
   return c;
 }
 
-/// One moment of a body is `excess` times the sum of the two others. If `excess` > 1, no body has such moments.
+/// One moment of a body is `excess` times the sum of the others.
 Collision moments_of_no_body(Stream& stream, double excess) {
   Collision c = general_bodies(stream).collision;
   set_moment_excess(stream, c.a, excess);
@@ -88,7 +88,7 @@ Collision moments_of_no_body(Stream& stream, double excess) {
   return c;
 }
 
-/// Both bodies, their positions and their velocities, scaled by `ratio`.
+/// Scales both bodies, their positions and their velocities by `ratio`.
 Collision size(Stream& stream, double ratio) {
   Collision c = general_bodies(stream).collision;
   c.point *= ratio;
@@ -100,7 +100,7 @@ Collision size(Stream& stream, double ratio) {
   return c;
 }
 
-/// Body A scaled by `ratio`, with the same density.
+/// Scales body A by `ratio` at the same density.
 Collision size_ratio(Stream& stream, double ratio) {
   Collision c = general_bodies(stream).collision;
   const Vector3<double> lever_arm = c.point - c.a.position;

@@ -10,21 +10,20 @@
 
 namespace carom::properties {
 
-/// A distribution of colliding contacts with one quantity that is set to 10^k, k from `first_exponent` to
-/// `last_exponent`. A family tests whether a method (a built-in solver) violates an invariant. A sweep shows from which
-/// value of the quantity on the method violates one.
+/// Colliding contacts with one quantity set to 10^k, for k from `first_exponent` to `last_exponent`. A sweep shows from
+/// which value a method violates an invariant.
 struct Sweep {
   std::string_view name;
   std::string_view quantity;  // the label of an axis
   std::string_view summary;
   int first_exponent;  // of the easy end
-  int last_exponent;   // of the hard end; may be the smaller one
+  int last_exponent;   // of the hard end; may be the smaller exponent
   Collision (*draw)(Stream&, double quantity);
 
-  /// 10^k, from the easy end to the hard one.
+  /// 10^k, from the easy end to the hard end.
   [[nodiscard]] std::vector<double> quantities() const;
 
-  /// A collision at this quantity, with friction and tangential restitution from `set_friction`.
+  /// A collision at this quantity, with friction from `set_friction`.
   [[nodiscard]] Collision generate(Stream& stream, double at_quantity) const;
 };
 

@@ -16,8 +16,8 @@ struct Parts {
   double tangential;
 };
 
-/// Whether a part is positive, but less than about √u times the other part, with u = 2⁻⁵³. Rounding then loses its
-/// square in the sum of both squares.
+/// Whether a part is positive but less than about √u times the other, with u = 2⁻⁵³. Rounding then loses its square in
+/// the sum of squares.
 bool is_slight(double part, double other) {
   constexpr double slight = 1e-8;
   return part > 0 && part < slight * other;
@@ -28,8 +28,7 @@ Parts parts_of(const Collision& c) {
   return {std::abs(dot(c.normal, v)), length(cross(c.normal, v))};
 }
 
-/// Turns the spins along the lever arms, so that w × r = 0. Then V⁻ = v_A − v_B, without the rounding of a cross
-/// product.
+/// Makes w × r = 0, so V⁻ = v_A − v_B without the rounding of a cross product.
 void spin_along_lever_arms(Collision& c) {
   for (Body* b : {&c.a, &c.b}) {
     if (!is_zero(b->angular_velocity) && !is_zero(lever_arm(c, *b))) {
@@ -38,7 +37,7 @@ void spin_along_lever_arms(Collision& c) {
   }
 }
 
-/// Sets V by the velocity of one body. The other velocity is rounded to few bits, so that the sum is exact.
+/// Sets V by the velocity of one body. The other velocity gets few bits, so the sum is exact.
 void set_approach(Stream& stream, Collision& c, const V& relative) {
   spin_along_lever_arms(c);
   if (stream.chance(2)) {
@@ -50,11 +49,11 @@ void set_approach(Stream& stream, Collision& c, const V& relative) {
   }
 }
 
-/// Sets the velocity of one body to zero, so that it does not swamp the smaller parts of V.
+/// Stops one body, whose velocity could swamp the smaller parts of V.
 void rest_one(Stream& stream, Collision& c) { (stream.chance(2) ? c.a : c.b).velocity.setZero(); }
 
-/// Sets V to a multiple of −N + δ N × r / ‖r‖, with δ about `across`, by the spin of A alone. For r orthogonal to N, (N
-/// × r) × r = −N r².
+/// Sets V to a multiple of −N + δ N × r / ‖r‖, with δ about `across`, by the spin of A alone. If r is orthogonal to N,
+/// (N × r) × r = −N r².
 void approach_by_spin_of_a(Stream& stream, Collision& c, double across) {
   const V r = with_few_bits(turned_across(stream, lever_arm(c, c.a), c.normal));
   const double spin = size_of(c.a.angular_velocity) / size_of(r) / size_of(c.normal);

@@ -16,8 +16,7 @@ void make_both_movable(Stream& stream, Collision& c) {
   make_movable(stream, c, c.b);
 }
 
-/// Gives B the moments of A, and scales B's lever arm by a power of two near the factor by which B's radius of gyration
-/// changes.
+/// Gives B the moments of A. Scales B's lever arm by a power of two near the change of B's size.
 void take_moments(Collision& c) {
   const double size = radius_of_gyration(c.b);
   c.b.principal_inertia = c.a.principal_inertia;
@@ -26,7 +25,7 @@ void take_moments(Collision& c) {
   set_lever_arm(c, c.b, lever_arm(c, c.b) * std::ldexp(1.0, exponent - 1));
 }
 
-/// Sets one vector to the other times `sign`. If both are zero, the other first becomes `otherwise`.
+/// Sets one vector to `sign` times the other. If both are zero, the other first becomes `otherwise`.
 void relate(Stream& stream, V& x, V& y, double sign, const V& otherwise) {
   V& follows = is_zero(x) || (!is_zero(y) && stream.chance(2)) ? x : y;
   V& leads = &follows == &x ? y : x;
@@ -54,8 +53,8 @@ V rounded(const V& v) {
   return v.unaryExpr(whole);
 }
 
-/// Rounds every number of the body to an integer. A body lighter than 1 kg, or smaller than 1 m, grows. If the contact
-/// is at its centre of mass, a small body becomes heavy instead.
+/// Rounds every number of the body to an integer. A body below 1 kg or 1 m grows. With the contact at its centre of
+/// mass, a small body becomes heavy instead.
 void make_whole_body(Stream& stream, Collision& c, Body& b) {
   const V r = rounded(lever_arm(c, b));
   b.position = rounded(c.point) - r;
@@ -82,7 +81,7 @@ void make_whole(Stream& stream, Collision& c) {
   c.point = rounded(c.point);
   c.normal = rounded(c.normal * std::max(1.0, 8 / size_of(c.normal)));
   if (stream.chance(4)) {
-    // A normal and a velocity that are almost orthogonal, both with integer components.
+    // The normal and the velocity are almost orthogonal, with integer components.
     const int across = stream.integer(0, 2);
     c.normal.setZero();
     c.normal[across] = stream.power_of_two(1, 33);

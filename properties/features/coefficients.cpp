@@ -22,7 +22,7 @@ Feature exactly(const char* name, Coefficient coefficient, double value, const c
           std::move(limits)};
 }
 
-/// A feature: the coefficient is strictly between two values.
+/// The coefficient is strictly between `low` and `high`.
 Feature between(const char* name, Coefficient coefficient, double low, double high, const char* statement,
                 const char* why, Limits limits) {
   return {name,

@@ -24,7 +24,7 @@ const std::vector<const Feature*>& values_and_relations() {
   return chosen;
 }
 
-/// The features that seldom occur together with others unless `composed` chooses both.
+/// Features that seldom occur together unless `composed` chooses both.
 const std::vector<const Feature*>& ratios_and_relations() {
   static const std::vector<const Feature*> chosen = [] {
     std::vector<const Feature*> features;
@@ -51,7 +51,7 @@ void reverse_if_separating(Stream& stream, Collision& c) {
 /// The limit of lengths [m], speeds [m/s] and angular speeds [rad/s]: ten times the greatest that a feature sets.
 constexpr double largest_number = 1e11;
 
-/// At times, puts the contact near the surface of the body: 1 to 2 radii of gyration from its centre.
+/// At times, puts the contact 1 to 2 radii of gyration from the centre of the body.
 void draw_surface(Stream& stream, Collision& c, Body& body) {
   const Vector3<double> r = features::lever_arm(c, body);
   if (!body.immovable && !features::is_zero(r) && stream.chance(4)) {
@@ -63,8 +63,8 @@ void draw_surface(Stream& stream, Collision& c, Body& body) {
 /// Draws a decade for each quantity independently, but keeps lever arms within their bodies.
 void draw_magnitudes(Stream& stream, Collision& c) {
   const std::span<const Feature> all = all_features();
-  std::uint64_t size = 0;  // the place of the decade that was drawn for the size of the body
-  // The features of a quantity are adjacent in the list.
+  std::uint64_t size = 0;  // the place of the decade of the body's size
+  // The features of a quantity are adjacent.
   for (auto first = all.begin(); first != all.end();) {
     const auto last = std::find_if(first, all.end(), [&](const Feature& f) { return f.quantity != first->quantity; });
     const auto count = static_cast<std::uint64_t>(last - first);
@@ -74,7 +74,7 @@ void draw_magnitudes(Stream& stream, Collision& c) {
       if (first->drawn_by == DrawnBy::size_of_body) {
         size = chosen;
       } else if (first->drawn_by == DrawnBy::lever_arm) {
-        // The decade of the body's size, or a lower one.
+        // At most the decade of the body's size.
         chosen = stream.chance(2) ? size : chosen % (size + 1);
       }
       first[static_cast<std::ptrdiff_t>(chosen)].make(stream, c);
@@ -82,8 +82,8 @@ void draw_magnitudes(Stream& stream, Collision& c) {
     first = last;
   }
   if (!stream.chance(2)) {
-    // Puts the contact about as far from the origin as the shorter lever arm is long, so that binary32 holds the lever
-    // arms too.
+    // Puts the contact about as far from the origin as the shorter lever arm is long, so binary32 holds both lever
+    // arms.
     const double shortest =
         std::min(features::size_of(features::lever_arm(c, c.a)), features::size_of(features::lever_arm(c, c.b)));
     const Vector3<double> place = features::with_few_bits(c.point) * (shortest / features::size_of(c.point));
@@ -94,14 +94,14 @@ void draw_magnitudes(Stream& stream, Collision& c) {
   }
 }
 
-/// Prevents contacts far outside a body. Otherwise the collision matrix K is arbitrarily ill-conditioned, and every
-/// solver loses all digits.
+/// Prevents contacts far outside a body, which make the collision matrix so ill-conditioned that every solver loses all
+/// digits.
 void keep_contact_on_bodies(Stream& stream, Collision& c) {
   for (Body* body : {&c.a, &c.b}) {
     double overreach = features::overreach(c, *body);
     if (overreach > 1 && overreach * features::radius_of_gyration(*body) > largest_number) {
-      // Moves the contact onto the long axis. Otherwise the enlarged moments would take the size of a slender body out
-      // of the domain.
+      // Moves the contact onto the long axis. Otherwise the enlarged moments would take a slender body out of the
+      // domain.
       const double lever_arm = length(features::lever_arm(c, *body));
       features::set_lever_arm(c, *body, features::long_axis(*body) * lever_arm);
       overreach = features::overreach(c, *body);
@@ -129,8 +129,7 @@ bool make_both(Stream& stream, Collision& collision, const Feature& first, const
 
 namespace {
 
-/// Whether masses are within the promised domain, 10⁻⁹ to 10¹⁰ kg, and lengths, sizes and speeds at most
-/// `largest_number`.
+/// Whether masses are from 10⁻⁹ to 10¹⁰ kg, and lengths, sizes and speeds at most `largest_number`.
 bool is_in_domain(const Collision& c) {
   bool is_within = length(c.point) <= largest_number;
   for (const Body* body : {&c.a, &c.b}) {
@@ -142,7 +141,7 @@ bool is_in_domain(const Collision& c) {
   return is_within;
 }
 
-/// Makes parallel vectors parallel exactly, not only after rounding to binary64.
+/// Makes vectors that are parallel within rounding exactly parallel.
 void make_parallels_exact(Stream& stream, Collision& c) {
   for (const Body* body : {&c.a, &c.b}) {
     const Vector3<double> r = features::lever_arm(c, *body);

@@ -12,7 +12,7 @@ namespace {
 
 std::size_t place(std::size_t x, std::size_t y) { return std::min(x, y) * all_features().size() + std::max(x, y); }
 
-/// Calls visit(x, y) for every feasible pair of places, x < y.
+/// Calls visit(x, y) for every feasible pair of indices x < y.
 template <class Visit>
 void for_each_feasible_pair(const Visit& visit) {
   const std::size_t count = all_features().size();

@@ -10,8 +10,8 @@
 
 namespace carom::properties {
 
-/// Counts the features (feature.hpp), and the pairs of features, that colliding contacts had. Other contacts do not
-/// count, because no law acts on them. The size of the object does not depend on the number of collisions.
+/// Counts the features, and the pairs of features, of colliding contacts, because no law acts on others. Its size is
+/// fixed.
 class FeatureCoverage {
  public:
   struct Pair {
@@ -21,25 +21,24 @@ class FeatureCoverage {
 
   FeatureCoverage();
 
-  /// Adds a collision with the features at these places in all_features(), ascending. Precondition: the collision is
-  /// valid and colliding.
+  /// Adds a valid, colliding collision with the features at these indices of all_features(), ascending.
   void add(std::span<const std::uint16_t> present);
 
-  /// Restores the coverage from a report, which has the count of each feature and the pairs that no collision had. The
-  /// count of any other pair is unknown and becomes 1. Precondition: one count for each feature.
+  /// Restores the coverage from a report: the count of each feature, and the pairs that no collision had. The count of
+  /// any other pair becomes 1. Precondition: one count for each feature.
   [[nodiscard]] static FeatureCoverage reported(std::vector<std::uint64_t> counts, const std::vector<Pair>& missing);
 
   FeatureCoverage& operator+=(const FeatureCoverage& other);
 
-  /// The number of collisions with this feature, given by its place in all_features().
+  /// By index in all_features().
   [[nodiscard]] std::uint64_t count(std::size_t feature) const { return singles_[feature]; }
   [[nodiscard]] std::uint64_t count(std::size_t x, std::size_t y) const;
 
-  /// The number of possible pairs, and of possible pairs that occurred.
+  /// The number of feasible pairs of features, and of those that occurred.
   [[nodiscard]] std::uint64_t feasible_pairs() const;
   [[nodiscard]] std::uint64_t met_pairs() const;
 
-  /// The feasible pairs that no collision had, in the order of all_features().
+  /// The feasible pairs that did not occur, in the order of all_features().
   [[nodiscard]] std::vector<Pair> missing_pairs() const;
 
  private:
@@ -47,14 +46,13 @@ class FeatureCoverage {
   std::vector<std::uint64_t> pairs_;  // the pair x < y is at x · (number of features) + y
 };
 
-/// The places in all_features() of the features of a valid collision, ascending.
+/// The indices in all_features() of the features of a valid collision, ascending.
 [[nodiscard]] std::vector<std::uint16_t> feature_places_of(const Collision& collision);
 
-/// The features that a valid collision has, in the order of all_features().
+/// The features of a valid collision, in the same order.
 [[nodiscard]] std::vector<const Feature*> features_of(const Collision& collision);
 
-/// Whether a collision can have both features, given by their places in all_features(). Caches the results of
-/// `why_infeasible`.
+/// Whether a collision can have the features of both indices in all_features(). Caches the results of `why_infeasible`.
 [[nodiscard]] bool is_feasible(std::size_t x, std::size_t y);
 
 }  // namespace carom::properties

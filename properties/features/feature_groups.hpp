@@ -29,7 +29,7 @@ inline constexpr std::string_view domain_of_masses = "masses are 10⁻⁹ to 10�
                                     bool (*is_present)(const Collision&), void (*make)(Stream&, Collision&),
                                     Limits limits = {});
 
-/// A feature of one body. The catalogue lists it for A and for B.
+/// A feature of one body, listed for A and for B.
 struct BodyFeature {
   const char* name;
   FeatureKind kind;
@@ -42,7 +42,6 @@ struct BodyFeature {
   bool makes_immovable = false;
 };
 
-/// Each feature as "a.NAME" and "b.NAME".
 [[nodiscard]] std::vector<Feature> for_both(const std::vector<BodyFeature>& features);
 
 }  // namespace carom::properties::features

@@ -14,7 +14,7 @@ bool same_product(double a, double b, double c, double d) {
   return left == right && std::fma(a, b, -left) == std::fma(c, d, -right);
 }
 
-/// Whether x − y = difference exactly (O. Møller, BIT 5, 1965: the rounding error of a sum is a floating-point number).
+/// Whether x − y = difference exactly. The rounding error of a sum is a floating-point number (O. Møller, BIT 5, 1965).
 bool is_difference(double x, double y, double difference) {
   const double computed = x - y;
   const double of_y = computed - x;
@@ -58,7 +58,7 @@ Vector3<double> turned_along(const Vector3<double>& v, const Vector3<double>& di
 }
 
 Vector3<double> turned_across(Stream& stream, const Vector3<double>& v, const Vector3<double>& direction) {
-  const int kept = stream.integer(0, 2);  // the component that becomes zero
+  const int kept = stream.integer(0, 2);  // this component becomes zero
   const int next = (kept + 1) % 3;
   const int last = (kept + 2) % 3;
   Vector3<double> across = Vector3<double>::Zero();

@@ -5,7 +5,7 @@
 #include <carom/properties/draws/stream.hpp>
 #include <carom/properties/draws/vectors.hpp>
 
-/// Geometry in binary64, for the predicates of features (feature.hpp) and the functions that make these true.
+/// Geometry in binary64 for features.
 namespace carom::properties::features {
 
 /// The domain of masses [kg].
@@ -22,7 +22,7 @@ inline constexpr double largest_mass = 1e10;
 /// Whether both vectors are nonzero and one is exactly a multiple of the other.
 [[nodiscard]] bool are_parallel(const Vector3<double>& u, const Vector3<double>& v);
 
-/// Whether both vectors are nonzero and their dot product, as rounded, is 0.
+/// Whether both vectors are nonzero and their rounded dot product is 0.
 [[nodiscard]] inline bool are_orthogonal(const Vector3<double>& u, const Vector3<double>& v) {
   return !is_zero(u) && !is_zero(v) && dot(u, v) == 0;
 }
@@ -34,45 +34,41 @@ inline constexpr double largest_mass = 1e10;
 /// Whether two components are equal up to the sign, and not zero.
 [[nodiscard]] bool has_ties(const Vector3<double>& v);
 
-/// Each component rounded to eight bits, so that sums and products of such numbers are exact.
+/// v rounded to eight bits in each component, so sums and products are exact.
 [[nodiscard]] Vector3<double> with_few_bits(const Vector3<double>& v);
 
-/// A power of two near the length of v; 1 for the zero vector.
+/// A power of two near ‖v‖; 1 for the zero vector.
 [[nodiscard]] double size_of(const Vector3<double>& v);
 
-/// An exact multiple of the direction, of about the length of v.
+/// An exact multiple of `direction`, about as long as v.
 [[nodiscard]] Vector3<double> turned_along(const Vector3<double>& v, const Vector3<double>& direction);
 
-/// A vector of about the length of v that is exactly orthogonal to a direction of few bits.
+/// A vector about as long as v, and exactly orthogonal to a direction of few bits.
 [[nodiscard]] Vector3<double> turned_across(Stream& stream, const Vector3<double>& v, const Vector3<double>& direction);
 
 /// √((I₁ + I₂ + I₃) / 2m), the root mean square distance of the mass from its centre [m]; 0 for an immovable body.
 [[nodiscard]] double radius_of_gyration(const Body& body);
 
-/// The distance of the contact from a principal axis e, divided by twice the radius of gyration about e: |e × r| /
-/// 2√(I/m). Returns the greatest of the three ratios; 0 for an immovable body. Far beyond 1, the collision matrix K is
-/// ill-conditioned.
+/// The greatest |e × r| / (2√(I/m)) over the principal axes e, with the moment I about e; 0 for an immovable body. Far
+/// beyond 1, the collision matrix is ill-conditioned.
 [[nodiscard]] double overreach(const Collision& collision, const Body& body);
 
-/// The principal axis with the least moment, in world axes. A rod lies along this axis. Precondition: the body is
-/// movable.
+/// The principal axis of the least moment, in world axes, along which a rod lies. Precondition: the body is movable.
 [[nodiscard]] Vector3<double> long_axis(const Body& body);
 
 /// Moves the centre of mass so that P − X is r, up to the rounding of X.
 void set_lever_arm(Collision& collision, Body& body, const Vector3<double>& r);
 
-/// Moves the centre of mass so that P − X is exactly r. If P has too many bits, P is first rounded to few bits, or
-/// moved to the origin.
+/// Moves the centre of mass so that P − X is exactly r. If P has too many bits, first rounds P or moves P to the
+/// origin.
 void set_exact_lever_arm(Collision& collision, Body& body, const Vector3<double>& r);
 
-/// Whether P − X is exact in binary64.
 [[nodiscard]] bool is_exact_lever_arm(const Collision& collision, const Body& body);
 
-/// Moves the contact to the origin, and both bodies with it. The lever arms become exactly their rounded values.
+/// Moves the contact to the origin, with both bodies. The lever arms become exactly their rounded values.
 void move_point_to_origin(Collision& collision);
 
-/// Replaces an immovable body by a movable one, about as large as its lever arm is long. Does nothing to a movable
-/// body.
+/// Replaces an immovable body by a movable one, about as large as its lever arm is long.
 void make_movable(Stream& stream, const Collision& collision, Body& body);
 
 }  // namespace carom::properties::features

@@ -10,7 +10,6 @@ namespace {
 
 using V = Vector3<double>;
 
-/// Sets the mass and keeps the body's shape.
 void set_mass(Body& body, double mass) {
   body.principal_inertia *= mass / body.mass;
   body.mass = mass;
@@ -78,7 +77,7 @@ std::vector<Feature> of_inertia() {
        true,
        [](const Collision&, const Body& b) { return b.principal_inertia == V(1, 1, 1); },
        [](Stream& stream, Collision& c, Body& b) {
-         // Either the mass changes within its domain and the size stays, or the size changes.
+         // Either the mass changes within its domain, or the size changes.
          const double mass = 3 * b.mass / sum(b.principal_inertia);
          if (mass >= least_mass && mass < largest_mass && stream.chance(2)) {
            b.mass = mass;

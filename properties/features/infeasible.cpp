@@ -6,7 +6,7 @@
 namespace carom::properties {
 namespace {
 
-/// Allocates nothing, because it runs for all pairs of features and all patterns.
+/// Runs for all pairs of features and all patterns, so it allocates nothing.
 bool matches(std::string_view name, NamePattern pattern, char body) {
   if (pattern.starts_with("X.") || pattern.starts_with("Y.")) {
     const bool is_a = !name.empty() && name[0] == 'a';

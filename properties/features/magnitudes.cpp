@@ -14,8 +14,8 @@ namespace {
 
 using V = Vector3<double>;
 
-/// A positive number of a collision; 0 if the collision does not have it. It gives one feature for each decade from
-/// `first` to `last`.
+/// A positive number of a collision; 0 if the collision does not have it. Each decade from `first` to `last` is a
+/// feature.
 struct Quantity {
   std::string name;
   std::string statement;  // "the mass of A [kg]"
@@ -24,15 +24,14 @@ struct Quantity {
   int last;
   std::function<double(const Collision&)> measure;
   std::function<void(Stream&, Collision&, double)> set;
-  // As in Feature:
   int set_once_in = 1;
   bool is_seldom_with_others = false;
   DrawnBy drawn_by = DrawnBy::itself;
   char body = 0;
 };
 
-/// Sets masses of two bodies with the same moments so that their radii of gyration have this ratio. Returns false if
-/// the moments differ, or if the masses would leave their domain.
+/// Sets masses so that the radii of gyration of two bodies with the same moments have this ratio. Returns false if the
+/// moments differ, or if the masses would leave their domain.
 bool set_size_ratio_by_masses(Collision& c, double ratio) {
   const double lighter = least_mass * 1.5;
   if (c.a.principal_inertia != c.b.principal_inertia || lighter * ratio * ratio >= largest_mass) {
@@ -46,16 +45,15 @@ bool set_size_ratio_by_masses(Collision& c, double ratio) {
   return true;
 }
 
-/// Scales the body to this radius of gyration, and its lever arm with it.
+/// Scales the body and its lever arm to this radius of gyration.
 void set_size(Collision& c, Body& b, double size) {
   const double ratio = size / radius_of_gyration(b);
   b.principal_inertia *= ratio * ratio;
   set_lever_arm(c, b, lever_arm(c, b) * ratio);
 }
 
-/// Changes the moments so that the greatest is about `ratio` times the least. Integer moments stay integers. If one
-/// moment is the sum of the others (a flat body), it stays so. Two equal moments stay equal. No moment exceeds the sum
-/// of the others.
+/// Makes the greatest moment about `ratio` times the least. Integers stay integers, equal moments stay equal, and the
+/// moments of a flat body stay those of a flat body. No moment exceeds the sum of the others.
 void set_moment_ratio(V& moments, double ratio) {
   const auto is_whole = [](double x) { return x == std::floor(x); };
   const bool is_of_whole = is_whole(moments[0]) && is_whole(moments[1]) && is_whole(moments[2]);
@@ -140,7 +138,6 @@ std::vector<Quantity> of_body(const std::string& letter, Body Collision::*body) 
          }
          const double beyond = overreach(c, b);
          if (beyond > 1) {
-           // Moves the contact onto the long axis, or closer to the centre of the body.
            const V r = lever_arm(c, b);
            set_lever_arm(c, b, stream.chance(4) ? V(r / beyond) : V(long_axis(b) * length(r)));
          }
@@ -236,7 +233,7 @@ std::vector<Quantity> quantities() {
 }
 
 Feature decade_of(const Quantity& quantity, int k) {
-  // `make` chooses a value well inside the decade, so that rounding cannot move it out.
+  // `make` chooses a value well inside the decade, so rounding cannot move it out.
   const double low = power_of_ten(k);
   const double high = power_of_ten(k + 1);
   return {fmt::format("{}_1e{}", quantity.name, k),

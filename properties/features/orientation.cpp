@@ -11,7 +11,7 @@ using Q = Quaternion<double>;
 
 Vector3<double> axis_of(const Body& body) { return body.orientation.tail<3>(); }
 
-/// Sets a rotation about one coordinate axis, with the quaternion's w and one other component ±`other`.
+/// Rotates about one coordinate axis by the quaternion with `w` and one other component ±`other`.
 void turn_about_axis(Stream& stream, Body& body, double w, double other) {
   Q q = Q::Zero();
   q[0] = w;

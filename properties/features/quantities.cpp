@@ -20,7 +20,7 @@ double arm(const Collision& c, const Body& b) { return length(c.point - b.positi
 double approach_speed(const Collision& c) { return std::abs(dot(c.normal, relative_velocity(c))) / length(c.normal); }
 double slip_speed(const Collision& c) { return length(cross(c.normal, relative_velocity(c))) / length(c.normal); }
 
-/// The lesser positive value of the two bodies, infinite if there is none; `greater` gives the greater value.
+/// The lesser positive value of the two bodies; infinite if there is none.
 template <class OfBody>
 double lesser(const Collision& c, const OfBody& of) {
   double smallest = std::numeric_limits<double>::infinity();
@@ -46,7 +46,7 @@ double moment_ratio(const Body& b) { return b.immovable ? 0 : greatest_moment(b)
 double speed(const Body& b) { return length(b.velocity); }
 double spin(const Body& b) { return length(b.angular_velocity); }
 double quaternion_length(const Body& b) { return b.immovable ? 0 : std::sqrt(squared_length(b.orientation)); }
-/// The angle of the rotation from the identity [rad], from 0 to π.
+/// From 0 to π [rad].
 double angle(const Body& b) {
   return b.immovable ? 0 : 2 * std::atan2(length(b.orientation.tail<3>()), std::abs(b.orientation[0]));
 }

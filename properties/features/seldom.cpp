@@ -8,7 +8,6 @@
 namespace carom::properties {
 namespace {
 
-/// The beginnings of the names of two groups of features.
 struct Beginnings {
   std::string_view first;
   std::string_view second;

@@ -8,18 +8,16 @@
 
 namespace carom::properties {
 
-/// Two groups of features (feature.hpp). A feature of the first group seldom occurs with one of the second, unless both
-/// are chosen.
+/// Two groups of features. A feature of one group seldom occurs with one of the other unless both are chosen.
 struct SeldomPair {
   std::vector<const Feature*> first;
   std::vector<const Feature*> second;
 };
 
-/// Every such pair of groups. No group is empty.
+/// All such pairs of groups. No group is empty.
 [[nodiscard]] const std::vector<SeldomPair>& seldom_together();
 
-/// The features whose names begin with this text. Throws std::logic_error if there is none, for example after a feature
-/// is renamed.
+/// The features whose names begin with this text. Throws std::logic_error if there is none.
 [[nodiscard]] std::vector<const Feature*> features_beginning(std::string_view beginning);
 
 }  // namespace carom::properties

@@ -10,18 +10,17 @@
 
 namespace carom::properties {
 
-/// The limit of a subject in a family beyond the claimed domain: the violation at the least value of the family's
-/// quantity (`Family::beyond`).
+/// A subject's limit in a family beyond the claimed domain: the violation with the least value of `Family::beyond`.
 struct Boundary {
   double quantity = 0;
   std::uint64_t index = 0;  // number of the case in its family
   std::string invariant;
 };
 
-/// Keeps the boundary with the lesser quantity. If the quantities are equal, it keeps the case with the lesser number.
+/// Keeps the boundary with the lesser quantity, or with the lesser case number if the quantities are equal.
 void keep_if_least(std::optional<Boundary>& kept, const std::optional<Boundary>& other);
 
-/// The boundary that a judged case shows; none if the family has no such quantity, or if nothing is violated.
+/// The boundary that a judged case shows. None if nothing is violated, or if the family has no `Family::beyond`.
 [[nodiscard]] std::optional<Boundary> boundary_by(const Family& family, std::uint64_t index, const Collision& collision,
                                                   const Judgement& judgement);
 

@@ -21,7 +21,7 @@ struct Count {
   Count& operator+=(const Count& other);
 };
 
-/// The case of a family with the most serious violation of an invariant; the first one if several are equally serious.
+/// The case of a family with the most serious violation of an invariant (`seriousness`). The first case wins a tie.
 struct WorstViolation {
   std::uint64_t index;
   Case original;
@@ -29,17 +29,16 @@ struct WorstViolation {
   Answer answer;
 };
 
-/// A case whose answer violated an invariant, and the answer.
 struct ViolatedCase {
   std::uint64_t index;
   Case one;
   Answer answer;
 };
 
-/// At most this many violated cases of a family are kept, the first ones.
+/// A family keeps its first violated cases, at most this many.
 inline constexpr std::size_t most_violated_kept = 12;
 
-/// The results of a subject on a family. The size of the object does not grow with the number of cases.
+/// The results of a subject on a family. Their size does not grow with the number of cases.
 struct FamilyResult {
   std::uint64_t cases = 0;
   std::uint64_t skipped = 0;                    // cases that the subject could not take
@@ -50,25 +49,24 @@ struct FamilyResult {
   std::map<std::string, Count> counts;          // by invariant
   std::map<std::string, WorstViolation> worst;  // by invariant
   std::uint64_t sampled = 0;                    // this many cases are sampled, the first ones (sample.hpp)
-  // The numbers of the sampled cases that violated each invariant. When the run is over, they ascend and each occurs
-  // once.
+  // The numbers of the sampled cases that violated each invariant. After the run, they ascend and are unique.
   std::map<std::string, std::vector<std::uint64_t>> violated_cases;
-  // Violated cases in ascending order of number, at most most_violated_kept in each list. The answers in the first list
-  // are wrong by themselves. Only relations to further answers show that those in the second list are wrong.
+  // The first violated cases, ascending, at most most_violated_kept in each list. In the second list, only relations
+  // show that the answers are wrong.
   std::vector<ViolatedCase> first_violated;
   std::vector<ViolatedCase> first_violated_by_relations;
 
-  /// Keeps the violation if it is more serious than the known one of the invariant.
+  /// Keeps the violation if it is more serious than the stored violation of the invariant.
   void keep_if_worst(const std::string& invariant, const WorstViolation& violation);
 
-  /// Adds the results of other cases of the family. The numbers of violated cases stay unordered.
+  /// Adds the results of other cases of the family. Call `order_violated_cases` after the last addition.
   FamilyResult& operator+=(const FamilyResult& other);
 
   /// Puts the numbers of violated cases in order, each once.
   void order_violated_cases();
 };
 
-/// Keeps the case if it is one of the first. Cases may come in any order, and the same case several times.
+/// Keeps the case if it is one of the first. Cases may come in any order and repeatedly.
 void keep_if_first(std::vector<ViolatedCase>& kept, const ViolatedCase& violated);
 
 }  // namespace carom::properties

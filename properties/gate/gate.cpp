@@ -21,8 +21,7 @@
 namespace carom::properties {
 namespace {
 
-/// Throws std::invalid_argument if a deviation of the subject names no invariant or no family. Such a deviation would
-/// have no effect.
+/// Throws std::invalid_argument if a deviation names no invariant or no family, because it would have no effect.
 void require_known_deviations(const Subject& subject) {
   for (const std::string& text : subject.deviates) {
     try {
@@ -33,7 +32,6 @@ void require_known_deviations(const Subject& subject) {
   }
 }
 
-/// The time limit for drawing cases.
 class Budget {
  public:
   explicit Budget(const GateOptions& options) : of_(options.budget), start_(Clock::now()) {}
@@ -42,7 +40,6 @@ class Budget {
 
   [[nodiscard]] std::uint64_t milliseconds_spent() const { return milliseconds(Clock::now() - start_); }
 
-  /// Precondition: there is a budget.
   [[nodiscard]] std::uint64_t milliseconds_in_all() const {
     CAROM_EXPECTS(of_.has_value());
     return milliseconds(*of_);
@@ -59,7 +56,7 @@ class Budget {
   Clock::time_point start_;
 };
 
-/// Reports the progress of a run, from one thread at a time.
+/// Reports the progress from one thread at a time.
 class Progress {
  public:
   Progress(const GateOptions& options, const Budget& budget) : options_(options), budget_(budget) {
@@ -90,8 +87,8 @@ class Progress {
   std::uint64_t all_ = 0;
 };
 
-/// For each subject, the first task that found a violation, if a run ends at the first violation. Earlier tasks are
-/// still judged to the end, so that the first violation does not depend on the number of threads.
+/// For each subject, the first task that found a violation. Earlier tasks are still judged to the end, so the first
+/// violation does not depend on the number of threads.
 class Finds {
  public:
   explicit Finds(std::size_t subjects) : first_(subjects) {
@@ -135,14 +132,12 @@ struct Run {
   std::deque<Restarts> restarts = restarts_of(subjects.size());  // of each subject
 };
 
-/// A case that is sampled, and its place.
 struct Sampled {
   std::size_t family;
   std::uint64_t index;
   SampledCase one;
 };
 
-/// The work of one thread: it takes tasks until none is left.
 class Worker {
  public:
   explicit Worker(Run& run) : run_(&run), coverage_(run.options.families.size()), tallies_(run.subjects.size()) {
@@ -195,7 +190,7 @@ class Worker {
     return run_->options.relations_every > 0 ? run_->options.relations_every : (subject.is_program() ? of_programs : 1);
   }
 
-  /// A subject that throws is not judged further. Its results so far stay.
+  /// A subject that throws is not judged further, and its results so far stay.
   template <class F>
   void run_unless_failed(std::size_t subject, const F& f) {
     if (!tallies_[subject].error.empty()) {
@@ -223,8 +218,8 @@ class Worker {
     }
   }
 
-  /// Whether more cases would show nothing new about any subject. A run without a budget and without `fail_fast` goes
-  /// on, because its cases still count in the coverage of the families.
+  /// Whether more cases would show nothing new about any subject. With neither a budget nor `fail_fast`, more cases
+  /// always count in the coverage.
   [[nodiscard]] bool is_over_for_all(std::uint64_t task) const {
     bool is_over = run_->options.budget || run_->options.fail_fast;
     for (std::size_t s = 0; s < examinees_.size(); ++s) {
@@ -267,8 +262,8 @@ class Worker {
     }
   }
 
-  /// Asks the remembered cases again in a separate session. A subject whose run ended at its first violation is not
-  /// asked again, and the end of its session is not judged.
+  /// Asks the remembered cases again in a separate session. Does nothing for a subject whose run ended at its first
+  /// violation.
   void finish(std::size_t subject) {
     constexpr std::uint64_t after_all_tasks = std::numeric_limits<std::uint64_t>::max() - 1;
     Examinee& examinee = examinees_[subject];
@@ -276,7 +271,7 @@ class Worker {
       try {
         examinee.session.close();
       } catch (const std::exception&) {
-        // No matter, because the subject is not asked again.
+        // The subject is not asked again.
       }
       return;
     }
@@ -302,7 +297,6 @@ std::vector<Worker> workers_of(Run& run) {
   return std::vector<Worker>(std::max(1U, run.options.workers.count), Worker(run));
 }
 
-/// The findings of all workers on one subject.
 SubjectTally tally_of(const std::vector<Worker>& workers, std::size_t subject, const Claim& claim) {
   SubjectTally tally = workers[0].tallies()[subject];
   for (std::size_t w = 1; w < workers.size(); ++w) {
@@ -323,7 +317,7 @@ SubjectTally tally_of(const std::vector<Worker>& workers, std::size_t subject, c
   return tally;
 }
 
-/// Poses the families beyond the claimed domain to the subjects that were judged to the end on the others.
+/// Gives the families beyond the claimed domain to the subjects that were judged to the end.
 void judge_beyond_domain(const std::vector<Subject>& subjects, const std::vector<Claim>& claims,
                          const GateOptions& options, std::vector<SubjectResult>& results) {
   if (options.beyond_domain.empty() || options.budget || options.fail_fast) {
@@ -372,7 +366,7 @@ GateReport run_gate(const std::vector<Subject>& subjects, const GateOptions& opt
     const SubjectTally tally = tally_of(workers, s, claims[s]);
     SubjectResult result{subjects[s], tally.error, tally.families, tally.digits, 0, {}, {}, {}, {}};
     if (const Histogram<TimeScale>& times = tally.nanoseconds_per_solve; times.size() > 0) {
-      // The median, because other programs disturb single batches by far more than solvers differ.
+      // Other programs disturb single batches by far more than solvers differ, so this is the median.
       result.nanoseconds_per_solve = times.at(times.size() / 2);
     }
     for (const std::string& invariant : result.violated_invariants()) {
@@ -414,7 +408,7 @@ GateReport run_gate(const std::vector<Subject>& subjects, const GateOptions& opt
         witness = shrunk_witness(result.subject, claims[found[i].subject], witness);
       }
     } catch (const std::exception&) {
-      // The witness keeps the violation as it was found.
+      // The witness stays as it was found.
     }
   });
   report.interrupted = options.stop.stop_requested();

@@ -5,10 +5,10 @@
 
 #include <carom/properties/gate/gate_report.hpp>
 
-/// Judges subjects on families of collisions.
 namespace carom::properties {
 
-/// Preconditions: `absent` of each subject is empty; options with a budget have shard.of = 1.
+/// Judges subjects on families of collisions. Preconditions: `absent` of each subject is empty; options with a budget
+/// have shard.of = 1.
 [[nodiscard]] GateReport run_gate(const std::vector<Subject>& subjects, const GateOptions& options);
 
 }  // namespace carom::properties

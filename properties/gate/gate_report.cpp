@@ -110,13 +110,12 @@ std::string why_not_judged(const SubjectResult& result, const std::vector<const 
     valid += is_of_valid ? judged : 0;
     skipped_of_valid += is_of_valid ? family.skipped : 0;
   }
-  constexpr std::uint64_t one_in = 10;  // cases may be skipped at most
+  constexpr std::uint64_t one_in = 10;  // at most this share of the cases may be skipped
   if (skipped_of_valid * one_in > valid) {
     return std::to_string(skipped_of_valid) + " of " + std::to_string(valid) +
            " cases were skipped, which is more than a tenth";
   }
-  // Every law claims some of `exercised_by_collisions`, and each of these needs only one outcome.
-  // `separating_untouched` is not among them.
+  // Every law claims some of `exercised_by_collisions`.
   const auto is_exercised = [&](const char* invariant) { return result.count(invariant).holds > 0; };
   const bool was_answered = std::any_of(exercised_by_collisions.begin(), exercised_by_collisions.end(), is_exercised);
   const bool is_of_collisions =

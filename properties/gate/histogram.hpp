@@ -13,8 +13,7 @@
 
 namespace carom::properties {
 
-/// Counts numbers by the fixed bins of a scale, so that the size of the histogram does not grow with the count. Counts
-/// are integers, so results do not depend on the order of the numbers or their distribution among threads.
+/// Counts numbers in the fixed bins of a scale, so its size is bounded and the order of the numbers does not matter.
 template <class Scale>
 class Histogram {
  public:
@@ -40,8 +39,8 @@ class Histogram {
     return *this;
   }
 
-  /// Restores a histogram from the `counts()`, `smallest()` and `largest()` of another. Preconditions: at most
-  /// Scale::bins counts; smallest ≤ largest if any count is not 0.
+  /// The histogram with these `counts()`, `smallest()` and `largest()`. Preconditions: at most Scale::bins counts;
+  /// smallest ≤ largest if any count is not 0.
   [[nodiscard]] static Histogram restored(std::vector<std::uint64_t> counts, double smallest, double largest) {
     CAROM_EXPECTS(counts.size() <= Scale::bins, counts.size());
     Histogram histogram;
@@ -62,11 +61,11 @@ class Histogram {
 
   [[nodiscard]] std::uint64_t size() const { return size_; }
 
-  /// The number of bins that are kept: at most Scale::bins.
+  /// The number of stored bins, at most Scale::bins.
   [[nodiscard]] std::size_t bins() const { return counts_.size(); }
 
-  /// The number of this rank, from 0 for the smallest. It is the middle of its bin; the smallest and the largest number
-  /// are exact. Precondition: rank < size().
+  /// The number of this rank, from 0 for the smallest. The smallest and the largest number are exact. Any other is the
+  /// middle of its bin. Precondition: rank < size().
   [[nodiscard]] double at(std::uint64_t rank) const {
     CAROM_EXPECTS(rank < size_, rank, size_);
     if (rank == 0 || rank + 1 == size_) {

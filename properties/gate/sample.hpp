@@ -8,7 +8,7 @@
 #include <carom/properties/families/family.hpp>
 #include <carom/properties/trial/trial.hpp>
 
-/// Sampled cases. The traits that the violated cases have in common show where a subject is wrong.
+/// Sampled cases. Traits that the violated cases share show where a subject is wrong.
 namespace carom::properties {
 
 /// The traits of a sampled case.
@@ -19,15 +19,14 @@ struct SampledCase {
   std::vector<float> quantities = {};  // decimal logarithms, in the order of all_compared_quantities()
 };
 
-/// The first cases of each family are sampled: this many, times the weight of the family.
+/// The number of a family's first cases that are sampled, to be multiplied by its weight.
 inline constexpr std::uint64_t sampled_of_each_family = 1000;
 [[nodiscard]] std::uint64_t sampled_of(const Family& family);
 
-/// The traits of a case with these features. Precondition: the case is valid.
+/// The traits of a valid case with these features (indices of all_features()).
 [[nodiscard]] SampledCase sampled_case(const JudgedCase& judged_case, std::vector<std::uint16_t> features);
 
-/// Draws the sampled cases among the first `cases` of the family, in the order of their numbers. Invalid cases stay
-/// default-constructed.
+/// Draws the sampled cases among the first `cases` of the family. Invalid cases stay default-constructed.
 [[nodiscard]] std::vector<SampledCase> drawn_sample(const Family& family, std::uint64_t seed, std::uint64_t cases);
 
 }  // namespace carom::properties

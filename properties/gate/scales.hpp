@@ -7,12 +7,10 @@
 
 #include <carom/properties/gate/histogram.hpp>
 
-/// The bins by which the gate counts.
 namespace carom::properties {
 
-/// Numbers of correct digits, in hundredths from −20 to 40. 40 stands for exact. The middle of a bin is at most 0.005
-/// off and rounds to the same tenth as every number in the bin. One more bin holds everything below −20, also −∞ for an
-/// error that is not a number. Only the smallest number of this bin is reported.
+/// Correct digits in bins of 0.01 from −20 to 40, which stands for exact. The middle of a bin rounds to the same tenth
+/// as every number in the bin. One more bin holds everything below −20, and −∞ for NaN errors.
 struct DigitsScale {
   static constexpr int lowest = -20;
   static constexpr int highest = 40;
@@ -34,8 +32,8 @@ struct DigitsScale {
   }
 };
 
-/// Times in nanoseconds, from 2⁻¹⁰ to 2⁵⁴ (half a year), in 64 bins per octave. The middle of a bin is off by a
-/// fraction of less than 1/128. The first and the last bin also hold the values below and above.
+/// Times in nanoseconds from 2⁻¹⁰ to 2⁵⁴ (half a year), in 64 bins per octave. The middle of a bin is off by less than
+/// 1/128. The outer bins also hold the values outside.
 struct TimeScale {
   static constexpr int lowest_exponent = -9;  // of std::frexp: 2⁻¹⁰ is ½ · 2⁻⁹
   static constexpr int octaves = 64;

@@ -11,30 +11,29 @@
 
 namespace carom::properties {
 
-/// Cases of one family, from `first` up to but not including `last`, that a subject gets at once.
+/// The cases of one family from `first` to `last` − 1, which a subject gets at once.
 struct Task {
   std::uint64_t number = 0;  // in the schedule, from 0
   std::size_t family = 0;    // place in the options
-  std::uint64_t first = 0;   // in the order of the family's cases, counting only those of the shard
+  std::uint64_t first = 0;   // in the order of the family's cases in the shard
   std::uint64_t last = 0;
   Shard shard = {};
 
-  /// The number that the task's `i`-th case has in its family, from 0.
+  /// The number in its family of the task's `i`-th case, from 0.
   [[nodiscard]] std::uint64_t case_number(std::uint64_t i) const { return shard.case_number(first + i); }
 };
 
-/// The order of the cases in a run. The families take turns in the order of `Family::turn`. A turn is one case (times
-/// the family's weight) in the first round and doubles in each round, so that the first cases show a widespread defect.
-/// Each case is in one task, for any number of threads. Threads may share a schedule.
+/// The order of the cases in a run, the same for any number of threads. The families take turns by `Family::turn`. A
+/// turn is one case (times the family's weight) and doubles in each round, so the first cases show a widespread defect.
+/// Threads may share a schedule.
 class Schedule {
  public:
   explicit Schedule(const GateOptions& options);
 
-  /// The next task; none if all cases were handed out. With a budget there is always one.
+  /// The next task; none if all cases were handed out. With a budget, there is always one.
   [[nodiscard]] std::optional<Task> next();
 
  private:
-  /// The state of one family.
   struct Place {
     std::size_t family;
     std::uint64_t weight;

@@ -8,10 +8,9 @@
 
 namespace carom::properties {
 
-/// The coverage of one case.
 [[nodiscard]] Coverage coverage_of(const JudgedCase& judged_case);
 
-/// The findings of one thread on one subject. The size of the object does not grow with the number of cases.
+/// The findings of one thread on one subject. Their size does not grow with the number of cases.
 struct SubjectTally {
   std::string error;  // why the subject was not judged to the end; empty if it was
   std::vector<FamilyResult> families;
@@ -19,14 +18,13 @@ struct SubjectTally {
   Histogram<TimeScale> nanoseconds_per_solve;  // one number per task
   std::vector<std::vector<Count>> counts;      // by family and invariant, until name_counts() moves them
 
-  /// Adds the findings on one case of a family.
   void add(std::size_t family, std::uint64_t index, const JudgedCase& judged_case, const Answer& answer,
            const Judgement& judgement, const Claim& claim);
 
   /// Adds one verdict that was reached separately from the others of its case.
   void add(std::size_t family, std::uint64_t index, const Case& one, const Answer& answer, const NamedVerdict& named);
 
-  /// Moves `counts` to `FamilyResult::counts`, by name. Call it before you read the families' counts.
+  /// Moves `counts` to `FamilyResult::counts`, which are empty before.
   void name_counts();
 
   SubjectTally& operator+=(const SubjectTally& other);

@@ -12,12 +12,12 @@
 namespace carom::properties {
 namespace {
 
-constexpr std::uint64_t one_asked_again_of = 10;  // one case in this many is asked again
+constexpr std::uint64_t one_asked_again_of = 10;
 
-/// The approximate number of cases of a run that are asked again in a separate session.
+/// The approximate number of cases of a run that a separate session is asked again.
 constexpr std::uint64_t most_remembered = 64;
 
-/// The answers of a session to a batch: fewer than collisions if the session failed.
+/// The answers of a session to a batch. If the session failed, some are missing.
 struct Batch {
   std::vector<Answer> answers;
   std::exception_ptr failure;
@@ -31,14 +31,14 @@ Batch batch_of(Session& session, std::span<const Collision> collisions) {
   }
 }
 
-/// A collision that no session may answer. It is asked before cases are asked again.
+/// Every session must refuse this collision.
 Collision invalid_collision() {
   Collision invalid;
   invalid.a.mass = std::numeric_limits<double>::quiet_NaN();
   return invalid;
 }
 
-/// The verdict of `finite` or `invalid_refused` on a failure to answer; none if there was an answer, or no such claim.
+/// The verdict of `finite` or `invalid_refused` on a failure to answer; none without a failure or a claim.
 std::optional<NamedVerdict> verdict_on_failure(const Claim& claim, const Case& one, const Answer& answer) {
   if (!std::holds_alternative<Failed>(answer)) {
     return std::nullopt;
@@ -53,7 +53,6 @@ std::optional<NamedVerdict> verdict_on_failure(const Claim& claim, const Case& o
   return std::nullopt;
 }
 
-/// Drops the verdicts after the first violation. Returns false if there is no violation.
 bool cut_after_violation(Judgement& judgement) {
   const auto found = std::find_if(judgement.verdicts.begin(), judgement.verdicts.end(),
                                   [](const NamedVerdict& named) { return named.verdict.status == Status::violated; });
@@ -64,7 +63,6 @@ bool cut_after_violation(Judgement& judgement) {
   return true;
 }
 
-/// Drops the verdicts of invariants that are not claimed in the family of the case.
 void drop_unclaimed(Judgement& judgement, const Claim& claim, const Family& family) {
   if (!claim.deviations.empty()) {
     std::erase_if(judgement.verdicts,

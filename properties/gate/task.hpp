@@ -9,10 +9,8 @@
 #include <carom/properties/gate/schedule.hpp>
 #include <carom/properties/gate/subject_tally.hpp>
 
-/// The judging of one subject on some cases.
 namespace carom::properties {
 
-/// A case, and the subject's answer.
 struct Asked {
   std::size_t family;
   std::uint64_t index;
@@ -20,7 +18,7 @@ struct Asked {
   Answer answer;
 };
 
-/// The violation that ended a subject's run, if runs end at the first violation.
+/// The violation that ended a subject's run.
 struct FirstViolation {
   std::uint64_t task = 0;  // number of the task
   Asked asked;
@@ -42,17 +40,18 @@ struct Examinee {
   std::optional<FirstViolation> first_violation = {};  // not in any tally
 };
 
-/// Whether a case is asked again in the same session, and whether it is asked again in a separate session. Both answers
-/// depend on the case alone, so that results do not depend on tasks or threads.
+/// Whether the same session is asked the case again. The case alone decides, so results do not depend on tasks or
+/// threads.
 [[nodiscard]] bool is_asked_again(std::uint64_t index);
+/// Whether a separate session is asked the case again. The case alone decides this too.
 [[nodiscard]] bool is_remembered(std::uint64_t index, std::size_t families);
 
-/// Puts the cases of one task to one subject: first all cases, then all questions that their answers raise. If the
-/// session fails, the answers so far are judged without the invariants that ask further questions, and the failure is
-/// thrown. If the run ends at the first violation, the function sets `first_violation` and judges nothing after it.
+/// Asks a subject the cases of one task, then the questions that their answers raise. If the session fails, judges the
+/// answers so far without relations, and rethrows. If the run ends at the first violation, sets `first_violation` and
+/// stops there.
 void judge_task(Examinee& examinee, const Task& task, const std::deque<JudgedCase>& cases, SubjectTally& tally);
 
-/// Asks an invalid collision, then the cases again, the last ones first. Judges whether the answers are the same.
+/// Asks an invalid collision, then the cases again from the last to the first. Judges whether the answers are the same.
 void ask_again(Examinee& examinee, std::uint64_t task, Session& session, const std::vector<Asked>& asked,
                SubjectTally& tally);
 

@@ -11,24 +11,23 @@
 namespace carom::properties {
 namespace {
 
-/// The limit of calls of the subject and the judge for shrinking one witness.
 constexpr std::size_t most_shrink_calls = 4000;
 
-/// The limit of the time of all failures of a subject together, because each hang costs a timeout.
+/// The limit for all failures of a subject together, because each hang costs a timeout.
 constexpr std::chrono::seconds longest_failing{5};
 
-/// The kind of a violation without numbers to compare: the detail up to its reason.
+/// The kind of a violation that compares no numbers: the detail up to its reason.
 std::string_view kind_of(const Verdict& verdict) {
   const std::string_view detail = verdict.detail;
   return verdict.left.empty() ? detail.substr(0, detail.find(':')) : std::string_view();
 }
 
-/// The verdict of a claim of a single invariant; `holds` if there is none on this case.
+/// The only verdict; `holds` if there is none on this case.
 Verdict single_verdict(const Judgement& judgement) {
   return judgement.verdicts.empty() ? Verdict{} : judgement.verdicts.front().verdict;
 }
 
-/// The family with the most violations of the invariant. It shows the violation best.
+/// The family with the most violations of the invariant.
 std::size_t family_of_witness(const SubjectResult& result, const std::string& invariant) {
   std::size_t best = 0;
   std::uint64_t most = 0;
@@ -72,7 +71,7 @@ Witness shrunk_witness(const Subject& subject, const Claim& claim, Witness witne
   witness.is_reproduced = verdict_on(witness.original).status == Status::violated || is_over;
   const Case simplest =
       simplest_violation(witness.original, *only.invariants[0], witness.verdict, verdict_on, most_shrink_calls);
-  only.yardstick.filtered = false;  // the report shows numbers from exact arithmetic, with a certified truth
+  only.yardstick.filtered = false;  // the report shows numbers from exact arithmetic
   Restarts once(2);
   Session fresh = is_over ? open_restarting(subject, once) : std::move(session);
   const AnswerAndJudgement shrunk = judge_in_session(only, fresh, simplest);
@@ -86,11 +85,11 @@ Witness shrunk_witness(const Subject& subject, const Claim& claim, Witness witne
 }
 
 bool is_as_bad(const Verdict& verdict, const Collision& collision, const Verdict& found, const Collision& found_on) {
-  // The shrunk violation must stay far beyond the limit. If nothing is allowed, it must stay larger than rounding.
+  // The shrunk violation must stay far beyond the limit. If no rounding is permitted, it must stay above rounding.
   const double worst = seriousness(found, found_on);
   const double kept = worst >= 16 ? worst / 16 : std::min(worst, 1.0);
-  // The error must stay in about the same digits as in the original. A relative residual of 2⁻¹⁰ is too large for
-  // rounding, so a larger residual need not stay above it.
+  // The error must stay in about the same digits as in the original. A relative residual above 2⁻¹⁰ is more than
+  // rounding, so no larger one is required.
   constexpr double plain = 0x1p-10;
   const double kept_of_size = std::min(found.relative_residual(), plain) / 16;
   return seriousness(verdict, collision) >= kept && verdict.relative_residual() >= kept_of_size &&
@@ -99,7 +98,7 @@ bool is_as_bad(const Verdict& verdict, const Collision& collision, const Verdict
 
 Case simplest_violation(const Case& one, const Invariant& invariant, const Verdict& found,
                         const std::function<Verdict(const Case&)>& verdict_on, std::size_t most_calls) {
-  // Shrinking an invalid collision is not useful. Shrinking would also lose the shapes of the bodies.
+  // An invalid collision is not worth shrinking. A shrunk collision has unknown shapes.
   const auto* const of_matrix = std::get_if<AboutMatrix>(&invariant.about);
   if (!JudgedCase(one).is_valid() || (of_matrix != nullptr && of_matrix->rests_on_shapes)) {
     return one;

@@ -7,19 +7,18 @@
 
 #include <carom/properties/gate/gate_report.hpp>
 
-/// Violations that a user can replay.
 namespace carom::properties {
 
-/// The most serious violation of the invariant, as it was found, in the family with the most violations. Precondition:
+/// The most serious violation of the invariant in the family with the most violations, as it was found. Precondition:
 /// `result.count(invariant).violated` > 0.
 [[nodiscard]] Witness found_witness(const SubjectResult& result, const GateOptions& options,
                                     const std::string& invariant);
 
-/// The witness with its violation on the simplest collision that shrinking finds, judged in exact arithmetic with a
-/// certified truth. Throws the exceptions of the subject's session.
+/// The witness on the simplest collision that shrinking finds, judged exactly. Throws the exceptions of the subject's
+/// session.
 [[nodiscard]] Witness shrunk_witness(const Subject& subject, const Claim& claim, Witness witness);
 
-/// Whether a violation is about as serious as the one found, of the same invariant.
+/// Whether `verdict` is about as serious a violation as `found`, and of the same kind.
 [[nodiscard]] bool is_as_bad(const Verdict& verdict, const Collision& collision, const Verdict& found,
                              const Collision& found_on);
 
@@ -33,11 +32,11 @@ struct AnswerAndJudgement {
   Judgement judgement;
 };
 
-/// A subject's answer to one collision, judged. Throws if the subject cannot be judged. Precondition: the session is
-/// one of the subject's.
+/// A subject's answer to one case, judged. Throws if the session throws. Precondition: the session is one of the
+/// subject's.
 [[nodiscard]] AnswerAndJudgement judge_in_session(const Claim& claim, Session& session, const Case& one);
 
-/// Judges one case in a new session of the subject, and closes the session.
+/// Judges one case in a new session of the subject.
 [[nodiscard]] AnswerAndJudgement judge_one(const Subject& subject, const Claim& claim, const Case& one);
 
 }  // namespace carom::properties

@@ -6,19 +6,18 @@
 
 namespace carom::properties {
 
-/// Runs work(0), …, work(count − 1) in this order.
 inline void in_turn(std::size_t count, const std::function<void(std::size_t)>& work) {
   for (std::size_t i = 0; i < count; ++i) {
     work(i);
   }
 }
 
-/// The threads that do the work of a run. The libraries of the judge start no thread; the caller may supply threads.
+/// The threads of a run. The judge's libraries start no threads, but a caller may supply some.
 struct Workers {
-  /// The number of items of work that may run at once, at least 1. The results of a run do not depend on it.
+  /// The number of items of work that may run at once, at least 1. It does not affect results.
   unsigned count = 1;
-  /// Runs work(0), …, work(count − 1), each once, in any order, and returns when all have ended. If one throws, no
-  /// further one starts, and the first exception is thrown.
+  /// Runs work(0), …, work(count − 1), each once and in any order, and returns after the last. After an exception it
+  /// starts no more, and throws the first exception.
   std::function<void(std::size_t count, const std::function<void(std::size_t)>& work)> run = in_turn;
 };
 

@@ -23,49 +23,46 @@ enum class Status {
 /// The decision of one invariant on one answer.
 struct Verdict {
   Status status = Status::holds;
-  std::string detail;  // set if violated or skipped: the comparison, or the reason for the skip
-  // `residual`, `allowed`, `left` and `right` are set if an outcome violates the invariant. If it violates several
-  // equations, they belong to the equation with the largest ratio of residual to allowance.
+  std::string detail = {};  // set if violated or skipped: the comparison, or the reason for the skip
+  // `residual`, `allowed` (the permitted residual), `left` and `right` are set if an outcome violates the invariant. Of
+  // several violated equations, they describe the one with the largest ratio of residual to permitted residual.
   double residual = 0;
   double allowed = 0;
-  std::vector<double> left;  // both sides of the formula
-  std::vector<double> right;
+  std::vector<double> left = {};  // both sides of the formula
+  std::vector<double> right = {};
   bool is_undecided = false;  // a skip inside the domain, because numbers leave their range
 
-  /// 0 if not violated. Otherwise the residual divided by the allowance, or infinite if either is not set or zero.
+  /// The residual divided by the permitted residual; infinite if one of them is zero. 0 if not violated.
   [[nodiscard]] double severity() const;
 
-  /// The residual, relative to the largest compared number. 0 if not violated, or if nothing was compared.
+  /// The residual divided by the largest compared number; 0 without one.
   [[nodiscard]] double relative_residual() const;
 };
 
-/// One number that ranks the violations of an invariant. It is 0 if nothing is violated, and infinite if the violation
-/// has no residual. If rounding is allowed (`allowed` > 0), it is the severity. Otherwise it is the residual in units
-/// of 2⁻⁵³ L, so that a rounding error ranks below a wrong outcome. L is the largest absolute value among all
-/// components of the velocities and angular velocities before the impulse, and the compared numbers. L is 1 if all of
-/// these are zero.
+/// Ranks the violations of an invariant. 0 if nothing is violated, and infinite without a residual. If rounding is
+/// permitted (`allowed` > 0), it is the severity. Otherwise it is the residual divided by 2⁻⁵³ L, so that a rounding
+/// error ranks below a wrong outcome. L is the largest absolute value among the compared numbers and the velocities
+/// before the impulse, or 1 if all are zero.
 [[nodiscard]] double seriousness(const Verdict& verdict, const Collision& collision);
 
-/// An answer with its numbers converted for exact arithmetic (*lifted*). `NotFinite` stands for an outcome with an
-/// infinity or NaN.
+/// An answer whose outcome is lifted. `NotFinite` stands for an outcome with an infinity or NaN.
 struct NotFinite {};
 using ExactAnswer = std::variant<oracles::LiftedOutcome, NotFinite, Skipped, Refused, Failed>;
 [[nodiscard]] ExactAnswer lift(const Answer& answer);
 /// Writes into `into`, because moving an answer is expensive.
 void lift(const Answer& answer, ExactAnswer& into);
 
-/// A further collision that an invariant asks the subject (the solver under test) about, with exact facts and the
-/// answer.
+/// A question (a related collision that a relation asks the subject to solve), with exact facts and the answer.
 struct Related {
   const oracles::ExactCase& exact_case;
   const ExactAnswer& answer;
 };
 
-/// The input of an invariant: one subject's outcome of one valid collision.
+/// The input of a check: a subject's outcome of one valid collision.
 struct Evidence {
   const oracles::ExactCase& exact_case;
-  /// The family knows the bodies to be uniform and convex, so C ⪯ 16 λI must hold for the collision matrix C (λ = 1/m_A
-  /// + 1/m_B).
+  /// Whether the family guarantees uniform convex bodies. The collision matrix C then satisfies C ⪯ 16 λI, with λ =
+  /// 1/m_A + 1/m_B.
   bool convex_uniform;
   Law law;
   const oracles::Yardstick& yardstick;
@@ -76,7 +73,7 @@ struct Evidence {
   [[nodiscard]] double allowance() const { return yardstick.allowance(); }
 };
 
-/// An invariant of the answer itself, to a valid collision if `to_valid`, otherwise to an invalid one.
+/// An invariant of one answer, to a valid collision if `to_valid`, otherwise to an invalid collision.
 struct AboutAnswer {
   bool to_valid;
   Verdict (*check)(const Collision&, const ExactAnswer&, Law);
@@ -87,17 +84,16 @@ struct AboutOutcome {
   Verdict (*check)(const Evidence&);
 };
 
-/// An invariant of the collision matrix that a subject shows with the outcome of a valid collision. Only a subject that
-/// shows a matrix claims such an invariant.
+/// An invariant of the collision matrix that a subject shows with its outcome of a valid collision.
 struct AboutMatrix {
   Verdict (*check)(const Evidence&);
-  /// Whether the invariant depends on the bodies' shapes. Only the family knows them, so they are unknown for a changed
-  /// collision.
+  /// Whether the invariant depends on the bodies' shapes. Only the family knows them, and only of the collision that it
+  /// drew.
   bool rests_on_shapes = false;
 };
 
-/// An invariant that relates the outcome to the outcomes of further collisions. `ask` makes these from the collision,
-/// or from the collision and its outcome. `check` gets the subject's answer to each.
+/// A relation: an invariant that compares the outcome with the outcomes of related collisions. `ask` makes these
+/// questions. `check` gets the subject's answer to each.
 struct AboutRelation {
   using OfCollision = std::vector<Collision> (*)(const Collision&);
   using OfOutcome = std::vector<Collision> (*)(const Collision&, const Outcome<double>&);
@@ -117,15 +113,15 @@ enum class Sameness {
   return subject.is_program() ? Sameness::of_numbers : Sameness::of_bits;
 }
 
-/// An invariant of sessions: it compares the first answer to a collision with a later answer to the same collision.
+/// An invariant of sessions: it compares the first answer to a collision with a later one.
 struct AboutSession {
   Verdict (*check)(const Answer& first, const Answer& again, Sameness sameness);
 };
 
-/// `Invariant::rank_as_cause` of an invariant whose violation explains no other one.
+/// `Invariant::rank_as_cause` of an invariant whose violation explains no other violation.
 inline constexpr int explains_none = 1000;
 
-/// A named statement about a collision and its outcome, with its source, domain, laws, check and proof.
+/// A named statement about a collision and its outcome.
 struct Invariant {
   std::string_view name;
   std::string_view statement;  // one sentence
@@ -138,33 +134,29 @@ struct Invariant {
   /// If several invariants are violated, the violation of the lowest rank is the likely cause of the others.
   int rank_as_cause = explains_none;
 
-  /// Whether it asks the subject about further collisions.
+  /// Whether the invariant is a relation.
   [[nodiscard]] bool asks() const { return std::holds_alternative<AboutRelation>(about); }
 
-  /// Whether it is about one answer alone.
   [[nodiscard]] bool is_of_one_answer() const {
     return std::holds_alternative<AboutAnswer>(about) || std::holds_alternative<AboutOutcome>(about) || is_of_matrix();
   }
 
-  /// Whether it is about the collision matrix that a subject shows.
   [[nodiscard]] bool is_of_matrix() const { return std::holds_alternative<AboutMatrix>(about); }
 
-  /// Whether it is about the memory of a session.
   [[nodiscard]] bool is_of_session() const { return std::holds_alternative<AboutSession>(about); }
 
-  /// Whether it is about invalid collisions.
   [[nodiscard]] bool is_of_invalid() const;
 
   [[nodiscard]] bool claimed_for(Law law) const;
 
-  /// The laws for which it is claimed and proved. Empty if it is only tested.
+  /// The laws for which the invariant is claimed and proved. Empty if it is only tested.
   [[nodiscard]] std::vector<Law> proved_laws() const;
 };
 
 /// The catalogue, in its fixed order.
 [[nodiscard]] std::span<const Invariant> all_invariants();
 
-/// The invariant of this name, or nullptr if there is none.
+/// nullptr if there is none.
 [[nodiscard]] const Invariant* invariant_named(std::string_view name);
 
 }  // namespace carom::properties

@@ -5,7 +5,7 @@
 
 #include <carom/properties/invariants/invariant.hpp>
 
-/// The catalogue, in groups. Each group has a file that holds an invariant's words next to its check.
+/// The catalogue, in groups. Each group has a source file with the words and checks of its invariants.
 namespace carom::properties {
 
 [[nodiscard]] std::vector<Invariant> answer_invariants();
@@ -15,7 +15,7 @@ namespace carom::properties {
 [[nodiscard]] std::vector<Invariant> relation_invariants();
 [[nodiscard]] std::vector<Invariant> memory_invariants();
 
-/// The laws that an invariant may be claimed for.
+/// Values for `Invariant::laws`: every law, or the laws with a truth.
 [[nodiscard]] inline std::vector<Law> every_law() { return {all_laws.begin(), all_laws.end()}; }
 [[nodiscard]] inline std::vector<Law> with_truth() { return {laws_with_truth.begin(), laws_with_truth.end()}; }
 

@@ -18,7 +18,7 @@ using oracles::LiftedMatrix;
 using oracles::Rational;
 
 Verdict bound_missed(const char* what, const Matrix3<Rational>& matrix, const Rational& bound) {
-  Verdict verdict{Status::violated, what, 0, 0, {}, {}};
+  Verdict verdict{.status = Status::violated, .detail = what};
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 3; ++column) {
       verdict.left.push_back(oracles::to_double(matrix(row, column)));
@@ -28,16 +28,15 @@ Verdict bound_missed(const char* what, const Matrix3<Rational>& matrix, const Ra
   return verdict;
 }
 
-/// The largest change of C, in the Frobenius norm, by inputs within the allowance, divided by the allowance.
+/// The sensitivity of the collision matrix C: the largest ‖ΔC‖_F by permitted inputs, divided by the allowance.
 double sensitivity(const Evidence& e) { return e.exact_case.collision_matrix_sensitivity(e.allowance()); }
 
-/// A bound of the change of an eigenvalue of C by the rounding of the inputs: the Frobenius norm of the change of C
-/// (Weyl).
+/// A bound of the change of an eigenvalue of C by permitted inputs: ‖ΔC‖_F (Weyl's inequality).
 Rational eigenvalue_rounding(const Evidence& e) {
   return e.allowance() > 0 ? Rational(e.allowance() * sensitivity(e)) : Rational(0);
 }
 
-/// Whether the matrix is reported and symmetric to the last bit, as almost all reported matrices are.
+/// Almost all reported matrices are symmetric to the last bit.
 bool is_surely_symmetric(const LiftedMatrix& shown) {
   const Matrix3<long double>* m = shown.reported();
   return m != nullptr && (*m)(1, 0) == (*m)(0, 1) && (*m)(2, 0) == (*m)(0, 2) && (*m)(2, 1) == (*m)(1, 2);
@@ -52,8 +51,8 @@ bool may_be_filtered(const Evidence& e, const LiftedMatrix& shown) {
   return is_surely_symmetric(shown) && e.yardstick.uses_bounds() && e.exact_case.bounds().is_moderate();
 }
 
-/// Whether bounds show that λI ⪯ C for the C that the subject shows, within a lower bound of the allowed rounding. The
-/// exact C needs no check (`ExactCase::is_definite`).
+/// Whether bounds show λI ⪯ C for the shown C, within a lower bound of the permitted rounding. The exact C needs no
+/// check (`ExactCase::is_definite`).
 bool is_surely_definite(const Evidence& e, const LiftedMatrix& shown) {
   const double rounding = e.allowance() * e.exact_case.bounds().collision_matrix_sensitivity_below();
   const auto is_surely_above = [&]<class T>(const T& lambda) {
@@ -71,7 +70,7 @@ bool is_surely_definite(const Evidence& e, const LiftedMatrix& shown) {
   return false;
 }
 
-/// Whether bounds show that C ⪯ 16 λI for the exact C and for the shown C, without any rounding.
+/// Whether bounds show C ⪯ 16 λI for the exact C and for the shown C, without any rounding.
 bool is_surely_well_conditioned(const Evidence& e, const LiftedMatrix& shown) {
   const Approximation bound = Approximation(16) * e.exact_case.bounds().approximate_inverse_mass();
   const auto is_below = [&](const Matrix3<Approximation>& matrix) {
@@ -84,8 +83,8 @@ bool is_surely_well_conditioned(const Evidence& e, const LiftedMatrix& shown) {
   return false;
 }
 
-/// Applies `check` to the shown C, if there is one. Theorems prove these invariants for the exact C, so a check of the
-/// exact C would not test the subject.
+/// Applies `check` to the C that the subject shows. The exact C alone tests nothing, because theorems prove these
+/// invariants for it.
 template <Verdict (*check)(const Evidence&, const LiftedMatrix&)>
 Verdict of_shown_matrix(const Evidence& e) {
   if (e.exact_case.approach() == oracles::Approach::inert) {
@@ -96,7 +95,7 @@ Verdict of_shown_matrix(const Evidence& e) {
     return outside_domain("the subject shows no collision matrix for this contact");
   }
   if (!shown->is_finite()) {
-    return {Status::violated, "the shown C contains infinities or NaN", 0, 0, {}, {}};
+    return {.status = Status::violated, .detail = "the shown C contains infinities or NaN"};
   }
   return check(e, *shown);
 }
@@ -128,7 +127,7 @@ Verdict check_well_conditioned(const Evidence& e, const LiftedMatrix& shown) {
   }
   count(oracles::Stage::rational);
   const Rational bound = 16 * inverse_mass(e.exact_case.exact());
-  // The bound is sharp, and the stored moments and lever arms are rounded, so rounding is allowed.
+  // The bound is sharp, and stored moments and lever arms are rounded.
   const Rational rounding = eigenvalue_rounding(e);
   if (!e.exact_case.is_bounded_by(bound + rounding)) {
     return bound_missed("the exact C and 16 λI", e.exact_case.collision_matrix(), bound);
@@ -139,16 +138,15 @@ Verdict check_well_conditioned(const Evidence& e, const LiftedMatrix& shown) {
   return {};
 }
 
-/// `convex_uniform` is stronger than necessary: it suffices that each movable body is uniform and star-shaped from the
-/// contact point.
+/// `convex_uniform` is stronger than necessary: uniform and star-shaped from the contact point would suffice.
 Verdict check_well_conditioned_if_convex(const Evidence& e) {
   return e.convex_uniform
              ? of_shown_matrix<check_well_conditioned>(e)
              : outside_domain("the bodies are not known to be uniform and star-shaped from the contact point");
 }
 
-/// C = Cᵀ. The error of C may be a matrix E with ‖E‖_F ≤ a S, with a the allowance and S the sensitivity of C. (E_ij −
-/// E_ji)² ≤ 2 (E_ij² + E_ji²), so the norm of the three differences is at most √2 a S.
+/// Checks C = Cᵀ. An error E of C may have ‖E‖_F ≤ R, the allowance times the sensitivity of C. As (E_ij − E_ji)² ≤ 2
+/// (E_ij² + E_ji²), the three differences have a norm of at most √2 R.
 Verdict check_symmetric(const Evidence& e, const LiftedMatrix& shown) {
   if (e.yardstick.filtered && is_surely_symmetric(shown)) {
     count(oracles::Stage::same_bits);
@@ -167,13 +165,14 @@ Verdict check_symmetric(const Evidence& e, const LiftedMatrix& shown) {
   if (oracles::norm_at_most(missed, *allowed)) {
     return {};
   }
-  Verdict verdict{Status::violated, "C and its transpose", 0, *allowed, {}, {}};
+  const double residual =
+      oracles::root_of_squares(missed.size(), [&](std::size_t i) { return oracles::to_double(missed[i]); });
+  Verdict verdict{
+      .status = Status::violated, .detail = "C and its transpose", .residual = residual, .allowed = *allowed};
   for (const auto& [row, column] : {std::pair{2, 1}, std::pair{0, 2}, std::pair{1, 0}}) {
     verdict.left.push_back(oracles::to_double(c(row, column)));
     verdict.right.push_back(oracles::to_double(c(column, row)));
   }
-  verdict.residual =
-      oracles::root_of_squares(missed.size(), [&](std::size_t i) { return oracles::to_double(missed[i]); });
   return verdict;
 }
 

@@ -14,14 +14,14 @@ bool is_same(long double x, long double y, Sameness sameness) {
   return is_same_number && (sameness == Sameness::of_numbers || !is_zero_of_other_sign);
 }
 
-Verdict differs(const char* what) { return {Status::violated, what, 0, 0, {}, {}}; }
+Verdict differs(const char* what) { return {.status = Status::violated, .detail = what}; }
 
-/// A violation, if the numbers at one place of both answers differ; otherwise no value.
+/// A violation if the numbers at this place of the two answers differ; otherwise no value.
 std::optional<Verdict> difference(std::string_view place, std::span<const long double> first,
                                   std::span<const long double> again, Sameness sameness) {
   for (std::size_t i = 0; i < first.size(); ++i) {
     if (!is_same(first[i], again[i], sameness)) {
-      Verdict verdict{Status::violated, std::string(place) + ", first answer and repeated answer", 0, 0, {}, {}};
+      Verdict verdict{.status = Status::violated, .detail = std::string(place) + ", first answer and repeated answer"};
       for (std::size_t j = 0; j < first.size(); ++j) {
         verdict.left.push_back(static_cast<double>(first[j]));
         verdict.right.push_back(static_cast<double>(again[j]));

@@ -5,9 +5,8 @@
 namespace carom::properties {
 namespace {
 
-Verdict violated(std::string detail) { return {Status::violated, std::move(detail), 0, 0, {}, {}}; }
+Verdict violated(std::string detail) { return {.status = Status::violated, .detail = std::move(detail)}; }
 
-/// `finite`, for the answer to a valid collision.
 Verdict check_finite(const Collision& /*collision*/, const ExactAnswer& answer, Law /*law*/) {
   if (std::holds_alternative<NotFinite>(answer)) {
     return violated("the outcome contains infinities or NaN");
@@ -33,7 +32,6 @@ bool is_invalid_by_unread_fields(const Collision& collision, Law law) {
   return validate(without).empty();
 }
 
-/// `invalid_refused`, for the answer to an invalid collision.
 Verdict check_invalid_refused(const Collision& collision, const ExactAnswer& answer, Law law) {
   if (std::holds_alternative<Refused>(answer)) {
     return {};
@@ -42,7 +40,7 @@ Verdict check_invalid_refused(const Collision& collision, const ExactAnswer& ans
     return violated("the subject did not refuse an invalid collision: it " + failed->why);
   }
   if (is_invalid_by_unread_fields(collision, law)) {
-    return {Status::skipped, "the law does not use the invalid field", 0, 0, {}, {}};
+    return {.status = Status::skipped, .detail = "the law does not use the invalid field"};
   }
   return violated("the subject answered an invalid collision");
 }

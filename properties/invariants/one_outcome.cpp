@@ -22,7 +22,6 @@ bool collides(const Evidence& e) { return e.exact_case.approach() == Approach::c
 
 bool is_inert(const Evidence& e) { return e.exact_case.approach() == Approach::inert; }
 
-/// The verdict of one equation.
 Verdict holds(const Evidence& e, Relation relation, const char* what, const oracles::Equation& equation) {
   if (e.closeness.shows(equation)) {
     count(oracles::Stage::closeness);
@@ -117,8 +116,8 @@ Verdict check_push(const Evidence& e) {
   }
   Verdict verdict =
       holds(e, Relation::at_least, "N·F and 0", equation::Push{oracles::reads_impulse_off_a(e.exact_case.collision())});
-  // The residual of `push` includes only the outputs. If the contact grazes, the rounding of the inputs decides the
-  // sign of N·V⁻.
+  // The residual of `push` does not contain N·V⁻. At a grazing contact, the rounding of the inputs decides the sign of
+  // N·V⁻.
   if (verdict.status == Status::violated && e.exact_case.is_grazing(e.allowance())) {
     if (e.accuracy == nullptr) {
       return outside_domain("the contact is separating, or differs from a separating one by rounding only");
@@ -138,7 +137,7 @@ Verdict check_separating_untouched(const Evidence& e) {
     return outside_domain("the contact is colliding");
   }
   if (!determines_outcome(e.law)) {
-    // If rounding makes the contact a colliding one, the law may give an impulse, and its allowance is unknown.
+    // At a grazing contact, some permitted inputs collide. The law may then give an impulse of unknown size.
     if (e.exact_case.is_grazing(e.allowance())) {
       return outside_domain("the contact is colliding, or differs from a colliding one by rounding only");
     }

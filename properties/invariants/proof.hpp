@@ -18,8 +18,8 @@ enum class ProvedOf {
   its_laws,       // the laws that it is claimed for and that determine one outcome
 };
 
-/// The proof that an invariant follows from the exact laws. An invariant without theorems is only tested, because it is
-/// about a program (`finite`) or defines its law (`slip_opposed`).
+/// The proof that an invariant follows from the exact laws. Without theorems, an invariant is only tested, because it
+/// is about a program (`finite`) or defines its law (`slip_opposed`).
 struct Proof {
   ProvedOf of = ProvedOf::its_laws;
   std::vector<Theorem> theorems = {};

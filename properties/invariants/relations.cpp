@@ -33,8 +33,7 @@ std::variant<const oracles::LiftedOutcome*, Verdict> outcome_of(const Related& r
   return verdict;
 }
 
-/// Compares two outcomes that a relation makes equal: `expected(first)` and `second`. `expected` maps outcomes of any
-/// number type.
+/// A relation makes `expected(first)` and `second` equal. `expected` maps outcomes of any number type.
 template <class Expected>
 Verdict agree(const Evidence& e, const oracles::LiftedOutcome& first, const Expected& expected,
               const oracles::LiftedOutcome& second, const oracles::Sensitivity& sensitivity) {
@@ -52,7 +51,7 @@ Verdict agree(const Evidence& e, const oracles::LiftedOutcome& first, const Expe
   return worst;
 }
 
-/// Whether bounds show that an outcome is as expected, within a lower bound of the allowed error. Precondition:
+/// Whether bounds show that `computed` is as expected. `below` is a lower bound of the sensitivity. Precondition:
 /// `computed.reported()` is not null.
 bool surely_agree(const Evidence& e, const ReportedOutcome& expected, const oracles::LiftedOutcome& computed,
                   const oracles::Sensitivity& below) {
@@ -63,7 +62,7 @@ bool surely_agree(const Evidence& e, const ReportedOutcome& expected, const orac
   return agree;
 }
 
-/// Whether the allowed error is certainly finite, so that lower bounds of it may decide.
+/// If the permitted error is certainly finite, a lower bound of the error may decide.
 bool is_surely_finite(const Evidence& e, const oracles::ExactCase& exact_case, const oracles::LiftedOutcome& outcome) {
   return e.yardstick.uses_bounds() && exact_case.is_moderate(e.law) && outcome.is_moderate();
 }
@@ -87,9 +86,9 @@ bool same_numbers(const ReportedOutcome& left, const ReportedOutcome& right) {
   return same;
 }
 
-/// The verdict of a relation that maps the collision exactly. The exact outcome is then mapped exactly too, and both
-/// outcomes have the same sensitivity. `back` maps the related outcome back. It is exact in every arithmetic, because
-/// it changes only positions of numbers, signs and exponents.
+/// The verdict of a relation that maps the collision, and so the exact outcome, exactly. Both outcomes then have the
+/// same sensitivity. `back` maps the related outcome back without rounding: it only changes positions of numbers, signs
+/// and exponents.
 template <class Back>
 Verdict exactly_mapped(const Evidence& e, const Related& related, const Back& back) {
   const auto answer = outcome_of(related);
@@ -115,8 +114,8 @@ Verdict exactly_mapped(const Evidence& e, const Related& related, const Back& ba
   return agree(e, mapped, back, e.outcome, weighted_sum(1, sensitivity, sensitivity));
 }
 
-/// Compares the outcomes of two related collisions. `expected` maps the first outcome to the second. Each outcome is
-/// allowed its own rounding. `expected` multiplies the first outcome, and its rounding, by `factor`.
+/// `expected` maps the outcome of the first related collision to that of the second. Each outcome may have its own
+/// error; `expected` multiplies the first error by `factor`.
 template <class Expected>
 Verdict related_pair(const Evidence& e, std::span<const Related> related, double factor, const Expected& expected) {
   const auto first = outcome_of(related[0]);
@@ -148,7 +147,7 @@ Verdict related_pair(const Evidence& e, std::span<const Related> related, double
                             second_case.sensitivity(e.law, e.allowance())));
 }
 
-/// Applies `polar` to the vectors that a mirror reflects, and `axial` to the angular velocities.
+/// Applies `polar` to polar vectors, and `axial` to the angular velocities.
 template <class Polar, class Axial>
 Collision mapped_vectors(Collision c, const Polar& polar, const Axial& axial) {
   for (Body* body : {&c.a, &c.b}) {
@@ -166,7 +165,7 @@ Outcome<T> mapped_vectors(const Outcome<T>& y, const Polar& polar, const Axial& 
   return {{polar(y.a.velocity), axial(y.a.angular_velocity)}, {polar(y.b.velocity), axial(y.b.angular_velocity)}};
 }
 
-/// A quarter turn that takes axis `from` to axis `to`, and axis `to` to the negative axis `from`.
+/// Takes axis `from` to axis `to`, and axis `to` to the negative axis `from`.
 struct QuarterTurn {
   int from;
   int to;
@@ -185,7 +184,7 @@ constexpr QuarterTurn about_z{0, 1};
 constexpr QuarterTurn about_x{1, 2};
 
 /// With R the rotation of a body and T the quarter turn, the orientation becomes T R Tᵀ, and two principal moments
-/// change places. Both changes are exact. The quaternion of T R would need √½.
+/// change places. This is exact. The quaternion of T R would need √½.
 Collision turned(const Collision& collision, const QuarterTurn& turn) {
   Collision c = mapped_vectors(collision, turn, turn);
   for (Body* body : {&c.a, &c.b}) {
@@ -208,8 +207,8 @@ Vector3<S> mirrored_axial(Vector3<S> v) {
   return v;
 }
 
-/// The units of mass, length and time change by powers of two, which is exact. With these exponents, the unit of every
-/// quantity that a solver computes with changes. With 2⁵, 2⁻³ and 2², the unit of impulse would not change.
+/// The units change by these powers of two. The unit of every computed quantity then changes. Exponents 5, −3 and 2
+/// would keep the unit of impulse.
 constexpr int mass_exponent = 5;
 constexpr int length_exponent = -3;
 constexpr int time_exponent = 1;
@@ -219,7 +218,7 @@ T times_power_of_two(const T& number, int exponent) {
   return number * T(std::ldexp(1.0, exponent));
 }
 
-/// The exponent of a power of two above the largest component. It is 1 if all components are zero.
+/// Every component is below 2 to this power. 1 if all components are zero.
 int exponent_above(std::initializer_list<const Vector3<double>*> of) {
   double largest = 0;
   for (const auto* vector : of) {
@@ -241,7 +240,6 @@ Vector3<double> on_grid(const Vector3<double>& vector, int exponent) {
   return result;
 }
 
-/// An offset of about 2^exponent in a general direction.
 Vector3<double> offset(int exponent) { return Vector3<double>{1, -0.5, 0.75} * std::ldexp(1.0, exponent); }
 
 /// Rounds to 50 bits, so that three times each component is exact.
@@ -268,7 +266,7 @@ decltype(auto) collision_in(const oracles::ExactCase& exact_case) {
   }
 }
 
-/// The outcome plus the difference of the velocities of the second and the first related collision.
+/// The outcome plus the change of velocity from the first to the second related collision.
 template <class T>
 Outcome<T> plus_added_velocity(const Outcome<T>& y, std::span<const Related> related) {
   const auto& from = collision_in<T>(related[0].exact_case);
@@ -406,8 +404,8 @@ Verdict check_homogeneous(const Evidence& e, std::span<const Related> related) {
   });
 }
 
-/// Two collisions of the same bodies. In the first, they meet head-on without spin. In the second, they also have a
-/// tangential velocity of 2⁻³⁰ of the approach. The normal is rounded to 20 bits so that both collisions are exact.
+/// In the first collision, the bodies meet head-on without spin. The second adds a tangential velocity of 2⁻³⁰ of the
+/// approach. The normal is rounded to 20 bits, so both are exact.
 std::vector<Collision> ask_continuous(const Collision& collision) {
   const int exponent = exponent_above({&collision.normal});
   Collision head_on = collision;
@@ -437,8 +435,7 @@ std::vector<Collision> ask_repeat(const Collision& collision, const Outcome<doub
   return {with_velocities(collision, outcome)};
 }
 
-/// A bound of the error that N·V⁺ may have, divided by the allowance, from the sensitivity of each vector of the
-/// outcome.
+/// A bound of the error of N·V⁺, divided by the allowance.
 double slack_of_separation(const Evidence& e) {
   const Collision& c = e.exact_case.collision();
   const oracles::Sensitivity sensitivity = e.exact_case.sensitivity(e.law, e.allowance());
@@ -461,8 +458,7 @@ Verdict check_repeat(const Evidence& e, std::span<const Related> related) {
     return outside_domain("the separation after the impulse is within rounding");
   }
   const Related& second = related[0];
-  // The first outcome may be off by the allowance, and it is rounded to binary64 for the second question. The grazing
-  // band has to include both errors.
+  // The first outcome may have the permitted error, and the question rounds it to binary64.
   if (second.exact_case.is_grazing(2 * e.allowance() + unit_roundoff(Precision::binary64))) {
     return outside_domain("the outcome differs from a colliding contact by rounding only");
   }

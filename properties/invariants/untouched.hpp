@@ -6,11 +6,10 @@
 
 #include <carom/properties/invariants/verdicts.hpp>
 
-/// Compares vectors of an outcome with the vectors before the impulse.
 namespace carom::properties {
 
-/// Compares one vector of the outcome with the vector before the impulse. The law's sensitivity gives the allowed
-/// error.
+/// Compares one vector of the outcome with the vector before the impulse. The permitted difference is the allowance
+/// times the law's sensitivity.
 [[nodiscard]] inline Verdict vector_untouched(const Evidence& e, OutcomeVector k,
                                               const oracles::Sensitivity& sensitivity) {
   const auto before = unchanged(e.exact_case.bounds().enclosed());
@@ -22,8 +21,7 @@ namespace carom::properties {
                        e.yardstick.allowed(sensitivity[k]), e.yardstick.filtered, name_of(k), "after and before");
 }
 
-/// Whether these vectors are certainly unchanged. Either the outcome is close to the exact outcome, which does not
-/// change these vectors, or bounds show it.
+/// Whether these vectors are certainly unchanged, within the permitted difference. False decides nothing.
 [[nodiscard]] inline bool are_surely_untouched(const Evidence& e, std::span<const OutcomeVector> which) {
   if (e.closeness.shows_untouched(which)) {
     count(oracles::Stage::closeness);

@@ -17,14 +17,15 @@
 #include <carom/oracles/judge/norm_at_most.hpp>
 #include <carom/properties/invariants/invariant.hpp>
 
-/// Functions that make and join verdicts.
 namespace carom::properties {
 
-[[nodiscard]] inline Verdict outside_domain(std::string why) { return {Status::skipped, std::move(why), 0, 0, {}, {}}; }
+[[nodiscard]] inline Verdict outside_domain(std::string why) {
+  return {.status = Status::skipped, .detail = std::move(why)};
+}
 
-/// The verdict of an undecided check, which is never a pass.
+/// An undecided check is never a pass.
 [[nodiscard]] inline Verdict beyond_range() {
-  return {Status::skipped, "the scale overflows or underflows", 0, 0, {}, {}, true};
+  return {.status = Status::skipped, .detail = "the scale overflows or underflows", .is_undecided = true};
 }
 
 [[nodiscard]] inline Verdict verdict_of(oracles::Comparison comparison, std::string what) {
@@ -39,8 +40,8 @@ namespace carom::properties {
           std::move(comparison.left), std::move(comparison.right)};
 }
 
-/// Whether inputs within rounding include colliding and separating contacts whose answers are far apart
-/// (`ExactCase::has_two_answers`). The outcome may then be either answer, so the invariants of a single one are not
+/// Whether some permitted inputs collide and others separate, and their answers are far apart
+/// (`ExactCase::has_two_answers`). The outcome may then be near either answer, so no invariant of one answer is
 /// required.
 [[nodiscard]] inline bool has_two_answers(const Evidence& e, const oracles::ExactCase& exact_case) {
   return determines_outcome(e.law) && exact_case.has_two_answers(e.law, e.allowance());
@@ -50,9 +51,9 @@ namespace carom::properties {
       "the contact differs from colliding and from separating contacts by rounding only, and their answers differ");
 }
 
-/// Compares a vector of an outcome with `expected`; their distance may be at most `allowed`. Both vectors are
-/// enclosures (numbers with bounds). If the enclosures do not decide, `exact_pair` gives both vectors exactly.
-/// `relation` describes the comparison in words. `allowed` has no value if it leaves the range of numbers.
+/// Whether a vector of an outcome is at most `allowed` from `expected`. Both vectors are enclosures (numbers with error
+/// bounds). If they do not decide, `exact_pair()` gives both vectors exactly. `relation` names the compared vectors.
+/// Without a value of `allowed`, the verdict is undecided.
 template <class Exact>
 [[nodiscard]] Verdict vector_equals(const Vector3<oracles::Enclosure>& actual,
                                     const Vector3<oracles::Enclosure>& expected, const Exact& exact_pair,
@@ -86,18 +87,17 @@ template <class Exact>
              : violation(exact_actual, exact_expected);
 }
 
-/// The bound of surely_near for the distance of two vectors. It works for any scalar S, so that a test can count its
-/// roundings.
+/// The bound of `surely_near`. A test counts its roundings by another scalar type.
 namespace nearness {
 
-/// Twice the unit roundoff u of reported numbers: x87 extended, or the local format of long double.
+/// 2u. The unit roundoff u is that of reported numbers: x87 extended, or the local format of long double.
 inline constexpr long double two_u = std::numeric_limits<long double>::epsilon();
 static_assert(std::numeric_limits<long double>::is_iec559);
 
-/// 1 + 8u, because the computed difference, sum and bound have five roundings.
+/// 1 + 8u, because the difference, the sum and the bound have five roundings.
 inline constexpr long double up = 1 + 4 * two_u;
 
-/// D = M (1 + 8u) + 2u (s + ‖x‖₁), with M the computed ‖x − y‖₁ and s = `scale`.
+/// D = M (1 + 8u) + 2u (s + ‖x‖₁). M is the computed ‖x − y‖₁, and s is `scale`.
 template <class S>
 [[nodiscard]] S distance_above(const Vector3<S>& x, const Vector3<S>& y, const S& scale) {
   using std::abs;
@@ -112,15 +112,15 @@ template <class S>
 
 }  // namespace nearness
 
-/// Whether these vectors of two outcomes certainly differ by at most `allowance` times `scale`. A relation computes the
-/// vector x of `left` from a reported vector y′. x* is x without rounding, y is the vector of `right`, and s is its
-/// scale:
+/// Whether ‖x* − y‖₂ ≤ `allowance` · s certainly holds for these vectors. False decides nothing. The vector x of `left`
+/// is computed from a vector z of a reported outcome, and x* is x without the rounding of this computation. The vector
+/// y is from `right`, and s is its `scale`. Proof:
 ///
-///   (1) If x = y′, ±y′, or a product of y′: ‖x − x*‖₁ ≤ u ‖x‖₁.
-///   (2) If x = y′ + (to − from), with ‖to‖ + ‖from‖ ≤ (1 + 2⁻⁵⁰) s: ‖x − x*‖₁ ≤ u ‖x‖₁ + √3 (1 + 2⁻⁵⁰) (1 + u) u s.
-///   (3) ‖x* − y‖₂ ≤ ‖x − y‖₁ + ‖x − x*‖₁.
-///   (4) The right side of (3) is at most D, as `nearness::distance_above` computes it.
-///   (5) The function shows D ≤ a s, with a = `allowance`. The product a s is rounded as in the exact judge.
+///   (1) If x is z, −z or a multiple of z, ‖x − x*‖₁ ≤ u ‖x‖₁.
+///   (2) If x = z + (to − from) and ‖to‖ + ‖from‖ ≤ (1 + 2⁻⁵⁰) s, ‖x − x*‖₁ ≤ u ‖x‖₁ + √3 (1 + 2⁻⁵⁰) (1 + u) u s.
+///   (3) In both cases, ‖x* − y‖₂ ≤ ‖x − y‖₁ + ‖x − x*‖₁.
+///   (4) The right side of (3) is at most the D of `nearness::distance_above`.
+///   (5) The function shows D ≤ `allowance` · s. This product is rounded as in the exact judge.
 [[nodiscard]] inline bool surely_near(const ReportedOutcome& left, const ReportedOutcome& right, double allowance,
                                       const PerVector<double>& scale,
                                       std::span<const OutcomeVector> which = all_outcome_vectors) {
@@ -131,8 +131,8 @@ template <class S>
   });
 }
 
-/// Whether bounds show that these vectors of an outcome are unchanged, each to within the allowance times its own
-/// length. This limit is below that of any law, and certainly finite.
+/// Whether bounds show that these vectors of an outcome are unchanged, each within the allowance times its length.
+/// Every law permits at least this difference.
 [[nodiscard]] inline bool is_surely_untouched(const oracles::ExactCase& exact_case,
                                               const oracles::LiftedOutcome& outcome,
                                               const oracles::Yardstick& yardstick,
@@ -150,8 +150,8 @@ template <class S>
   return is_untouched;
 }
 
-/// The worse of two verdicts, if both must hold. The order from the worst is: violated, undecided, holds, outside the
-/// domain. So a verdict outside the domain leaves the decision to the other verdict.
+/// The worse of two verdicts that must both hold. From the worst: violated, undecided, holds, outside the domain. So a
+/// verdict outside the domain leaves the decision to the other.
 [[nodiscard]] inline Verdict both(Verdict first, Verdict second) {
   const auto rank = [](const Verdict& verdict) {
     switch (verdict.status) {

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// The order of failures: a worse one is greater.
+/// Greater for a worse failure.
 auto badness(const WorstFailure& failure) {
   return std::tuple(failure.result.backward_error.value_or(0), -failure.result.digits.value_or(infinity));
 }
@@ -41,7 +41,7 @@ oracles::Yardstick ulps_of_binary64(double limit_ulps) {
   return yardstick;
 }
 
-/// Every invariant of one outcome that is claimed for the law. The gate judges relations between outcomes.
+/// Every claimed invariant of one outcome.
 Claim claim_about_outcome(const Demand& demand) {
   Subject asked;
   asked.law = demand.law;
@@ -126,9 +126,8 @@ Result Certifier::judge(const Candidate& candidate, const Answer& answer) const 
   return result;
 }
 
-/// Whether the outcome has the digits asked for, decided exactly against the truth (the exact outcome). If the
-/// allowance is so coarse that the judge would accept the answer of another branch (stick or slip), the printed digits
-/// decide, with a margin for rounding.
+/// Whether the outcome has the digits asked for, decided exactly. If the allowance is so coarse that the judge accepts
+/// the answer of another branch (stick or slip), the printed digits decide, with a margin for rounding.
 bool Certifier::has_digits(const oracles::LiftedOutcome& outcome, const Result& result) const {
   constexpr double margin = 0.01;
   if (determines_outcome(demand_.law)) {
@@ -137,7 +136,7 @@ bool Certifier::has_digits(const oracles::LiftedOutcome& outcome, const Result& 
       return accuracy.has_digits;
     }
   }
-  // If rounding of the inputs can change the branch, there are no digits and the outcome passes.
+  // If the rounding of the inputs can change the branch, there are no digits, and the outcome passes.
   return !result.digits || *result.digits >= *demand_.digits + margin;
 }
 

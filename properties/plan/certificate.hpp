@@ -13,44 +13,41 @@
 
 namespace carom::properties::plan {
 
-/// The law and the accuracy that the user asks for.
+/// The law and the accuracy that a user asks for.
 struct Demand {
   Law law = Law::rough;                             // not `any`
   double limit_ulps = oracles::default_limit_ulps;  // of binary64, for every precision of a candidate
   /// Replaces the limit in ulps: the number of correct digits (Accuracy::digits) of the velocity change at every
-  /// colliding contact. At other contacts the velocities must stay the same to that many digits.
+  /// colliding contact. At other contacts, the velocities must stay the same to this many digits.
   std::optional<int> digits = {};
   bool exact_law = false;  // accept a cheaper law only if it gives exactly the same outcomes
 };
 
-/// The result of one candidate on one contact.
 struct Result {
   std::string failure;                   // why the candidate does not serve; empty if it does
   std::optional<double> backward_error;  // ulps of binary64; for laws that determine an outcome
   std::optional<double> digits;          // of the velocity change, if the contact collides
 };
 
-/// The worst of the contacts that a candidate does not serve.
 struct WorstFailure {
   std::size_t contact;  // number of the contact
   Result result;
 };
 
-/// The certificate of a candidate on a set of contacts.
 struct Certificate {
   std::size_t contacts = 0;
   std::size_t failures = 0;
   std::optional<double> worst_backward_error;
   std::optional<double> least_digits;
-  std::optional<WorstFailure> worst;  // by backward error, then digits, then the first
+  std::optional<WorstFailure> worst;  // by backward error, then by digits; the first of equals
 
   [[nodiscard]] bool serves() const { return failures == 0; }
   void add(std::size_t contact, const Result& result);
   Certificate& operator+=(const Certificate& other);
 };
 
-/// A contact with its exact case, and the law and the accuracy that an outcome must meet. For one thread. Keeps a
-/// reference to the demand. Preconditions: the collision is valid; the law is not `any`.
+/// Judges candidates on one contact. Keeps a reference to the demand. For one thread. Preconditions: the collision is
+/// valid; the law is not `any`.
 class Certifier {
  public:
   Certifier(const Collision& collision, const Demand& demand);
@@ -58,8 +55,7 @@ class Certifier {
   [[nodiscard]] const oracles::ExactCase& exact() const { return judged_.exact(); }
   [[nodiscard]] bool collides() const { return exact().approach() == oracles::Approach::colliding; }
 
-  /// Judges a candidate's answer against the law asked for: by the exact truth, and by every invariant of one outcome
-  /// that is claimed for the law.
+  /// Judges an answer by the exact truth, and by every claimed invariant of one outcome.
   [[nodiscard]] Result judge(const Candidate& candidate, const Answer& answer) const;
 
  private:

@@ -13,12 +13,12 @@ namespace {
 using oracles::Rational;
 using ExactBody = BasicBody<Rational>;
 
-/// From this ratio of moments on, the solvers of carom/impulse treat the long axis separately (principal_inertia.hpp).
+/// Above this ratio of moments, the solvers treat the long axis separately (principal_inertia.hpp).
 constexpr int least_ratio_of_slender_moments = 8;
 
 Rational squared_length(const Vector3<Rational>& v) { return v.dot(v); }
 
-/// Whether ‖r × N‖ ≤ 8u ‖N‖ (‖P‖ + ‖X‖), with u of binary64: the effect of rounding P, X and N.
+/// Whether ‖r × N‖ is at most the effect of rounding P, X and N: 8u ‖N‖ (‖P‖ + ‖X‖), with u of binary64.
 bool is_along_normal(const ExactBody& body, const BasicCollision<Rational>& c) {
   const Vector3<Rational> moment = oracles::lever_arm(body, c.point).cross(c.normal);
   // (p + x)² ≤ 2 p² + 2 x², so no root is needed.

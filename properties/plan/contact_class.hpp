@@ -7,18 +7,17 @@
 
 namespace carom::properties::plan {
 
-/// The class of a contact. It depends on the geometry and the moments alone, so that a user can tell it before any
-/// impulse is computed. Geometry and moments also decide whether a cheaper law, or J⁻¹ in world coordinates, serves.
-/// The classes:
+/// The class of a contact, by its geometry and moments alone. They decide whether a cheaper law, or J⁻¹ in world axes,
+/// serves. The classes:
 ///
 ///   `both immovable`
 ///   `central`: Each movable body's lever arm r is parallel to N, within the rounding of P and X
 ///   `slender`: A movable body's greatest moment is more than 8 times its least
 ///   `equal moments`: Each movable body has three equal moments
-///   `general`: None of these.
+///   `general`: All others.
 ///
-/// If a body is movable, the class is the first of the last four that holds, followed by ", one immovable" or ", both
-/// movable". Classes are names for users; no certificate depends on them. Precondition: the collision is valid.
+/// If a body is movable, the class is the first of the last four that holds, with ", one immovable" or ", both movable"
+/// added. Certificates do not depend on classes. Precondition: the collision is valid.
 [[nodiscard]] std::string contact_class_of(const Collision& collision);
 
 }  // namespace carom::properties::plan

@@ -17,14 +17,13 @@ namespace {
 
 using oracles::Rational;
 
-/// Collects the findings on one collision.
 class Linter {
  public:
   explicit Linter(const ClassedCollision& contact) : contact_(contact), exact_(oracles::lift(contact.collision)) {}
 
   void coefficients() {
     const Collision& c = contact_.collision;
-    // An invalid collision can have only coefficients out of range here.
+    // Only coefficients of an invalid collision can be defective here.
     for (const Defect& defect : validate(c)) {
       add(Lint::coefficient, Severity::warning, defect.field,
           "expected " + defect.expected + "; no law is defined for this value, so the plan ignores the contact");
@@ -68,7 +67,6 @@ class Linter {
     }
   }
 
-  /// Precondition: the collision is valid.
   void condition() {
     CAROM_EXPECTS(validate(contact_.collision).empty(), describe(validate(contact_.collision)));
     const Collision& c = contact_.collision;
@@ -98,7 +96,7 @@ class Linter {
     }
   }
 
-  /// The plane at P across N supports a convex body: the whole body, with its centre of mass, lies on its own side.
+  /// The plane through P across N has a convex body, and its centre of mass, on one side.
   void centre_of_mass() {
     for (const auto& [body, name] : bodies()) {
       if (body->immovable) {
@@ -109,7 +107,7 @@ class Linter {
       if (height >= 0) {
         continue;
       }
-      // In r·N, rounding acts on products of at most (|P_i| + |X_i|) |N_i|.
+      // Rounding of r·N acts on products of at most (|P_i| + |X_i|) |N_i|.
       Rational terms(0);
       for (int i = 0; i < 3; ++i) {
         terms += (abs(exact_.point[i]) + abs(body->position[i])) * abs(normal[i]);

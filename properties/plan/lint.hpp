@@ -9,7 +9,6 @@
 
 namespace carom::properties::plan {
 
-/// The thresholds. The compared numbers are exact.
 inline constexpr int largest_condition = 16;       // of K, for uniform bodies star-shaped from the contact point
 inline constexpr double length_noted = 0x1p-20;    // from here on, |length − 1| exceeds some ulps of binary32
 inline constexpr double length_warned = 0x1p-10;   // from here on it is not rounding
@@ -20,10 +19,10 @@ inline constexpr double friction_noted = 5;               // greater than the me
 inline constexpr double mass_ratio_noted = 1e3;  // from here on, solvers of many contacts at once converge slowly
 inline constexpr double mass_ratio_warned = 1e6;
 
-/// Whether a collision is invalid only because ε, μ or e_t is finite but out of range. No law is defined for it.
+/// Whether a collision is invalid only because ε, μ or e_t is finite but out of range. It has no law.
 [[nodiscard]] bool is_out_of_range(const Collision& collision);
 
-/// The suspicious properties of a collision, each decided exactly. Precondition: the collision is valid, or
+/// The suspicious properties of a collision, decided exactly. Precondition: the collision is valid or
 /// `is_out_of_range`.
 [[nodiscard]] std::vector<LintFinding> findings_of(const ClassedCollision& contact);
 

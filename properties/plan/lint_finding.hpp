@@ -9,7 +9,6 @@
 
 namespace carom::properties::plan {
 
-/// The kinds of suspicious properties.
 enum class Lint {
   condition,          // K exceeds 16 λ
   lever_arm,          // [r]ᵀ J⁻¹ [r] of one body exceeds 15/m
@@ -47,7 +46,7 @@ static_assert(counts_from_zero_to(all_lints, Lint::mass_ratio));
   return "mass_ratio";
 }
 
-/// The severity of a finding. A note is worth knowing; a warning is most likely a mistake.
+/// A note is worth knowing. A warning is most likely a mistake.
 enum class Severity { note, warning };
 
 [[nodiscard]] constexpr std::string_view name_of(Severity severity) {
@@ -57,7 +56,7 @@ enum class Severity { note, warning };
 struct LintFinding {
   Lint lint;
   Severity severity;
-  std::string place;  // the place of the collision, "FILE:7"
+  std::string place;  // of the collision, "FILE:7"
   std::string field;  // "a.principal_inertia"
   std::string text;
 };

@@ -14,10 +14,9 @@
 namespace carom::properties::plan {
 namespace {
 
-/// The number of contacts that a session gets at once.
 constexpr std::size_t block_size = 64;
 
-/// The findings of a thread on one class.
+/// The findings of one thread on one class.
 struct ClassTally {
   std::size_t colliding = 0;
   std::vector<LawCount> laws;
@@ -37,7 +36,6 @@ struct ClassTally {
   }
 };
 
-/// Judges candidates on contacts.
 class Judging {
  public:
   Judging(std::span<const Collision> collisions, std::span<const std::size_t> class_of_contact, std::size_t classes,
@@ -51,7 +49,7 @@ class Judging {
     tallies_.assign(std::max(1U, options.workers.count), std::vector<ClassTally>(classes, empty));
   }
 
-  /// The tallies, one for each class. Throws std::runtime_error if a stop is requested.
+  /// Returns one tally for each class. Throws std::runtime_error if a stop is requested.
   std::vector<ClassTally> run() {
     options_.workers.run(tallies_.size(), [&](std::size_t worker) {
       try {
@@ -143,7 +141,7 @@ Part part_of(std::string name, std::vector<std::size_t> contacts, const ClassTal
   return part;
 }
 
-/// Whether a candidate may be chosen: it serves, and no serving candidate differs from it only by a lesser precision.
+/// A candidate may be chosen if it serves, and if no serving candidate has less precision and is the same otherwise.
 bool may_be_least(const Part& part, const JudgedCandidate& one, std::span<const Candidate> candidates) {
   return one.serves && std::ranges::none_of(part.candidates, [&](const JudgedCandidate& other) {
            const Candidate& x = candidates[other.candidate];
@@ -152,7 +150,6 @@ bool may_be_least(const Part& part, const JudgedCandidate& one, std::span<const 
          });
 }
 
-/// At most contacts_timed contacts of a part, spread evenly.
 std::vector<Collision> sample_of(const Part& part, std::span<const Collision> collisions) {
   const std::size_t count = std::min(part.contacts.size(), contacts_timed);
   std::vector<Collision> sample;
@@ -162,7 +159,6 @@ std::vector<Collision> sample_of(const Part& part, std::span<const Collision> co
   return sample;
 }
 
-/// Times the candidates that may be chosen, and the baseline, of all parts in one run.
 void measure(std::span<Part* const> parts, std::span<const Collision> collisions, std::span<const Candidate> candidates,
              std::size_t baseline, const Clock& clock) {
   std::vector<std::vector<Collision>> samples;
@@ -218,15 +214,14 @@ std::size_t baseline_of(std::span<const Candidate> candidates, Law law) {
   return static_cast<std::size_t>(found - candidates.begin());
 }
 
-/// The contacts that the plan must serve, and their classes.
 struct Classified {
   std::vector<Collision> collisions;
   std::vector<std::size_t> class_of_contact;
   std::vector<std::string> names;  // of the classes
 };
 
-/// Leaves out contacts for which no law is defined, and adds the findings on every contact to the plan. Throws
-/// std::invalid_argument if a collision is otherwise invalid.
+/// Leaves out contacts without a law, and adds all findings to the plan. Throws std::invalid_argument for any other
+/// invalid collision.
 Classified classified(std::span<const ClassedCollision> contacts, Plan& plan) {
   Classified result;
   for (const ClassedCollision& contact : contacts) {

@@ -19,18 +19,16 @@ bool are_parallel(const Vector3<Rational>& x, const Vector3<Rational>& y) {
 
 Vector3<Rational> k_times_normal(const ExactCase& c) { return c.collision_matrix() * c.exact().normal; }
 
-/// Whether the law's outcome has no slip: N × V⁺ = 0.
 bool ends_without_slip(const ExactCase& c, Law law) {
   return are_parallel(c.exact().normal, oracles::relative_velocity<Rational>(c.exact(), c.truth(law).outcome));
 }
 
-/// Whether V⁻ is parallel to K N. The impulse that stops the approach then stops the contact point.
+/// If V⁻ is parallel to K N, the impulse that stops the approach also stops the contact point.
 bool stops_with_the_approach(const ExactCase& c) {
   const Vector3<Rational> before = oracles::relative_velocity<Rational>(c.exact(), unchanged(c.exact()));
   return are_parallel(k_times_normal(c), before);
 }
 
-/// Whether the impulse of `sticking` lies in the friction cone.
 bool may_stick(const ExactCase& c) {
   const Vector3<Rational>& n = c.exact().normal;
   const Vector3<Rational>& impulse = c.truth(Law::sticking).impulse;
@@ -39,7 +37,6 @@ bool may_stick(const ExactCase& c) {
   return most >= 0 && across.dot(across) <= most * most;
 }
 
-/// Whether N is an eigenvector of K, and K is a multiple of the identity on the plane orthogonal to N.
 bool is_isotropic_across_normal(const ExactCase& c) {
   const Vector3<Rational>& n = c.exact().normal;
   const Matrix3<Rational>& k = c.collision_matrix();
@@ -91,8 +88,7 @@ std::optional<Reduction> to_frictionless(const ExactCase& c, Law law) {
 }
 
 /// P_I stops the approach, and P_II stops the contact point. Inside its cone, `rough` with e_t = 0 has the impulse P_II
-/// + ε P_I. `sticking` has P_II + ε (−(N·V⁻)/(N·N) K⁻¹N). The two impulses are equal if ε = 0 or if N is an eigenvector
-/// of K.
+/// + ε P_I. `sticking` has P_II + ε (−(N·V⁻)/(N·N) K⁻¹N). They are equal if ε = 0 or if N is an eigenvector of K.
 std::optional<Reduction> to_sticking(const ExactCase& c, Law law) {
   if (law == Law::coulomb) {
     return where(may_stick(c), Reduction::sticks);

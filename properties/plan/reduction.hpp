@@ -9,10 +9,9 @@
 #include <carom/collision/enum_array.hpp>
 #include <carom/oracles/judge/exact_case.hpp>
 
-/// The contacts on which a lesser law (a cheaper one that may replace another) equals the law asked for.
+/// Finds the contacts on which a lesser (cheaper) law equals the law asked for.
 namespace carom::properties::plan {
 
-/// The reason why two laws give exactly the same outcome of a contact.
 enum class Reduction {
   same_law,
   untouched,    // the contact does not collide: every law keeps the velocities
@@ -28,18 +27,18 @@ inline constexpr std::array all_reductions{Reduction::same_law,    Reduction::un
                                            Reduction::sticks,      Reduction::isotropic};
 static_assert(counts_from_zero_to(all_reductions, Reduction::isotropic));
 
-/// The reason in words, for example "N is an eigenvector of K".
+/// For example "N is an eigenvector of K".
 [[nodiscard]] std::string_view in_words(Reduction reduction);
 
-/// The laws that may stand in for this one: the cheapest first, the law itself last. Empty for `any`.
+/// The laws that may replace this law, from the cheapest to the law itself. Empty for `any`.
 [[nodiscard]] std::span<const Law> lesser_laws(Law law);
 
-/// Whether N × K N = 0 exactly. Then reflection equals frictionless, for all velocities. Precondition: a body is
+/// Whether N × K N = 0 exactly. Reflection then equals frictionless for all velocities. Precondition: a body is
 /// movable.
 [[nodiscard]] bool is_normal_eigenvector(const oracles::ExactCase& exact_case);
 
-/// The reason why the lesser law's outcome of this contact is exactly an outcome of the law; none if it is not. Decided
-/// in ℚ. Precondition: `lesser` is one of `lesser_laws(law)`.
+/// Why the lesser law's outcome is exactly an outcome of the law; none if it is not. Decided in ℚ. Precondition:
+/// `lesser` is one of `lesser_laws(law)`.
 [[nodiscard]] std::optional<Reduction> reduction(const oracles::ExactCase& exact_case, Law law, Law lesser);
 
 }  // namespace carom::properties::plan

@@ -43,7 +43,7 @@ BodyTrack::BodyTrack(const scene::RigidBody& body, bool is_ball, const std::vect
     add_if_new(edge_directions_, (vertices_[edge[1]] - vertices_[edge[0]]).normalized());
   }
   for (const std::vector<std::size_t>& face : core.faces) {
-    // Newell's normal, which uses all corners.
+    // Newell's normal uses all corners.
     Wide normal = Wide::Zero();
     for (std::size_t k = 0; k < face.size(); ++k) {
       normal += vertices_[face[k]].cross(vertices_[face[(k + 1) % face.size()]]);

@@ -12,7 +12,7 @@
 
 namespace carom::properties {
 
-/// The position and motion of a body at a time, in world axes.
+/// A body's position and motion at one time, in world axes.
 struct Pose {
   WideVector centre;
   WideVector velocity;
@@ -22,9 +22,9 @@ struct Pose {
   std::vector<WideVector> vertices;  // relative to the centre
 };
 
-/// A body's shape and its whole motion. An arc is the motion between two events. The rotation on an arc does not come
-/// from the simulation: E. Fehlberg's Runge–Kutta method of order 8, in long double, integrates it from the arc's
-/// start. Steps of 1/20 rad leave an error below 10⁻¹⁶ per step. Arcs and orientations must outlive the track.
+/// A body's shape and its whole motion. The rotation does not come from the simulation. E. Fehlberg's Runge–Kutta
+/// method of order 8 integrates it in long double from each arc's start. Steps of 1/20 rad have errors below 10⁻¹⁶
+/// each. Arcs and orientations must outlive the track.
 class BodyTrack {
  public:
   BodyTrack(const scene::RigidBody& body, bool is_ball, const std::vector<scene::Arc>& arcs,
@@ -36,17 +36,17 @@ class BodyTrack {
   [[nodiscard]] long double radius() const { return radius_; }
   [[nodiscard]] const std::vector<scene::Arc>& arcs() const { return *arcs_; }
   [[nodiscard]] const Quaternion<double>& orientation(std::size_t arc) const { return (*orientations_)[arc]; }
-  // In body axes. Of several parallel directions, only the first is listed.
+  // In body axes. Of parallel directions, only the first is listed.
   [[nodiscard]] const std::vector<WideVector>& face_normals() const { return face_normals_; }
   [[nodiscard]] const std::vector<WideVector>& edge_directions() const { return edge_directions_; }
   [[nodiscard]] const std::vector<std::array<std::size_t, 2>>& edges() const { return edges_; }
   [[nodiscard]] std::size_t vertex_count() const { return vertices_.size(); }
 
-  /// The pose at a time [s] on the arc with this index. Precondition: the time is not before the arc's start.
+  /// The pose at a time [s] on the arc of this index. Precondition: the time is not before the arc's start.
   [[nodiscard]] Pose pose(std::size_t arc, long double time);
 
  private:
-  /// The orientation (w, x, y, z), and the angular velocity in body axes.
+  /// The orientation (w, x, y, z), then the angular velocity in body axes.
   using TurningState = std::array<long double, 7>;
 
   [[nodiscard]] TurningState beginning(std::size_t arc) const;

@@ -9,10 +9,9 @@
 
 namespace carom::properties {
 
-/// The motion of each body over a span of time. A checker gets no other information on a run.
+/// The motion of each body over a span of time: all that a checker knows of a run.
 class History {
  public:
-  /// Begins the history at the state's time.
   explicit History(const scene::SceneState& state)
       : begin_(state.time), end_(state.time), first_polyhedron_(state.scene->spheres.size()) {
     for (const scene::BodyState& body : state.bodies) {
@@ -32,16 +31,15 @@ class History {
     }
   }
 
-  /// Ends the history at this time [s]. No event happens until then.
+  /// Ends the history at this time [s], after the last event.
   void end_at(double time) { end_ = time; }
 
   [[nodiscard]] double begin() const { return begin_; }
   [[nodiscard]] double end() const { return end_; }
-  /// The arcs of each body, in order of time. An arc (the motion between two events) applies from its start to the
-  /// start of the next arc. The first arc applies from `begin`, and the last one to `end`.
+  /// The arcs of each body, in order of time. An arc lasts from its start to the start of the next arc, or to `end`.
+  /// The first arc applies from `begin`.
   [[nodiscard]] const std::vector<std::vector<scene::Arc>>& arcs() const { return arcs_; }
-  /// The orientation of each polyhedron at the start of each of its arcs, from body axes to world axes. Empty for
-  /// spheres.
+  /// The orientation of each polyhedron at the start of each arc, from body axes to world axes. Empty for spheres.
   [[nodiscard]] const std::vector<std::vector<Quaternion<double>>>& orientations() const { return orientations_; }
 
  private:

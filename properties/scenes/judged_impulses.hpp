@@ -13,7 +13,6 @@
 
 namespace carom::properties {
 
-/// An impulse of a scene that violates an invariant.
 struct BadImpulse {
   double time = 0;
   std::string_view invariant;
@@ -21,10 +20,10 @@ struct BadImpulse {
   ReportedOutcome outcome;
 };
 
-/// Judges the impulses of a scene, in the same way as the gate judges a subject of the scene's law and precision.
+/// Judges the impulses of a scene as the gate judges a subject of the scene's law and precision.
 class ImpulseJudge {
  public:
-  /// Judges every `every`-th impulse; none if it is 0.
+  /// Judges every `every`-th impulse; none if `every` is 0.
   ImpulseJudge(Law law, Precision precision, std::uint64_t every, const oracles::Yardstick& yardstick);
 
   void record(const scene::Event& event);
@@ -33,7 +32,7 @@ class ImpulseJudge {
   [[nodiscard]] std::uint64_t judged() const { return judged_; }
   [[nodiscard]] std::uint64_t violated() const { return violated_; }
   [[nodiscard]] double worst_backward_error() const { return worst_backward_error_; }
-  /// For each invariant, the number of judged impulses for which it holds.
+  /// By invariant, the number of judged impulses for which it holds.
   [[nodiscard]] const std::map<std::string_view, std::uint64_t>& times_held() const { return times_held_; }
   [[nodiscard]] const std::optional<BadImpulse>& first_bad() const { return first_bad_; }
 

@@ -73,8 +73,8 @@ long double energy_of_impact(Law law, const Collision& collision) {
   return normal_energy - friction_impulse * slip + tangential * friction_impulse * friction_impulse / 2;
 }
 
-/// The energy that an impulse on A, and its opposite on B, add to two bodies [J]: F·V + ½ F·K F. Here K F = F/m_A +
-/// F/m_B + (J_A⁻¹ (r_A × F)) × r_A + (J_B⁻¹ (r_B × F)) × r_B, so F·K F is a sum of squares.
+/// The energy that an impulse F on A, and −F on B, add to two bodies [J]: F·V + ½ F·K F. Here K F = F/m_A + F/m_B +
+/// (J_A⁻¹ (r_A × F)) × r_A + (J_B⁻¹ (r_B × F)) × r_B, so F·K F is a sum of squares.
 long double work_of_impulse(const Collision& collision, const Wide& impulse) {
   long double work = 0;
   for (const Body* body : {&collision.a, &collision.b}) {
@@ -91,7 +91,7 @@ long double work_of_impulse(const Collision& collision, const Wide& impulse) {
   return work;
 }
 
-/// The distance [m] over a time span at a speed that falls by `loss` [m/s²]. Precondition: the speed does not fall
+/// The distance [m] over a span of time, at a speed that falls by `loss` [m/s²]. Precondition: the speed does not fall
 /// below 0, except by rounding.
 long double distance(long double speed, long double loss, long double span) {
   return speed * span - loss * span * span / 2;

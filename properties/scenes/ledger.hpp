@@ -13,7 +13,7 @@
 
 namespace carom::properties {
 
-/// A cause of changes of a scene's mechanical energy.
+/// A cause that changes a scene's mechanical energy.
 enum class Cause {
   impacts,        // impacts of two bodies, by the law
   plane_impacts,  // impacts with planes, by the law
@@ -29,8 +29,8 @@ static_assert(counts_from_zero_to(all_causes, Cause::rounding));
 
 [[nodiscard]] std::string_view name_of(Cause cause);
 
-/// A compensated sum in long double, which keeps the rounding error of each addition (A. Neumaier,
-/// "Rundungsfehleranalyse einiger Verfahren zur Summation endlicher Summen", ZAMM 54, 1974).
+/// A compensated sum in long double (A. Neumaier, "Rundungsfehleranalyse einiger Verfahren zur Summation endlicher
+/// Summen", ZAMM 54, 1974).
 class Account {
  public:
   void add(long double amount);
@@ -41,7 +41,6 @@ class Account {
   long double compensation_ = 0;
 };
 
-/// The mechanical energies of bodies.
 struct Energies {
   long double translation = 0;  // [J]
   long double rotation = 0;     // [J]
@@ -49,39 +48,36 @@ struct Energies {
   [[nodiscard]] long double total() const { return translation + rotation + potential; }
 };
 
-/// The energy and momentum account of a scene. Every change has a cause. For spheres, the amount of a cause comes from
-/// the closed form of the law or of the phase of motion. For an impact of a polyhedron, it is F·V + ½ F·K F, with F the
-/// impulse on A in the outcome. No amount comes from the difference of two energies. The rest of this difference is
-/// rounding, a separate cause. All numbers are long double, so the ledger's own rounding is 2⁻¹¹ of the rounding of a
-/// state to double.
+/// The account of a scene's energy and momenta by cause. An amount comes from the closed form of the law or of the
+/// phase of motion, never from the difference of two energies. For an impact of a polyhedron, it is F·V + ½ F·K F, with
+/// F the impulse on A in the outcome. The rest of the difference is booked as rounding. All numbers are long double, so
+/// the ledger's own rounding is 2⁻¹¹ of the rounding of a state to double.
 class Ledger {
  public:
-  /// Begins with a state. The scene that the state refers to must outlive the ledger.
+  /// The scene that the state refers to must outlive the ledger.
   explicit Ledger(const scene::SceneState& state);
 
   void record(const scene::Event& event);
-  /// Follows all bodies without events up to the state's time. Call it once, at the end.
+  /// Follows all bodies up to the state's time. Call it once, after the last event.
   void close(const scene::SceneState& state);
 
   [[nodiscard]] long double energy(Cause cause) const { return energy_[cause].sum(); }
-  /// Σ |rounding| over the entries: the sum without cancellation [J].
+  /// Σ |rounding| over the entries [J].
   [[nodiscard]] long double rounding_without_signs() const { return rounding_.sum(); }
-  /// The work of gravity so far: potential energy turned into kinetic energy [J].
+  /// The potential energy that gravity turned into kinetic energy [J].
   [[nodiscard]] long double gravity_work() const { return gravity_work_.sum(); }
   [[nodiscard]] const Energies& initial() const { return initial_; }
-  /// The energies of the bodies, each at its last recorded event, or at the beginning if it had none.
+  /// The energies at each body's last recorded event, or at the beginning if it had none.
   [[nodiscard]] Energies present() const;
-  /// The reference for rounding: the greatest kinetic energy so far plus Σ m |g·x| of the bodies' initial positions
-  /// [J]. An ulp of a position changes the potential energy by about an ulp of Σ m |g·x|.
+  /// The reference for rounding [J]: the greatest kinetic energy so far, plus Σ m |g·x| of the initial positions.
   [[nodiscard]] long double scale() const { return scale_; }
-  /// Momentum [N s]: initial, and by cause. The causes are gravity, rounding, and the planes. Planes act by impacts,
-  /// and by their reaction on bodies that lie on them.
+  /// Momentum [N s]: initial, and by cause. Planes act by impacts, and by their reaction on bodies that lie on them.
   [[nodiscard]] Vector3<long double> initial_momentum() const { return initial_momentum_; }
   [[nodiscard]] Vector3<long double> gravity_impulse() const { return sum_of(gravity_impulse_); }
   [[nodiscard]] Vector3<long double> plane_impulse() const { return sum_of(plane_impulse_); }
   [[nodiscard]] Vector3<long double> momentum_rounding() const { return sum_of(momentum_rounding_); }
-  /// Σ ‖Δ(x × m v + I w)‖ about the origin over impacts of two bodies and renewals (stored orientations) [N m s]. The
-  /// laws keep this momentum, so the sum is rounding. Its scale is the greatest Σ m ‖x‖ ‖v‖ of one such event.
+  /// Σ ‖Δ(x × m v + I w)‖ about the origin [N m s], over impacts of two bodies and renewals. The laws keep this
+  /// momentum, so the sum is rounding. Its scale is the greatest Σ m ‖x‖ ‖v‖ at one event.
   [[nodiscard]] long double angular_momentum_rounding() const { return angular_rounding_.sum(); }
   [[nodiscard]] long double angular_momentum_scale() const { return angular_scale_; }
 
@@ -94,7 +90,6 @@ class Ledger {
     Quaternion<double> orientation;  // at the start of its current arc
     Energies energies;
   };
-  /// The rotation of a body at a time.
   struct Spin {
     Quaternion<double> orientation;
     Vector3<long double> rate;  // world
@@ -104,10 +99,9 @@ class Ledger {
   static void add(Momentum& account, const Vector3<long double>& amount);
   void follow(const scene::Arc& arc, double end, std::size_t body, const Spin& at_end);
   void round_energy(long double amount);
-  /// The work that sends the bodies of a slow contact (`Event::was_slow`) apart along the normal, beyond the law's
-  /// outcome [J].
+  /// The work that sends the bodies of a slow contact apart along the normal, beyond the law's outcome [J].
   [[nodiscard]] long double work_of_sending_apart(const scene::Event& event) const;
-  /// `work_of_sending_apart` for spheres, from the speeds along the normal alone [J].
+  /// `work_of_sending_apart` of spheres, from the speeds along the normal [J].
   [[nodiscard]] long double work_of_raised_speed(const scene::Event& event) const;
   [[nodiscard]] Vector3<long double> spin_momentum(std::size_t body, const Spin& spin) const;
   [[nodiscard]] Energies energies_of(const scene::Arc& arc, double time, std::size_t body, const Spin& spin) const;

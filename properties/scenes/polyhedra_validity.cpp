@@ -26,21 +26,20 @@ using scene::Arc;
 constexpr Real largest_turn = 0.25;  // the largest rotation between two looks [rad]
 constexpr int most_halvings = 40;
 constexpr Real allowed_unseen = 0x1p-30L;  // relative to the lesser radius
-/// The allowed jump of an orientation at a joint of arcs [rad]. After 8 rad, the errors of an arc's double-precision
-/// rates have grown to e⁸ times some roundings (tumbling_body.hpp). The limit is at least twice these errors.
+/// The permitted jump of an orientation at a joint of arcs [rad]: at least twice the errors of an arc's rates. After 8
+/// rad, these have grown to e⁸ times some roundings of double (tumbling_body.hpp).
 constexpr Real allowed_turn = 0x1p-38L;
-/// The allowed jump of a position at a joint of arcs, relative to its terms: a parabola x + s (v + s a/2) is rounded
-/// eight times.
+/// The permitted jump of a position at a joint of arcs, relative to the terms of x + s (v + s a/2). This parabola is
+/// rounded eight times.
 constexpr Real allowed_jump = 0x1p-48L;
-/// The largest gap between bodies when one of them is struck, relative to the lesser radius.
+/// The largest gap between bodies at an impact, relative to the lesser radius.
 constexpr Real widest_contact = 0x1p-29L;
-/// A relative change of a velocity above this is not rounding of free flight: the body was struck.
+/// A larger relative change of a velocity is not rounding of free flight: something struck the body.
 constexpr Real least_change = 0x1p-36L;
-/// The error of a gap, relative to the size of the numbers that it is computed from. It covers some hundred roundings
-/// of long double, and the rounding of the vertices to double.
+/// The error of a gap, relative to its terms. It covers some hundred roundings of long double, and the rounding of the
+/// vertices to double.
 constexpr Real gap_error = 0x1p-46L;
 
-/// A direction of the separating axis theorem, given by the features that define it.
 struct Axis {
   enum class Of : std::uint8_t { face_of_a, face_of_b, edges, centres, vertex, edge };
   Of of = Of::centres;
@@ -49,16 +48,15 @@ struct Axis {
   Real sign = 1;           // chosen so that the direction points from B to A
 };
 
-/// A half-space: the unit normal of its plane, and the distance of the plane from the origin along the normal [m].
+/// A half-space: its unit normal, and the distance of its plane from the origin along the normal [m].
 struct Ground {
   Wide normal;
   Real offset;
 };
 
-/// The gap, or −∞ if it is not finite: a minimum over numbers with a NaN among them is not known.
+/// A minimum over numbers that include a NaN is unknown: −∞.
 Real known(Real gap) { return std::isfinite(gap) ? gap : -std::numeric_limits<Real>::infinity(); }
 
-/// Checks pairs of bodies, and bodies with planes, from one look to the next.
 class PolyhedraChecker {
  public:
   PolyhedraChecker(const scene::Scene& scene, const History& history) : scene_(scene), history_(history) {
@@ -83,7 +81,7 @@ class PolyhedraChecker {
       check_order(i);
     }
     if (found_.count > 0) {
-      // The other checks need arcs in order, because a body has no known position before an arc begins.
+      // The other checks need arcs in order, because a body has no position before an arc begins.
       return std::move(found_);
     }
     for (std::size_t i = 0; i < tracks_.size(); ++i) {
@@ -114,7 +112,7 @@ class PolyhedraChecker {
     }
   }
 
-  /// The time at which an arc ends: the start of the next one, or the end of the history.
+  /// The start of the next arc, or the end of the history.
   [[nodiscard]] double end_of(std::size_t body, std::size_t arc) const {
     const std::vector<Arc>& arcs = tracks_[body].arcs();
     return arc + 1 < arcs.size() ? arcs[arc + 1].path.start : history_.end();
@@ -166,7 +164,7 @@ class PolyhedraChecker {
     }
   }
 
-  /// Whether the body touches a plane at the start of an arc, or another body that is struck at the same time.
+  /// Whether the body touches a plane at the start of an arc, or touches a body that is struck at the same time.
   [[nodiscard]] bool touches_something(std::size_t body, std::size_t arc) {
     const double time = tracks_[body].arcs()[arc].path.start;
     const Pose pose = tracks_[body].pose(arc, time);
@@ -286,12 +284,13 @@ class PolyhedraChecker {
     return best;
   }
 
-  /// A lower bound of the gap at every time between two looks, along a direction that turns from n₁ to n₂ at a constant
-  /// rate Ω. In axes that turn with the direction, consider the place x of a vertex relative to a vertex of the other
-  /// body. The second derivative of x is at most a sum of three parts. The first is 2 r ω² of each body, from the
-  /// centripetal acceleration and from ω' × r with ‖ω'‖ ≤ ‖ω‖². The second is the relative acceleration of the centres.
-  /// The third is 2 Ω ‖ẋ‖ + Ω² ‖x‖. Precondition: neither body turns by more than largest_turn between the looks, so
-  /// that ω grows by a factor below 4/3.
+  /// A lower bound of the gap between two looks along a direction that turns from n₁ to n₂ at a constant rate Ω. In
+  /// axes that turn with it, let x be a vertex relative to a vertex of the other body. ‖ẍ‖ is at most the sum of three
+  /// parts:
+  /// - 2 r ω² of each body: the centripetal acceleration, and ω' × r with ‖ω'‖ ≤ ‖ω‖².
+  /// - The relative acceleration of the centres.
+  /// - 2 Ω ‖ẋ‖ + Ω² ‖x‖.
+  /// Precondition: neither body turns by more than largest_turn between the looks, so ω grows by a factor below 4/3.
   [[nodiscard]] Real least_gap(std::size_t i, std::size_t k, const Axis& axis, const Look& first, const Look& second,
                                const Wide& acceleration) const {
     const Wide n1 = direction(i, k, axis, first.a, first.b);
@@ -377,7 +376,7 @@ class PolyhedraChecker {
     }
   }
 
-  /// Whether the bounding balls of two bodies may overlap between these times. A moves relative to B on a parabola.
+  /// Whether the bounding balls of two bodies may overlap between these times. A moves on a parabola relative to B.
   [[nodiscard]] static bool may_meet(const scene::Path& a, const scene::Path& b, double begin, double end) {
     const auto at = [](const scene::Path& path, double time) -> Wide {
       const Real s = static_cast<Real>(time) - path.start;
@@ -389,7 +388,7 @@ class PolyhedraChecker {
     const Real bulge = (wide(a.acceleration) - wide(b.acceleration)).norm() * span * span / 8;
     const Real share = way.isZero(0) ? Real(0) : std::clamp(-first.dot(way) / way.squaredNorm(), Real(0), Real(1));
     const Real radii = (static_cast<Real>(a.radius) + b.radius) * (1 + gap_error);
-    // Negated, so that the answer is true if a position is not a number.
+    // Negated, so that a NaN gives true.
     return !((first + share * way).norm() > radii + bulge + gap_error * (at(a, begin).norm() + at(b, begin).norm()));
   }
 
@@ -412,7 +411,7 @@ class PolyhedraChecker {
         const Pose second = tracks_[body].pose(arc, end);
         const Real lowest = std::min(ground.normal.dot(first.centre), ground.normal.dot(second.centre)) - ground.offset;
         const Real span = static_cast<Real>(end) - begin;
-        // A parabola that bends away from the plane may be lower between its ends than at them.
+        // A parabola that bends away from the plane may be lowest between its ends.
         const Real bulge = std::max(Real(0), ground.normal.dot(wide(arcs[arc].path.acceleration))) * span * span / 8;
         if (!(lowest - bulge > tracks_[body].radius() * (1 + gap_error))) {
           check_plane_between(body, arc, plane, begin, first, end, second, 0);

@@ -23,7 +23,7 @@ using scene::Path;
 
 constexpr std::size_t most_shown = 100;
 
-/// A part of an arc, short enough to stay within a few cells.
+/// A part of an arc that stays within a few cells.
 struct Piece {
   std::uint32_t sphere;
   const Path* path;
@@ -40,11 +40,10 @@ long double speed(const Path& path, int axis, double time) {
   return path.velocity[axis] + (static_cast<long double>(time) - path.start) * path.acceleration[axis];
 }
 
-/// The Bernstein coefficients of a polynomial on [0, 1].
 template <std::size_t N>
 using Bernstein = std::array<Rational, N>;
 
-/// The Bernstein coefficients of a polynomial of s on [0, span], given by its power coefficients.
+/// Bernstein coefficients, from the power coefficients of a polynomial of s on [0, span].
 template <std::size_t N>
 Bernstein<N> bernstein(std::array<Rational, N> power, const Rational& span) {
   Rational scale(1);
@@ -69,8 +68,7 @@ Bernstein<N> bernstein(std::array<Rational, N> power, const Rational& span) {
   return result;
 }
 
-/// Whether the polynomial is nowhere negative. A polynomial that touches 0 in the interior may use up all halvings; the
-/// result is then false.
+/// False decides nothing: a polynomial that touches 0 in the interior may use up all halvings.
 template <std::size_t N>
 bool is_nowhere_negative(const Bernstein<N>& b, int halvings_left = 64) {
   if (std::all_of(b.begin(), b.end(), [](const Rational& x) { return x >= 0; })) {
@@ -92,7 +90,6 @@ bool is_nowhere_negative(const Bernstein<N>& b, int halvings_left = 64) {
   return is_nowhere_negative(first, halvings_left - 1) && is_nowhere_negative(second, halvings_left - 1);
 }
 
-/// The coefficients of one coordinate as a polynomial in t − begin.
 std::array<Rational, 3> powers(const Path& path, int axis, double begin) {
   const Rational delay = Rational(begin) - Rational(path.start);
   const Rational half = Rational(path.acceleration[axis]) / Rational(2);
@@ -101,7 +98,7 @@ std::array<Rational, 3> powers(const Path& path, int axis, double begin) {
           velocity + Rational(2) * half * delay, half};
 }
 
-/// Whether c₀ + c₁ s + c₂ s² ≥ 0 on [0, span]: at both ends, and at the vertex if it is inside.
+/// Tests both ends, and the vertex if it is inside.
 bool is_nowhere_negative(const std::array<Rational, 3>& c, const Rational& span) {
   if (c[0] < 0 || c[0] + span * (c[1] + span * c[2]) < 0) {
     return false;
@@ -130,8 +127,8 @@ bool are_exactly_apart(const Path& a, const Path& b, double begin, double end) {
                                     : is_nowhere_negative(bernstein(gap, span));
 }
 
-/// Whether the spheres are so far apart at the beginning that they cannot meet. A billionth of the distance is left for
-/// rounding. That is far more than the rounding of long double if coordinates are less than 10⁸ distances.
+/// Whether the spheres are so far apart that they cannot meet. A billionth of the distance is left for rounding, which
+/// is far less if coordinates are below 10⁸ distances.
 bool are_far_apart(const Path& a, const Path& b, double begin, double end) {
   long double square = 0;
   long double travel = 0;
@@ -150,8 +147,7 @@ bool are_far_apart(const Path& a, const Path& b, double begin, double end) {
          distance * (1 - 1e-9L) > (static_cast<long double>(a.radius) + b.radius + travel) * (1 + 1e-9L);
 }
 
-/// Whether the spheres are surely apart. If the whole interval is too long to decide, its halves are tested, and their
-/// halves.
+/// Whether the spheres are surely apart. Halves intervals that are too long to decide.
 bool are_surely_apart(const Path& a, const Path& b, double begin, double end, int halvings_left = 6) {
   if (are_far_apart(a, b, begin, end)) {
     return true;
@@ -297,7 +293,7 @@ class Checker {
       const long double x = coordinate(*piece.path, axis, piece.begin);
       const long double y = coordinate(*piece.path, axis, piece.end);
       const long double span = static_cast<long double>(piece.end) - piece.begin;
-      // A parabola leaves the range of its ends by at most a span²/8.
+      // A parabola leaves the range of its ends by at most |acceleration| span²/8.
       const long double bulge = std::abs(static_cast<long double>(piece.path->acceleration[axis])) * span * span / 8;
       const long double reach = (piece.path->radius + bulge) * (1 + 1e-9L);
       const auto k = static_cast<std::size_t>(axis);
@@ -347,7 +343,7 @@ class Checker {
     const double begin = std::max(a.begin, b.begin);
     const double end = std::min(a.end, b.end);
     if (begin == end && history_.begin() < history_.end()) {
-      return;  // one of the pieces ends here, and the next one is checked from here on
+      return;  // one piece ends here, and the next piece is checked from here on
     }
     ++found_.pairs;
     if (are_surely_apart(*a.path, *b.path, begin, end)) {

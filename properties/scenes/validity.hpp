@@ -10,7 +10,6 @@
 
 namespace carom::properties {
 
-/// A violation in a history.
 struct Invalidity {
   std::size_t body = 0;
   std::string other;  // "sphere 3", "polyhedron 1", "plane 0", or "itself" if the body's own path is wrong
@@ -19,7 +18,6 @@ struct Invalidity {
   std::string what;  // in words
 };
 
-/// The findings of a check, and its extent.
 struct Validity {
   std::vector<Invalidity> invalid;  // the first hundred
   std::size_t count = 0;            // the number of all violations
@@ -33,11 +31,10 @@ struct Validity {
   void add(const Validity& other);
 };
 
-/// Checks that no sphere overlaps another or leaves a plane's side, at any time of the history. The check is
-/// independent of the simulation's event loop. It takes the arcs of each sphere as exact polynomials of time. For each
-/// pair of spheres that come near each other, it decides |x_A − x_B| ≥ R_A + R_B by a bound or exactly
-/// (`oracles::Rational`). Successive arcs must join: exactly in time, and in position within 8 ulps of the largest
-/// coordinate. For scenes with polyhedra, polyhedra_validity.hpp describes the check.
+/// Checks, independently of the simulation's event loop, that no sphere overlaps another or leaves a plane's side
+/// during the history. Arcs are exact polynomials of time. A bound or exact arithmetic decides |x_A − x_B| ≥ R_A + R_B
+/// for spheres that come near each other. Successive arcs must join: exactly in time, and in position within 8 ulps of
+/// the largest coordinate. polyhedra_validity.hpp checks scenes with polyhedra.
 [[nodiscard]] Validity check_validity(const scene::Scene& scene, const History& history);
 
 }  // namespace carom::properties

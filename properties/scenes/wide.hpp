@@ -6,14 +6,14 @@
 #include <carom/collision/expects.hpp>
 #include <carom/collision/vector.hpp>
 
-/// Vectors in long double. The rounding of a check is then 2⁻¹¹ of the rounding of the scene, which is in double.
+/// Vectors in long double. Their rounding is 2⁻¹¹ of the rounding of a scene in double.
 namespace carom::properties {
 
 using WideVector = Vector3<long double>;
 
 [[nodiscard]] inline WideVector wide(const Vector3<double>& v) { return v.cast<long double>(); }
 
-/// The rotation from body axes to world axes. Precondition: the quaternion is not zero.
+/// Turns body axes to world axes. Precondition: the quaternion is not zero.
 template <class S>
 [[nodiscard]] Matrix3<long double> wide_rotation(const Quaternion<S>& q) {
   CAROM_EXPECTS(!q.isZero(0), q);

@@ -12,8 +12,8 @@
 namespace carom::properties {
 namespace {
 
-/// The complexity of a number is 0 for 0, and 1 for −0 and for a number that is not finite. For others it is 3 times
-/// the number of bits of the odd part, plus the size of the exponent, plus 1 for a minus sign.
+/// 0 for 0, and 1 for −0 and for a number that is not finite. Otherwise 3 times the number of bits of the odd part,
+/// plus the size of the exponent, plus 1 for a minus sign.
 long complexity(double number) {
   if (!std::isfinite(number)) {
     return 1;
@@ -93,7 +93,7 @@ long complexity(const Collision& collision) {
   long sum = 0;
   for_each_number(
       [&](const FieldPath& path, const double& number) {
-        // The identity is the simplest orientation, and 1 the simplest mass and moment, so they count as 0.
+        // The identity, and a mass or moment of 1, are the simplest and count as 0.
         const bool is_unit = number == 1 && (path.field == "mass" || path.field == "principal_inertia" ||
                                              (path.field == "orientation" && path.component == 0));
         sum += is_unit ? 0 : complexity(number);
@@ -127,7 +127,7 @@ std::vector<Collision> simpler(const Collision& collision) {
     });
     candidates.add([&](Collision& c) { (c.*body).principal_inertia.setConstant((c.*body).principal_inertia[0]); });
   }
-  // Some failures need a velocity along the normal, so the normal and the velocities are simplified together.
+  // Some failures need a velocity along the normal, so both are simplified together.
   for (const bool b_is_fixed : {true, false}) {
     for (const int bits : {1, 2, 3, 4, 5, 53}) {
       candidates.add([&](Collision& c) {
@@ -179,7 +179,7 @@ std::vector<Collision> simpler(const Collision& collision) {
 Collision shrink(Collision collision, const std::function<bool(const Collision&)>& still_fails,
                  std::size_t most_calls) {
   std::vector<Collision> candidates = simpler(collision);
-  // The search continues after the last success, not at the start. It ends after a whole round of failures.
+  // The search continues after the last success, and ends after a whole round of failures.
   std::size_t next = 0;
   std::size_t failures = 0;
   for (std::size_t calls = 0; calls < most_calls && failures < candidates.size(); ++calls) {

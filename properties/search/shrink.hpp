@@ -9,16 +9,15 @@
 
 namespace carom::properties {
 
-/// Simpler collisions close to this one, the boldest simplifications first: a body becomes immovable, a vector zero, a
-/// number rounded to few bits. Each is valid and has a smaller `complexity`, so shrinking ends. It ends with numbers of
-/// few binary digits. Precondition: the collision is valid.
+/// Simpler collisions close to this one, from the boldest: a body becomes immovable, a vector zero, a number rounded to
+/// few bits. Each is valid and has a smaller `complexity`, so shrinking ends. Precondition: the collision is valid.
 [[nodiscard]] std::vector<Collision> simpler(const Collision& collision);
 
-/// A measure of how hard a collision is to read: the bits of its numbers, and the distance of their exponents from 0.
+/// How hard a collision is to read: the bits of its numbers, and the distance of their exponents from 0.
 [[nodiscard]] long complexity(const Collision& collision);
 
-/// Simplifies a failing collision until no step of `simpler` still fails, or until `most_calls` calls of `still_fails`.
-/// Returns the simplest failing collision found. Precondition: the collision is valid.
+/// The simplest failing collision found: no step of `simpler` still fails, or `still_fails` was called `most_calls`
+/// times. Precondition: the collision is valid.
 [[nodiscard]] Collision shrink(Collision collision, const std::function<bool(const Collision&)>& still_fails,
                                std::size_t most_calls);
 

@@ -19,7 +19,7 @@ std::uint64_t shortened(std::uint64_t fraction, std::uint64_t bits) {
   return fraction / unit * unit;
 }
 
-/// Other answers to one question, roughly from the simplest on.
+/// Other answers to a question, roughly from the simplest on.
 std::vector<std::uint64_t> other_answers(const Choice& choice) {
   const std::uint64_t count = choice.question.count;
   const std::uint64_t simplest = choice.question.simplest;
@@ -53,8 +53,8 @@ std::vector<std::uint64_t> other_answers(const Choice& choice) {
 std::vector<Edit> edits_of(const std::vector<Choice>& choices) {
   const std::size_t count = choices.size();
   std::vector<Edit> edits;
-  // The first choice may choose the family. A simpler family asks other questions, so the choices after the first no
-  // longer fit. Edits of every length remove some of them.
+  // The first choice may choose the family. Another family asks other questions, which later choices do not fit. Edits
+  // of every length remove some of these choices.
   for (std::size_t length = 1; length <= count; ++length) {
     edits.push_back({Edit::Kind::answer, 0, length, choices[0].question.simplest});
   }

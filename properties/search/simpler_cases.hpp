@@ -9,23 +9,23 @@
 
 namespace carom::properties {
 
-/// A change of the choices (families/choices.hpp) from `first` up to but not including `last`. The kind `answer`
-/// changes the first answer and removes the other choices, because the old answer may have led to their questions.
+/// A change of the choices from `first` to `last` − 1. The kind `answer` changes the first answer and removes the
+/// others, because the old answer may have led to their questions.
 struct Edit {
   enum class Kind { simplify, remove, answer, shorten } kind;
   std::size_t first;
   std::size_t last;
-  std::uint64_t value = 0;  // the answer, or the number of bits to which fractions are shortened
+  std::uint64_t value = 0;  // the answer, or the number of bits of shortened fractions
 };
 
-/// The simpler cases that `draw` makes, the boldest changes of the choices first. Each has a smaller `complexity` than
-/// `from`, so shrinking ends, with numbers of few binary digits. Each is computed only when it is requested.
+/// The simpler cases that `draw` makes, from the boldest change of the choices. Each has a smaller `complexity` than
+/// `from`, so shrinking ends. A case is computed when it is requested.
 class SimplerCases {
  public:
-  /// `first` is the number of the change to begin with. The changes before it come last.
+  /// Begins with the change of number `first`. The changes before it come last.
   SimplerCases(Draw draw, ChosenCase from, std::size_t first = 0);
 
-  /// The next simpler case; none if there are no more.
+  /// The next simpler case, if any.
   [[nodiscard]] std::optional<ChosenCase> next();
 
   /// The number of the change that was tried last.

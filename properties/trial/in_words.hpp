@@ -8,7 +8,6 @@
 #include <carom/oracles/exact/radical.hpp>
 #include <carom/properties/invariants/invariant.hpp>
 
-/// Numbers and collisions as text for people.
 namespace carom::properties {
 
 /// The shortest decimal that identifies this number. A long double that is not a binary64 number gets 21 digits.
@@ -26,20 +25,20 @@ template <class S>
   return '(' + in_words(vector[0]) + ", " + in_words(vector[1]) + ", " + in_words(vector[2]) + ')';
 }
 
-/// Three lines, for A, B and the contact. A fourth line has the friction and the tangential restitution if one of them
-/// is not zero. `indent` begins each line.
+/// Three lines, for A, B and the contact. A fourth line gives the friction and the tangential restitution if one of
+/// them is not zero. `indent` begins each line.
 [[nodiscard]] std::string in_words(const Collision& collision, const std::string& indent);
 
-/// One line for each body, and one line for the collision matrix if there is one.
+/// One line for each body, and one for the collision matrix if there is one.
 [[nodiscard]] std::string in_words(const ReportedOutcome& outcome, const std::string& indent);
 
-/// The comparison, its two sides, their distance and the allowance, without a line end.
+/// The comparison, its two sides, their distance and the permitted residual, without a line end.
 [[nodiscard]] std::string in_words(const Verdict& violated);
 
-/// The text with each line except the first indented.
+/// The text, with `by` before each line except the first.
 [[nodiscard]] std::string indented(const std::string& text, const std::string& by);
 
-/// The collision, the answer to it, and the violated verdict, each on lines of its own.
+/// The collision, the answer and the violated verdict, each on its own lines.
 [[nodiscard]] std::string violation_in_words(const Collision& collision, const Answer& answer, const Verdict& violated);
 
 }  // namespace carom::properties

@@ -8,12 +8,12 @@
 
 namespace carom::properties {
 
-/// The name that a misspelt word probably means: the name with the fewest edits, and the first one if there are
-/// several. An edit adds, removes or changes a letter, or swaps two neighbours. No value if more than two edits are
-/// needed, or more than a third of the word's length.
+/// The name that a misspelt word probably means: the first name with the fewest edits. An edit adds, removes or changes
+/// a letter, or swaps two neighbours. No value if more than two edits are needed, or more than a third of the word's
+/// length.
 [[nodiscard]] std::optional<std::string> nearest_name(std::string_view word, const std::vector<std::string>& names);
 
-/// "; did you mean 'NAME'?", as the end of an error message about the word. Empty if no name is near.
+/// "; did you mean 'NAME'?", to end an error message. Empty if no name is near.
 [[nodiscard]] std::string did_you_mean(std::string_view word, const std::vector<std::string>& names);
 
 }  // namespace carom::properties

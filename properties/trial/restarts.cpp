@@ -13,7 +13,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// A session that can open its subject again.
 class RestartingSession {
  public:
   RestartingSession(const Subject& subject, Restarts& restarts, std::stop_token stop)

@@ -13,11 +13,11 @@ namespace carom::properties {
 /// Counts the failures of a subject and limits them. Threads may share it.
 class Restarts {
  public:
-  /// The subject is not started again after `most` failures, or after failures that together took `longest`.
+  /// The subject is not started again after `most` failures, or after failures that took `longest` in total.
   explicit Restarts(unsigned most, std::optional<std::chrono::nanoseconds> longest = {})
       : most_(most), longest_(longest) {}
 
-  /// Records a failure that took this long. Returns whether the subject may be started again.
+  /// Records a failure. Returns whether the subject may be started again.
   [[nodiscard]] bool may_restart_after(std::chrono::nanoseconds took);
 
   [[nodiscard]] unsigned most() const { return most_; }
@@ -31,9 +31,9 @@ class Restarts {
   std::atomic<bool> are_spent_ = false;
 };
 
-/// A session of the subject that continues after a failure. The answer to the failed collision is Failed. The subject
-/// is then started again for the next collisions. Throws SessionFailure if `restarts` permits no restart, if the
-/// subject cannot be started again, or if a stop is requested. `restarts` must outlive the session.
+/// A session that continues after a failure: the answer is Failed, and the subject is started again. Throws
+/// SessionFailure if `restarts` forbids this, if the subject cannot start, or if a stop is requested. `restarts` must
+/// outlive the session.
 [[nodiscard]] Session open_restarting(const Subject& subject, Restarts& restarts, std::stop_token stop = {});
 
 }  // namespace carom::properties

@@ -12,7 +12,7 @@
 namespace carom::properties {
 namespace {
 
-/// The exact cases of the collisions. Empty if one of the collisions is not valid.
+/// Empty if one collision is not valid.
 std::vector<oracles::ExactCase> exact_cases(const std::vector<Collision>& collisions, bool filtered) {
   std::vector<oracles::ExactCase> cases;
   cases.reserve(collisions.size());
@@ -35,7 +35,7 @@ oracles::Closeness closeness_of(const JudgedCase& judged_case, const Claim& clai
                     : oracles::Closeness();
 }
 
-/// The known result for the unit roundoff and the allowance. If this pair is new, calls `work_out()`.
+/// The stored result for this yardstick. If there is none, stores `work_out()`.
 template <class T, class WorkOut>
 T remembered(std::vector<std::pair<std::pair<double, double>, T>>& known, const oracles::Yardstick& yardstick,
              const WorkOut& work_out) {
@@ -201,8 +201,8 @@ Judgement Trial::judge(std::span<const ExactAnswer> answers, double known_backwa
                   known_backward_error);
 }
 
-/// `answers_to(first, count)` returns the lifted answers to `count` questions of one invariant, from question `first`
-/// on. They are valid until the next call.
+/// `answers_to(first, count)` returns the lifted answers to `count` questions from index `first` on. They are valid
+/// until the next call.
 template <class AnswersTo>
 Judgement Trial::judge_by(const AnswersTo& answers_to, double known_backward_error) const {
   Judgement judgement;
@@ -231,7 +231,7 @@ Judgement Trial::judge_by(const AnswersTo& answers_to, double known_backward_err
   }
   judgement.verdicts.reserve(claim_->invariants.size());
   std::size_t next_question = 0;
-  std::vector<Related> related;  // for one invariant
+  std::vector<Related> related;
   related.reserve(most_questions());
   for (std::size_t i = 0; i < claim_->invariants.size(); ++i) {
     const Invariant& invariant = *claim_->invariants[i];

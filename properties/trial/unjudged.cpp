@@ -12,10 +12,9 @@ namespace {
 
 using oracles::norm_of;
 
-/// Whether all given sizes stay away from the limits of binary32.
+/// Checks that sizes stay away from the limits of binary32.
 class RangeOfBinary32 {
  public:
-  /// The size must be zero or within the range.
   void require(double size) {
     constexpr int largest_exponent = 120;
     int exponent = 0;
@@ -28,7 +27,7 @@ class RangeOfBinary32 {
   bool holds_ = true;
 };
 
-/// Whether every number that a law computes for a contact stays in the range. `rounding` is the rounding of N·V⁻ / ‖N‖.
+/// `rounding` is that of N·V⁻ / ‖N‖.
 bool stays_in_binary32(const Collision& c, double rounding) {
   RangeOfBinary32 range;
   double lightest = 0;  // the smaller mass, which bounds the impulse
@@ -50,8 +49,8 @@ bool stays_in_binary32(const Collision& c, double rounding) {
       range.require(length / moment * length);
     }
   }
-  // The impulse depends on the speed of approach, or on its rounding if that is larger. The fastest speed bounds the
-  // speed of approach.
+  // The impulse depends on the speed of approach, or on its rounding if that is larger. Intermediate results may depend
+  // on the fastest speed.
   const double approach = std::abs(oracles::normal_velocity_before(c)) / norm_of(c.normal);
   for (const double speed : {std::max(approach, rounding), fastest}) {
     range.require(speed);

@@ -20,18 +20,17 @@ enum class Unjudged {
 inline constexpr std::array all_reasons_unjudged{Unjudged::leaves_range, Unjudged::no_finite_enclosure};
 static_assert(counts_from_zero_to(all_reasons_unjudged, Unjudged::no_finite_enclosure));
 
-/// The number of cases that were not judged, by reason.
 using UnjudgedCounts = EnumArray<Unjudged, std::uint64_t, all_reasons_unjudged.size()>;
 
-/// The name in reports: `leaves_range`, …
+/// For example `leaves_range`.
 [[nodiscard]] std::string_view name_of(Unjudged reason);
 
 /// The end of a sentence: "… whose masses, moments, impulse or torque leave the range of the precision".
 [[nodiscard]] std::string_view in_words(Unjudged reason);
 
-/// The reason why a collision is not judged by a yardstick; no value if it is judged. A subject in binary32 is judged
-/// if every number that a law computes for the contact (masses, moments, impulse, torque) stays in range. The size of
-/// each must be 2⁵ times above the least normal number of binary32, and 2⁸ times below the largest.
+/// The reason why the yardstick does not judge a collision; no value if it does. In binary32, the numbers that a law
+/// computes for the contact (masses, moments, impulse, torque) must be zero or in a range. It goes from 2⁵ times the
+/// least normal number to 2⁻⁸ times the largest number.
 [[nodiscard]] std::optional<Unjudged> reason_unjudged(const oracles::ExactCase& exact_case,
                                                       const oracles::Yardstick& yardstick);
 

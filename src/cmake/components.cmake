@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSL-1.0
-# The components of Carom. A component can be built and installed with only the components below it. It needs no
-# packages but theirs and its own.
+# The components of Carom. Each component can be built and installed without the components that it does not need.
 
 set(CAROM_COMPONENTS all CACHE STRING
     "What is built and installed: a list of impulse, judge, report, kit, program, scenes and proofs, or all but the proofs")
 
-# For each component: the components below it, the CMake packages of its build, and the CMake packages of its users.
+# For each component: the components that it needs, the CMake packages of its build, and the CMake packages of its
+# users.
 set(carom_parts impulse judge report kit program scenes)
 set(carom_impulse_packages "Eigen3 3.4")
 set(carom_impulse_packages_of_users "Eigen3 3.4")
@@ -24,7 +24,7 @@ set(carom_scenes_needs program)
 set(carom_scenes_packages fcl)
 # The proofs contain no C++ and need no CMake package.
 
-# The components to build, lower ones first.
+# The components to build. Each one follows the components that it needs.
 set(CAROM_BUILT)
 function(carom_build_component part)
   if(NOT part IN_LIST carom_parts AND NOT part STREQUAL "proofs")
@@ -48,7 +48,7 @@ foreach(part IN LISTS carom_wanted)
 endforeach()
 
 # carom_component(PART): assigns the libraries that the folder installs after this call to PART. A program and the files
-# that it reads belong to the install component `carom` instead.
+# that it reads belong to the install component `carom`.
 macro(carom_component part)
   set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME ${part})
 endmacro()

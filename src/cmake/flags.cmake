@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: BSL-1.0
-# Compile options of Carom's own code. They are set on targets only, so CMAKE_CXX_FLAGS, CMAKE_BUILD_TYPE and the
-# options of a containing project stay unchanged.
+# carom_flags: the compile options of Carom's own code. They are set on targets only, so CMAKE_CXX_FLAGS,
+# CMAKE_BUILD_TYPE and the options of a containing project stay unchanged.
 
-# Every target of Carom links to carom_flags.
 add_library(carom_flags INTERFACE)
 target_compile_options(carom_flags INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow
                                              $<$<BOOL:${CAROM_WARNINGS_AS_ERRORS}>:-Werror>)
@@ -40,9 +39,8 @@ if(CAROM_COVERAGE)
   target_link_options(carom_flags INTERFACE --coverage)
 endif()
 
-# carom_optimise(TARGET LEVEL): compiles TARGET at LEVEL in a Release build, in place of CMake's -O3. Use it for code
-# that -O3 compiles more slowly and makes no faster, or to request -O3 explicitly. A level that the user chose takes
-# precedence.
+# carom_optimise(TARGET LEVEL): compiles TARGET at LEVEL in a Release build, in place of CMake's -O3. It does nothing if
+# the user chose a level. Use a lower level for code that -O3 makes no faster.
 string(STRIP "${CMAKE_CXX_FLAGS_RELEASE}" carom_release_flags)
 string(STRIP "${CMAKE_CXX_FLAGS_RELEASE_INIT}" carom_default_release_flags)
 if(carom_release_flags STREQUAL carom_default_release_flags AND NOT CMAKE_CXX_FLAGS MATCHES "(^| )-O")

@@ -3,8 +3,8 @@
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
-# carom_library(TARGET NAME): defines the alias carom::NAME and installs TARGET under that name in the folder's
-# component.
+# carom_library(TARGET NAME): defines the alias carom::NAME and installs TARGET in the component that carom_component
+# chose.
 function(carom_library target name)
   set(part ${CMAKE_INSTALL_DEFAULT_COMPONENT_NAME})
   add_library(carom::${name} ALIAS ${target})
@@ -14,9 +14,9 @@ function(carom_library target name)
   set_property(GLOBAL APPEND PROPERTY CAROM_LIBRARIES_OF_${part} ${name})
 endfunction()
 
-# carom_folder(TARGET NAME DIRECTORY SCOPE …): defines the library carom::NAME. Sources include its headers as
-# <carom/NAME/…>, as after installation. Each target sees only the folders that it links to. Further arguments select
-# the headers to install.
+# carom_folder(TARGET NAME DIRECTORY SCOPE …): defines the library carom::NAME with the headers of DIRECTORY. Sources
+# include them as <carom/NAME/…>, before and after installation, if their target links to the library. Further arguments
+# exclude headers from the installation.
 function(carom_folder target name directory scope)
   set(root ${PROJECT_BINARY_DIR}/include/${name})
   file(MAKE_DIRECTORY ${root}/carom)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSL-1.0
 # Debian packages: `carom` has the program, the files that it reads, and the documentation. `carom-scene` has the
-# commands that run scenes. libcarom-PART-dev has the libraries of a component. The target carom_package builds the
-# contents and writes the packages to build/package.
+# commands that run scenes. libcarom-PART-dev has the libraries of a component. The target carom_package writes them to
+# build/package.
 
 set(CAROM_PACKAGE_CONTACT "Carom <carom@localhost>" CACHE STRING "Whom the packages name as their maintainer")
 
@@ -26,7 +26,7 @@ function(carom_install_documents)
   install(FILES ${PROJECT_SOURCE_DIR}/src/package/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/carom COMPONENT carom)
 endfunction()
 
-# Call this after everything that is installed is defined.
+# Call this after all install commands.
 macro(carom_package)
   set(CPACK_GENERATOR DEB)
   set(CPACK_PACKAGE_DIRECTORY ${PROJECT_BINARY_DIR}/package)

@@ -30,7 +30,7 @@ function(carom_record_flags recorder)
   endforeach()
   set(entries)
   foreach(library IN LISTS libraries)
-    # The compile line has no empty entries and no repeated ones.
+    # CMake leaves empty and repeated entries out of the compile line.
     set(definitions $<REMOVE_DUPLICATES:$<FILTER:$<TARGET_PROPERTY:${library},COMPILE_DEFINITIONS>,INCLUDE,.>>)
     set(options $<REMOVE_DUPLICATES:$<FILTER:$<TARGET_PROPERTY:${library},COMPILE_OPTIONS>,INCLUDE,.>>)
     set(independent $<TARGET_PROPERTY:${library},POSITION_INDEPENDENT_CODE>)
@@ -38,7 +38,7 @@ function(carom_record_flags recorder)
                           "${of_configuration} $<$<BOOL:${independent}>:${CMAKE_CXX_COMPILE_OPTIONS_PIC} >"
                           "$<JOIN:${options}, > ${CMAKE_CXX20_STANDARD_COMPILE_OPTION})flags\"},\n")
   endforeach()
-  # Options can depend on the language if a containing project has several languages.
+  # In a containing project with several languages, options can depend on the language.
   set(directory ${PROJECT_BINARY_DIR}/include/tool/$<CONFIG>)
   file(
     GENERATE

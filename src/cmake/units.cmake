@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: BSL-1.0
-# Most of a unit's compile time is spent on headers. Therefore each group of targets with the same flags precompiles its
-# common headers, and small files compile several at a time. Every file still includes what it needs, and compiles
-# alone.
+# Most of a unit's compile time is spent on headers. Therefore targets with the same flags share precompiled headers,
+# and small files compile several at a time. Every file still includes what it needs, and compiles alone.
 
-# ccache is used if it is installed and the user names no launcher. Its sloppiness settings admit precompiled headers.
-# gcc must name such a header in the preprocessed text (-fpch-preprocess).
+# ccache is used if it is installed and the user names no launcher. These settings let ccache accept precompiled
+# headers. gcc must name such a header in the preprocessed text (-fpch-preprocess).
 find_program(CAROM_CCACHE ccache)
 if(PROJECT_IS_TOP_LEVEL AND CAROM_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${CAROM_CCACHE})

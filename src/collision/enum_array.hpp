@@ -6,8 +6,7 @@
 
 namespace carom {
 
-/// A value for each enumerator of an enumeration that counts from 0. The index must be an enumerator, so a plain number
-/// cannot be used by mistake.
+/// A value for each enumerator of an enumeration that counts from 0.
 template <class Enum, class T, std::size_t Count>
 struct EnumArray {
   std::array<T, Count> values{};

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-/// CAROM_EXPECTS(condition, values…) states a precondition. If it does not hold, a checked build prints the source
-/// location, the condition and the values, and aborts the program. Any other build compiles the condition but does not
-/// evaluate it.
+/// CAROM_EXPECTS(condition, values…) states a precondition. If it does not hold, a checked build prints its place, the
+/// condition and the values, and aborts. Any other build does not evaluate it.
 ///
-/// A build is checked if CAROM_CHECK_PRECONDITIONS is 1, or if it is undefined and NDEBUG is undefined too. A check
-/// changes no result, no type and no layout. So a program may mix checked and unchecked units, as with `assert`. If
-/// both define an inline function, the linker keeps one copy, checked or not.
+/// A build is checked if CAROM_CHECK_PRECONDITIONS is 1, or if neither this macro nor NDEBUG is defined. A program may
+/// mix checked and unchecked units: a check changes no result, type or layout. The linker keeps one copy of an inline
+/// function, checked or not.
 #ifndef CAROM_CHECK_PRECONDITIONS
 #ifdef NDEBUG
 #define CAROM_CHECK_PRECONDITIONS 0
@@ -25,9 +24,8 @@
 
 namespace carom::detail {
 
-/// Whether the condition holds. Two kinds of conditions always pass. A comparison of SIMD packs passes because lanes
-/// that do not collide may hold meaningless numbers. A comparison of numbers with error bounds passes because the
-/// bounds may not decide it.
+/// Whether the condition holds. A comparison of SIMD packs always passes, because lanes that do not collide may hold
+/// meaningless numbers. A comparison of numbers with error bounds always passes, because the bounds may not decide it.
 template <class Condition>
 [[nodiscard]] constexpr bool holds(const Condition& condition) {
   if constexpr (std::is_constructible_v<bool, const Condition&>) {

@@ -24,12 +24,10 @@ inline constexpr std::array all_laws{Law::frictionless, Law::reflection, Law::st
                                      Law::rough,        Law::coulomb,    Law::any};
 static_assert(counts_from_zero_to(all_laws, Law::any));
 
-/// A value for each law.
 template <class T>
 using PerLaw = EnumArray<Law, T, all_laws.size()>;
 
-/// The laws that determine one outcome by a formula, so that there is a true outcome to compare with. The other laws
-/// are judged by their equations.
+/// The laws that determine one outcome by a formula. The other laws are judged by their equations.
 inline constexpr std::array laws_with_truth{Law::frictionless, Law::reflection, Law::sticking, Law::rough};
 
 [[nodiscard]] constexpr bool determines_outcome(Law law) {

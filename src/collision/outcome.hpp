@@ -22,7 +22,6 @@ struct Outcome {
   BodyVelocity<S> b;
 };
 
-/// The four vectors of an outcome.
 enum class OutcomeVector { velocity_of_a, angular_velocity_of_a, velocity_of_b, angular_velocity_of_b };
 
 inline constexpr std::array all_outcome_vectors{OutcomeVector::velocity_of_a, OutcomeVector::angular_velocity_of_a,
@@ -50,7 +49,6 @@ static_assert(counts_from_zero_to(all_outcome_vectors, OutcomeVector::angular_ve
            : std::array{OutcomeVector::velocity_of_b, OutcomeVector::angular_velocity_of_b};
 }
 
-/// A value for each of the four vectors of an outcome.
 template <class T>
 using PerVector = EnumArray<OutcomeVector, T, all_outcome_vectors.size()>;
 

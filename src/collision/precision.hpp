@@ -34,8 +34,8 @@ enum class Precision { binary32, binary64, extended };
   return static_cast<double>(std::numeric_limits<long double>::epsilon() / 2.0L);
 }
 
-/// The size η/u, with η the least positive number. The rounding error of a smaller number is at most u times this size,
-/// but may exceed u times the number. The result is 0 if this size is itself too small to be judged.
+/// η/u, with η the least positive number of the format. The rounding error of a smaller number may exceed u times the
+/// number, but not η. The result is 0 if no judged number is so small.
 [[nodiscard]] constexpr double least_size_known_to_a_roundoff(Precision precision) {
   switch (precision) {
     case Precision::binary32:

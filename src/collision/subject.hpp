@@ -17,7 +17,7 @@
 
 namespace carom {
 
-/// The subject cannot solve this collision. A skipped collision is counted, and never passes.
+/// The subject cannot solve this collision. A skip never passes.
 struct Skipped {
   std::string why;
 };
@@ -35,7 +35,7 @@ struct Failed {
 
 using Answer = std::variant<ReportedOutcome, Skipped, Refused, Failed>;
 
-/// Reports that a session cannot continue. Holds the answers before the failure, and the failure on the next collision.
+/// A session cannot continue. Holds the answers before the failure, and the failure on the next collision.
 class SessionFailure : public std::runtime_error {
  public:
   SessionFailure(const std::string& what, std::vector<Answer> answered, Failed failed)
@@ -59,7 +59,7 @@ class Session {
   using Solve = std::function<std::vector<Answer>(std::span<const Collision>)>;
 
   Session() = default;
-  /// `close` releases the resources of the session. It may be empty.
+  /// `close` releases the resources of the session, and may be empty.
   template <class F,
             class = std::enable_if_t<std::is_invocable_r_v<std::vector<Answer>, F&, std::span<const Collision>>>>
   // NOLINTNEXTLINE(google-explicit-constructor): a callable is a session
@@ -67,7 +67,7 @@ class Session {
 
   [[nodiscard]] std::vector<Answer> operator()(std::span<const Collision> collisions) { return solve_(collisions); }
 
-  /// Ends the session in an orderly way. Throws if the subject does not end as it should.
+  /// Ends the session. Throws if the subject does not end as it should.
   void close() {
     if (close_) {
       close_();
@@ -88,21 +88,19 @@ struct Subject {
   std::string version = {};  // of the engine; empty if it has no version of its own
   Law law = Law::any;
   Precision precision = Precision::binary64;
-  /// Whether the author claims that the subject is correct. A subject that is expected to fail is judged and shown, but
-  /// does not count.
+  /// Whether the author claims that the subject is correct. If not, the subject is judged and shown but does not count.
   bool expected_to_pass = true;
-  /// The claims that the subject does not make: "invariant", or "invariant@family" for one family (a named random
-  /// generator of collisions).
+  /// The claims that the subject does not make: "invariant", or "invariant@family" for one family (random generator of
+  /// collisions).
   std::vector<std::string> deviates;
-  /// The reason why the subject cannot run here (an engine that is not installed); empty if it can.
+  /// Why the subject cannot run here (an engine that is not installed); empty if it can.
   std::string absent;
-  /// Opens a session. Each thread opens its own. Empty if `absent` is not empty.
+  /// Opens a session; each thread opens its own. Empty if `absent` is not empty.
   std::function<Session()> open;
-  /// Whether the subject reports the collision matrix with each outcome of a colliding contact. A contact that is
-  /// solved without a matrix needs none.
+  /// Whether the subject reports the collision matrix with each outcome of a colliding contact that it solves by a
+  /// matrix.
   bool shows_collision_matrix = false;
 
-  /// Whether the subject is a program that answers in text.
   [[nodiscard]] bool is_program() const { return !specification.empty(); }
 };
 

@@ -10,7 +10,6 @@
 
 namespace carom {
 
-/// A defect of one field of a collision.
 struct Defect {
   std::string field;     // "a.mass", "normal", …
   std::string expected;  // "a finite number", "greater than 0", …
@@ -18,7 +17,7 @@ struct Defect {
 
 namespace detail {
 
-// These comparisons are false for a NaN. It is already reported as not finite.
+// A NaN passes these comparisons, but is reported as not finite.
 inline void check_body(const std::string& name, const Body& body, std::vector<Defect>& defects) {
   if (body.immovable) {
     return;
@@ -36,7 +35,7 @@ inline void check_body(const std::string& name, const Body& body, std::vector<De
   }
 }
 
-/// Whether every number is finite. Fast, because it does not search for the defects.
+/// Whether every number is finite: a fast test.
 [[nodiscard]] inline bool is_finite(const Collision& collision) {
   double sum = 0;  // 0 if every number is finite, otherwise NaN
   for_each_number([&](const FieldPath&, const double& number) { sum += 0 * number; }, collision);
@@ -52,8 +51,7 @@ inline void check_range(const char* field, double value, double low, double high
 
 }  // namespace detail
 
-/// Every defect of a collision; empty if the collision is valid. Solvers require valid collisions and do not check
-/// them.
+/// Every defect of a collision; empty if the collision is valid.
 [[nodiscard]] inline std::vector<Defect> validate(const Collision& collision) {
   std::vector<Defect> defects;
   if (!detail::is_finite(collision)) {

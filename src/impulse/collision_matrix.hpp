@@ -15,16 +15,16 @@ template <class S, class Inertia>
   return matrix;
 }
 
-/// K = λI + [r_A]ᵀ J_A⁻¹ [r_A] + [r_B]ᵀ J_B⁻¹ [r_B], λ = 1/m_A + 1/m_B: the change of relative velocity for each unit
-/// of impulse at the contact (note eq. 24) [1/kg], in world axes. The note's C (eq. 25 to 27, without the second λ of
-/// eq. 27) is K in another basis.
+/// K = λI + [r_A]ᵀ J_A⁻¹ [r_A] + [r_B]ᵀ J_B⁻¹ [r_B], λ = 1/m_A + 1/m_B: the change of relative velocity per unit of
+/// impulse (note eq. 24) [1/kg], in world axes. The note's C (eq. 25 to 27, without the second λ of eq. 27) is K in
+/// another basis.
 template <class S, class Inertia>
 [[nodiscard]] Matrix3<S> collision_matrix(const Contact<S, Inertia>& contact) {
   return collision_matrix(contact.a) + collision_matrix(contact.b);
 }
 
-/// Ignores the collision matrix: the default for the argument `see` of a law. A law that forms K, in world axes, calls
-/// `see(K)`. A law that answers without K does not call `see`.
+/// Ignores the collision matrix: the default of a law's argument `see`. A law that forms K, in world axes, calls
+/// `see(K)`.
 struct UnseenMatrix {
   template <class S>
   constexpr void operator()(const Matrix3<S>& /*matrix*/) const {}

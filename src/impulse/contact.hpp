@@ -38,9 +38,8 @@ struct Contact {
   S tangential_restitution;  // e_t in [-1, 1]; only the law `rough` reads it
 };
 
-/// The vector times the power of two that brings its largest component into [1/2, 1). The scaling is exact, and no
-/// later product of two such vectors overflows or underflows in S. Only vectors of built-in floating-point numbers are
-/// scaled.
+/// The vector times the power of two that brings its largest component into [1/2, 1), so that products of two such
+/// vectors stay in the range of S. Only built-in floating-point numbers are scaled.
 template <class S, class Vector>
 [[nodiscard]] auto without_extreme_length(const Vector& vector) {
   using From = typename Vector::Scalar;
@@ -59,7 +58,7 @@ template <class S, class Vector>
   return scaled;
 }
 
-/// The body as input of a solver in S. Precondition: `validate` finds no defect in the body's collision.
+/// The body as input of a solver in S. Precondition: the collision is valid.
 template <class S, class Inertia = PrincipalInertia<S>, class T>
 [[nodiscard]] ContactBody<S, Inertia> make_contact_body(const BasicBody<T>& body, const Vector3<T>& point) {
   const auto in_s = [](const Vector3<T>& vector) {
@@ -74,8 +73,7 @@ template <class S, class Inertia = PrincipalInertia<S>, class T>
   return result;
 }
 
-/// The contact of a collision. Every number is first rounded to S, as an engine in S stores it. Precondition:
-/// `validate` finds no defect.
+/// The contact of a collision. Every number is first rounded to S. Precondition: `validate` finds no defect.
 template <class S, class Inertia = PrincipalInertia<S>, class T>
 [[nodiscard]] Contact<S, Inertia> make_contact(const BasicCollision<T>& collision) {
   if constexpr (std::is_same_v<T, double>) {
@@ -89,9 +87,8 @@ template <class S, class Inertia = PrincipalInertia<S>, class T>
           static_cast<S>(collision.tangential_restitution)};
 }
 
-/// Whether the contact can have been made from a valid collision: a bool, or a mask if S is a SIMD pack. The solvers
-/// test their precondition with this function. Lever arms and velocities are not checked, because a number beyond the
-/// range of S is infinite or NaN.
+/// Whether the contact can have been made from a valid collision: a bool, or a mask if S is a SIMD pack. Lever arms and
+/// velocities are not checked, because they may overflow in S.
 template <class S, class Inertia>
 [[nodiscard]] auto is_made_of_valid(const Contact<S, Inertia>& contact) {
   return !(contact.a.inverse_mass < S(0)) && !(contact.b.inverse_mass < S(0)) &&
@@ -109,7 +106,7 @@ template <class S, class Inertia>
 }
 
 /// N·V. The angular part is w·(r × N), which vanishes if r lies along N. The form N·(w × r) would keep the rounding
-/// error of w × r, which no small change of the inputs explains.
+/// error of w × r.
 template <class S, class Inertia>
 [[nodiscard]] S normal_velocity(const Contact<S, Inertia>& contact) {
   const Vector3<S> torque_arm_a = cross(contact.a.lever_arm, contact.normal);
@@ -124,8 +121,8 @@ template <class S, class Inertia>
   return contact.a.inverse_mass + contact.b.inverse_mass;
 }
 
-/// Whether an impulse acts: the bodies approach along the normal, and at least one of them can move. A bool, or a mask
-/// if S is a pack.
+/// Whether an impulse acts: the bodies approach along the normal, and one of them can move. A bool, or a mask if S is a
+/// pack.
 template <class S, class Inertia>
 [[nodiscard]] auto is_colliding(const Contact<S, Inertia>& contact, const S& normal_velocity) {
   return normal_velocity < S(0) && inverse_mass(contact) > S(0);

@@ -8,8 +8,7 @@
 
 namespace carom::impulse {
 
-/// The result of a law: the impulse F on A and −F on B if the contact is colliding, otherwise no impulse. Some laws
-/// return a `NormalImpulse` (frictionless.hpp) or a `RoughImpulse` (rough.hpp) instead.
+/// The result of a law: the impulse F on A and −F on B if the contact is colliding, otherwise no impulse.
 template <class S>
 struct ContactImpulse {
   decltype(std::declval<S>() < std::declval<S>()) colliding;  // a bool, or a mask if S is a pack

@@ -17,13 +17,13 @@ namespace carom::impulse {
 
 namespace detail {
 
-/// The impulses of the law `coulomb` in a basis {N, T0, T1}, as a function of the slip resistance ν. This number is
-/// defined by V_T⁺ + ν F_T = 0, where T marks the part orthogonal to N.
+/// The impulses of the law `coulomb` in a basis {N, T0, T1}, as a function of the slip resistance ν. V_T⁺ + ν F_T = 0
+/// defines ν, and T marks the part orthogonal to N.
 template <class S>
 class SlipResistance {
  public:
-  /// The collision matrix C in the basis, the required change of velocity, a lower bound of the eigenvalues of C, and
-  /// μ.
+  /// Arguments: the collision matrix C in the basis, the required change of velocity, a lower bound of the eigenvalues
+  /// of C, and μ.
   SlipResistance(const Matrix3<S>& matrix, const Vector3<S>& change, const S& least, const S& friction)
       : matrix_(matrix), change_(change), least_(least), friction_(friction) {}
 
@@ -37,7 +37,8 @@ class SlipResistance {
     return std::hypot(impulse[1], impulse[2]) <= friction_ * impulse[0];
   }
 
-  /// Preconditions: μ > 0, and `is_in_cone(impulse(0))` is false.
+  /// The impulse on the surface of the friction cone, by bisection. Preconditions: μ > 0, and `is_in_cone(impulse(0))`
+  /// is false.
   [[nodiscard]] Vector3<S> impulse_on_cone() const {
     CAROM_EXPECTS(friction_ > S(0) && !is_in_cone(impulse(S(0))), friction_, impulse(S(0)));
     constexpr S step = 256;
@@ -66,15 +67,14 @@ class SlipResistance {
 
 }  // namespace detail
 
-/// The law `coulomb`, which engines approximate: Newton's restitution, and friction opposed to the slip after the
-/// impulse. T marks the part orthogonal to N.
+/// The impulse of the law `coulomb`: Newton's restitution, and friction opposed to the slip after the impulse. T marks
+/// the part orthogonal to N.
 ///
 ///   N·V⁺ = −ε N·V⁻,   ‖N × F‖ ≤ μ N·F,   and N × V⁺ = 0, or ‖N × F‖ = μ N·F and F_T = −V_T⁺ / ν with ν > 0.
 ///
 /// Both branches are one system, (K + ν P) F = −(V⁻ + ε (N·V⁻)/(N·N) N), with P = I − N Nᵀ/(N·N). The contact point
-/// sticks at ν = 0, and slips without friction as ν → ∞. In that limit F lies in the cone. So if F is outside the cone
-/// at ν = 0, some ν > 0 puts F on the surface of the cone. A solution always exists (docs/guide/laws.md), and bisection
-/// finds one.
+/// sticks at ν = 0. As ν → ∞, it slips without friction, and F lies in the cone. So if F is outside the cone at ν = 0,
+/// some ν > 0 puts F on its surface (docs/guide/laws.md).
 ///
 /// S is a floating-point type. Preconditions: the contact was made from a valid collision (`is_made_of_valid`); μ > 0.
 template <class S, class See = UnseenMatrix>
@@ -97,8 +97,8 @@ template <class S, class See = UnseenMatrix>
   return {true, times(basis, law.is_in_cone(sticking) ? sticking : law.impulse_on_cone())};
 }
 
-/// A contact that is not colliding keeps its velocities. If μ = 0, the outcome is that of the frictionless law.
-/// Precondition: the contact was made from a valid collision.
+/// The outcome of the law `coulomb`, for μ = 0 that of the frictionless law. A contact that is not colliding keeps its
+/// velocities. Precondition: the contact was made from a valid collision.
 template <class S, class See = UnseenMatrix>
 [[nodiscard]] Outcome<S> coulomb(const Contact<S>& contact, const See& see = {}) {
   return contact.friction > S(0) ? apply_impulse(contact, coulomb_impulse(contact, see)) : frictionless(contact);

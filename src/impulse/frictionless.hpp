@@ -6,8 +6,7 @@
 
 namespace carom::impulse {
 
-/// An impulse f N on A and −f N on B if the contact is colliding, otherwise none. Also holds the changes of spin,
-/// because they are known as soon as f is.
+/// An impulse f N on A and −f N on B if the contact is colliding, otherwise none; and the resulting changes of spin.
 template <class S>
 struct NormalImpulse {
   decltype(std::declval<S>() < std::declval<S>()) colliding;  // a bool, or a mask if S is a pack
@@ -16,7 +15,7 @@ struct NormalImpulse {
   Vector3<S> change_of_spin_of_b;                             // −f J_B⁻¹ (r_B × N)
 };
 
-/// The frictionless law, F = f N (note eq. 18, for a normal of any length):
+/// The impulse of the frictionless law, F = f N (note eq. 18, for a normal of any length):
 ///
 ///   f = −(1+ε) (N·(v_A − v_B) + (w_A·(r_A×N) − w_B·(r_B×N)))
 ///       / (λ N·N + (r_A×N)ᵀ J_A⁻¹ (r_A×N) + (r_B×N)ᵀ J_B⁻¹ (r_B×N)).
@@ -58,7 +57,8 @@ template <class S, class Inertia>
           struck(contact.b, -impulse.on_a, impulse.change_of_spin_of_b)};
 }
 
-/// A contact that is not colliding keeps its velocities. Precondition: the contact was made from a valid collision.
+/// The outcome of the frictionless law. A contact that is not colliding keeps its velocities. Precondition: the contact
+/// was made from a valid collision.
 template <class S, class Inertia = PrincipalInertia<S>>
 [[nodiscard]] Outcome<S> frictionless(const Contact<S, Inertia>& contact) {
   return apply_impulse(contact, frictionless_impulse(contact));

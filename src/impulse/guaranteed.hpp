@@ -13,8 +13,7 @@
 #include <carom/impulse/rough.hpp>
 
 /// Outcomes that never penetrate: N·V⁺ ≥ 0 exactly, for the returned velocities and the stored numbers of the
-/// collision. A law computed with rounding gives N·V⁺ < 0 in about half of all cases with ε = 0. These functions need
-/// the collision itself, because the lever arms of a Contact are rounded.
+/// collision. (A law computed with rounding gives N·V⁺ < 0 in about half of all cases with ε = 0.)
 namespace carom::impulse {
 
 namespace detail {
@@ -28,8 +27,8 @@ namespace detail {
   return true;
 }
 
-/// The error of a component of r × N = (P − X) × N, relative to |r_j N_k| + |r_k N_j|, in units of the roundoff: two
-/// for each product, one for the difference, and one for the roundings of this sum itself.
+/// A bound of the error of a component of r × N, relative to |r_j N_k| + |r_k N_j|: two roundoffs for each product, one
+/// for the difference, and one for the sum of absolute values.
 inline constexpr double rounding_of_slope = 4 * unit_roundoff_of_double;
 
 /// A velocity component, and the derivative of N·V with respect to it.
@@ -39,9 +38,9 @@ struct Adjustable {
   double ulp = 0;
 };
 
-/// Whether x wins if components of both bodies change N·V equally per ulp. The lighter body wins. If the masses are
-/// equal, the body with the smaller velocity components wins. The choice depends neither on the names A and B nor on
-/// the signs that a mirror image changes.
+/// Whether x is adjusted rather than y if both change N·V equally per ulp: the lighter body, or the body with the
+/// smaller velocity components. The choice does not depend on the names A and B, nor on signs that a mirror image
+/// changes.
 [[nodiscard]] inline bool comes_before(const Body& x, const Body& y) {
   const auto key = [](const Body& body) {
     const auto size = [](const Vector3<double>& v) {
@@ -52,7 +51,7 @@ struct Adjustable {
   return key(x) < key(y);
 }
 
-/// The velocity component of a movable body that changes N·V most for each ulp, so that the fewest ulps are needed.
+/// The velocity component of a movable body that changes N·V most for each ulp.
 [[nodiscard]] inline Adjustable most_effective_component(const Collision& c, Outcome<double>& outcome) {
   Adjustable best;
   double most = -1;
@@ -75,7 +74,6 @@ struct Adjustable {
     }
     for (int i = 0; i < 3; ++i) {
       const auto [left, right] = moment_terms<double>(r, c.normal, i);
-      // If r × N may consist of rounding error only, its sign is unknown.
       const double slope = left - right;
       const bool sign_is_known = std::abs(slope) > rounding_of_slope * (std::abs(left) + std::abs(right));
       consider(motion.angular_velocity[i], sign_is_known && std::isfinite(slope) ? s * slope : 0);
@@ -94,9 +92,9 @@ struct Adjustable {
 
 }  // namespace detail
 
-/// The outcome with N·V⁺ ≥ 0. Each step adds as few ulps as necessary to one component of a movable body. Returns the
-/// outcome unchanged if N·V⁺ ≥ 0 already, if no body can move, or if a number is not finite. Precondition: the
-/// collision is valid.
+/// The outcome with N·V⁺ ≥ 0: each step adds as few ulps as necessary to one component of a movable body. The outcome
+/// is unchanged if N·V⁺ ≥ 0 already, if no body can move, or if a number is not finite. Precondition: the collision is
+/// valid.
 [[nodiscard]] inline Outcome<double> without_approach(const Collision& collision, Outcome<double> outcome) {
   CAROM_EXPECTS(validate(collision).empty(), describe(validate(collision)));
   if (collision.a.immovable && collision.b.immovable) {
@@ -113,8 +111,8 @@ struct Adjustable {
       break;
     }
     const auto [component, slope, ulp] = detail::most_effective_component(collision, outcome);
-    // At least one ulp, so that N·V grows each time; more if the evaluation of the law was inaccurate. If N·V
-    // underflows, its distance from zero is unknown and may be very many ulps. So the step doubles each time.
+    // At least one ulp, so that N·V grows each time. If N·V underflows, its distance from zero is unknown, so the step
+    // doubles each time.
     *component += std::copysign(std::fmax(-velocity.value / std::abs(slope), ulps * ulp), slope);
     ulps = velocity.value == 0 ? 2 * ulps : 1;
   }
@@ -123,7 +121,6 @@ struct Adjustable {
 
 namespace detail {
 
-/// The contact with the velocities of `motion` and without restitution.
 [[nodiscard]] inline Contact<double> at_velocities(Contact<double> contact, const Outcome<double>& motion) {
   contact.a.velocity = motion.a.velocity;
   contact.a.angular_velocity = motion.a.angular_velocity;
@@ -133,7 +130,7 @@ namespace detail {
   return contact;
 }
 
-/// The outcome of another impulse by the solver. After `rough` the frictionless law is used, because friction has
+/// The outcome of a second impulse by the solver. After `rough`, this impulse is frictionless, because friction has
 /// already acted.
 template <class Solver>
 [[nodiscard]] Outcome<double> struck_again(const Contact<double>& contact, const Solver& solver, double approach) {
@@ -144,8 +141,8 @@ template <class Solver>
   }
 }
 
-/// Whether a few ulps of one component remove the remaining N·V⁺ < 0. Another impulse would be worse: it may move the
-/// spin of a slender body by many ulps, because its rounding error may exceed the small spin about the long axis.
+/// Whether a few ulps of one component remove `left`, the remaining N·V⁺ < 0. If so, another impulse would be worse:
+/// its rounding error may exceed the small spin of a slender body about its long axis.
 [[nodiscard]] inline bool is_within_few_ulps(const Collision& collision, Outcome<double> outcome, double left) {
   constexpr double few = 4;
   const auto [component, slope, ulp] = most_effective_component(collision, outcome);
@@ -165,16 +162,15 @@ template <class Solver>
   if (normal_velocity_sign(collision, before) >= 0) {
     return before;
   }
-  // The length of the contact's normal divided by the length of the collision's normal.
+  // The length of the contact's normal, relative to the collision's normal.
   const double unit = contact.normal.cwiseAbs().maxCoeff() / collision.normal.cwiseAbs().maxCoeff();
-  // N·V from the exact numbers of the collision instead of the rounded lever arms, so that little needs correction.
   const auto known_approach = [&](const Outcome<double>& motion) {
     return known_normal_velocity(collision, motion).value * unit;
   };
   const auto is_usable = [](double approach) { return std::isfinite(approach) && approach < 0; };
   const double approach = known_approach(before);
   Outcome<double> outcome = apply_impulse(contact, is_usable(approach) ? solver(contact, approach) : solver(contact));
-  // The rounding error of a large impulse may leave a part of the approach. Another impulse removes it and conserves
+  // The rounding error of a large impulse may leave a part of the approach. A second impulse removes it, and conserves
   // the momenta.
   if (const double left = detail::all_finite(outcome) ? known_approach(outcome) : 0;
       is_usable(left) && !detail::is_within_few_ulps(collision, outcome, left / unit)) {

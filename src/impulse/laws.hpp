@@ -28,9 +28,9 @@ struct FrictionlessLaw {
 
 }  // namespace detail
 
-/// Calls use(solver). `solver` takes a contact in any scalar type and returns its ContactImpulse, NormalImpulse or
-/// RoughImpulse. It also takes two optional arguments: N·V⁻, if the caller knows it better than from the contact, and
-/// then `see`, which receives the collision matrix. Does not call `use` if the law is not one of `laws_with_truth`.
+/// Calls use(solver) if the law is one of `laws_with_truth`. `solver` takes a contact in any scalar type and returns
+/// its ContactImpulse, NormalImpulse or RoughImpulse. Optional arguments are N·V⁻, if the caller knows it better, and
+/// `see`, which receives the collision matrix.
 template <class Use>
 constexpr void with_law(Law law, const Use& use) {
   switch (law) {
@@ -52,7 +52,7 @@ constexpr void with_law(Law law, const Use& use) {
   }
 }
 
-/// A description of the solver of a law, in words.
+/// Describes the solver of a law in words.
 struct Description {
   std::string_view law;
   std::string_view solve;   // of the 3×3 system; empty if there is none

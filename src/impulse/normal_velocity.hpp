@@ -8,9 +8,8 @@
 #include <carom/impulse/numbers/double_double.hpp>
 #include <carom/impulse/numbers/exact_sum.hpp>
 
-/// N·V of the stored numbers: V = (v_A + w_A × (P − X_A)) − (v_B + w_B × (P − X_B)), with P the contact point and X a
-/// centre of mass. N·V is a polynomial in the numbers of the collision and of any four velocities. It is not computed
-/// from a Contact, because the lever arms P − X of a Contact are rounded.
+/// N·V of the stored numbers of a collision: V = (v_A + w_A × (P − X_A)) − (v_B + w_B × (P − X_B)), with P the contact
+/// point and X a centre of mass. (The lever arms P − X of a Contact are rounded.)
 namespace carom::impulse {
 
 namespace detail {
@@ -30,7 +29,6 @@ inline void add_normal_velocity(const Collision& c, const Body& body, const Body
   }
 }
 
-/// |x| in the type of the error bounds.
 template <class Size, class S>
 [[nodiscard]] Size size_of(const S& x) {
   using std::abs;
@@ -79,9 +77,8 @@ inline constexpr int covered_roundings_of_normal_velocity = 16;
 /// Underflow causes an error below this number times 1 + max |w_A| + max |w_B|, with the maxima over the components.
 inline constexpr double underflow_of_normal_velocity = std::numeric_limits<double>::min();
 
-/// N·V in S, and a bound of its error. ρ = `rounding` is the relative error of one operation of S. n and 16 are the
-/// constants above. In the formulas, t are the terms of the polynomial, and T is the computed sum of their absolute
-/// values:
+/// N·V in S, and a bound of its error. ρ = `rounding` is the relative error of one operation of S. The constants above
+/// define n = 10 and 16. t are the terms of N·V, and T is the computed sum of their absolute values:
 ///
 ///   (1) |value − N·V| ≤ n ρ / (1 − n ρ) Σ|t| + underflow;
 ///   (2) Σ|t| ≤ (1 + 2⁻⁴⁸) T, because fewer than 2⁵ roundings of double affect a term in T;
@@ -108,7 +105,7 @@ inline constexpr double unit_roundoff_of_double = std::numeric_limits<double>::e
 inline constexpr double unit_roundoff_of_double_double = 7 * unit_roundoff_of_double * unit_roundoff_of_double;
 
 /// The value of a double-double sum counts as known if it exceeds this multiple of its error bound. Its relative error
-/// is then at most n / 16 · 2⁻⁵⁰, and at most 2⁻⁵⁰ after the rounding to double.
+/// is then at most n / 16 · 2⁻⁵⁰, with n = `roundings_of_normal_velocity`, and at most 2⁻⁵⁰ after rounding to double.
 inline constexpr double known_multiple_of_bound = 0x1p+50;
 
 }  // namespace detail
@@ -121,14 +118,14 @@ inline constexpr double known_multiple_of_bound = 0x1p+50;
   return sum;
 }
 
-/// The known properties of the exact N·V.
+/// The sign and the value of the exact N·V.
 struct NormalVelocity {
   int sign;      // −1, 0 or 1
   double value;  // within a relative 2⁻⁵⁰; 0 or infinite beyond the range of double
 };
 
-/// Uses double-double arithmetic if its error bound decides, otherwise the exact sum. Precondition: all numbers are
-/// finite.
+/// The exact N·V, by double-double arithmetic if its error bound decides, otherwise by the exact sum. Precondition: all
+/// numbers are finite.
 [[nodiscard]] inline NormalVelocity known_normal_velocity(const Collision& collision, const Outcome<double>& motion) {
   const detail::RoundedNormalVelocity<DoubleDouble> closely(collision, motion, detail::unit_roundoff_of_double_double);
   const auto value = static_cast<double>(closely.value);
@@ -139,8 +136,8 @@ struct NormalVelocity {
   return {exactly.sign(), exactly.approximately()};
 }
 
-/// The sign of the exact N·V: −1, 0 or 1. Uses a sum in double if its error bound decides. Precondition: all numbers
-/// are finite.
+/// The sign of the exact N·V: −1, 0 or 1; by a sum in double if its error bound decides. Precondition: all numbers are
+/// finite.
 [[nodiscard]] inline int normal_velocity_sign(const Collision& collision, const Outcome<double>& motion) {
   const detail::RoundedNormalVelocity<double> roughly(collision, motion, detail::unit_roundoff_of_double);
   if (std::abs(roughly.value) > roughly.bound) {  // false if anything overflowed

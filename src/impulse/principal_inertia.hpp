@@ -10,16 +10,15 @@
 namespace carom::impulse {
 
 /// J⁻¹ = R diag(1/I) Rᵀ as separate factors. A torque is turned into the body frame, divided by the principal moments,
-/// and turned back. So the error of each principal component is relative to this component. In one matrix in world
-/// coordinates (world_inertia.hpp), the largest component determines the rounding error of all others. Such a matrix
-/// costs a body with moments 1 : ρ up to ρ/10 ulps of angular momentum. If `may_be_slender` is false, the body is known
-/// not to be slender (`is_slender`) and needs less work.
+/// and turned back, so each principal component has its own relative error. In one world matrix (world_inertia.hpp),
+/// the largest component determines all rounding errors, which costs a body with moments 1 : ρ up to ρ/10 ulps of
+/// angular momentum. If `may_be_slender` is false, the body is known not to be slender.
 template <class S, bool may_be_slender = true>
 struct PrincipalInertia {
   Matrix3<S> axes;             // its columns are the body axes, of unit length, in world coordinates
   Vector3<S> inverse_moments;  // 1/I about the centre of mass along the axes; 0 if immovable [1/(kg m²)]
 
-  /// If the moments are equal, every axis is a body axis. The world axes are used because they have no rounding error.
+  /// For equal moments every axis is a body axis, and the world axes have no rounding error.
   static PrincipalInertia of(const Vector3<S>& moments, const Quaternion<S>& orientation) {
     const bool is_isotropic = moments[0] == moments[1] && moments[1] == moments[2];
     return {is_isotropic ? Matrix3<S>::Identity() : rotation_matrix(orientation),
@@ -35,7 +34,7 @@ template <class S>
   return {x[0] * y[0], x[1] * y[1], x[2] * y[2]};
 }
 
-/// |x| + |y| + |z|.
+/// |v₁| + |v₂| + |v₃|.
 template <class S>
 [[nodiscard]] S sum_of_sizes(const Vector3<S>& v) {
   return (absolute(v[0]) + absolute(v[1])) + absolute(v[2]);
@@ -44,12 +43,12 @@ template <class S>
 }  // namespace detail
 
 /// A body is slender if its moments differ by more than this ratio. Up to this ratio, the products of products.hpp lose
-/// about 4 ulps at most.
+/// at most about 4 ulps.
 inline constexpr int least_ratio_of_slender_moments = 8;
 
-/// Whether the moments of the body differ by more than the ratio above. The cross product of nearly parallel vectors x
-/// and y has a rounding error of u |x| |y|, with u the unit roundoff. A torque with this error turns a body with
-/// moments 1 : ρ about its long axis ρ times as far as about the others.
+/// Whether the moments of the body differ by more than this ratio. The cross product of nearly parallel vectors x and y
+/// has a rounding error of u |x| |y|, with u the unit roundoff. A torque with this error turns a body with moments 1 :
+/// ρ about its long axis ρ times as far as about the others.
 template <class S, bool may_be_slender>
 [[nodiscard]] auto is_slender(const PrincipalInertia<S, may_be_slender>& inertia) {
   if constexpr (may_be_slender) {
@@ -80,10 +79,10 @@ template <class S, bool may_be_slender>
       [&] { return rows_by([&](const Vector3<S>& e) { return cross(e, r); }); });
 }
 
-/// Rᵀ (r × F), the torque in body coordinates. The torque about an axis e is (e × r)·F, because K consists of these
-/// products. So an impulse acts as K says, even on a slender body. If F lies along r or nearly so, the torque is e·(r ×
-/// F), which vanishes if F lies exactly along r. Two bodies with the same r then get the same r × F, bit for bit. For
-/// this reason `has_slender` says whether any body of the contact is slender, and not only this one.
+/// Rᵀ (r × F), the torque in body coordinates. Its component along a body axis e is (e × r)·F, so an impulse acts as K
+/// says, even on a slender body. If F lies nearly along r, the component is e·(r × F), which vanishes if F lies exactly
+/// along r. `has_slender` is for any body of the contact, so that two bodies with the same r get the same r × F, bit
+/// for bit.
 template <class S, bool may_be_slender, class Condition>
 [[nodiscard]] Vector3<S> torque_in_body_frame(const PrincipalInertia<S, may_be_slender>& inertia, const Vector3<S>& r,
                                               const Vector3<S>& impulse, const Condition& has_slender) {
@@ -101,7 +100,7 @@ template <class S, bool may_be_slender, class Condition>
       [&] { return times(moments_of_unit_impulses(inertia, r), impulse); });
 }
 
-/// Both results come from one torque. So an impulse along F turns the body as much as the law expects.
+/// Both results come from one torque, so an impulse turns the body as much as the law expects.
 template <class S, bool may_be_slender, class Condition>
 [[nodiscard]] Turning<S> turning(const PrincipalInertia<S, may_be_slender>& inertia, const Vector3<S>& r,
                                  const Vector3<S>& impulse, const Condition& has_slender) {

@@ -5,10 +5,10 @@
 #include <carom/impulse/collision_matrix.hpp>
 #include <carom/impulse/solve3.hpp>
 
-/// The laws with one step of iterative refinement. The system is formed and solved in a narrow type `Low`. The residual
+/// The laws with one step of iterative refinement. The system is formed and solved in a narrow type `Low`, the residual
 /// is computed in the wide type S, and the correction again in Low (N. J. Higham, "Accuracy and Stability of Numerical
-/// Algorithms", 2nd ed. 2002, ch. 12). The relative error of the impulse is about (c κ(K) u_Low)², with the condition
-/// number κ(K), the unit roundoff u_Low and a small number c. The range of the numbers is that of Low.
+/// Algorithms", 2nd ed. 2002, ch. 12). The relative error of the impulse is about (c cond(K) u)², with the unit
+/// roundoff u of Low and a small number c. The range is that of Low.
 namespace carom::impulse {
 
 namespace detail {
@@ -43,7 +43,7 @@ template <class S>
   return detail::response(contact.a, impulse) + detail::response(contact.b, impulse);
 }
 
-/// The frictionless law. Precondition: the contact was made from a valid collision.
+/// The outcome of the frictionless law. Precondition: the contact was made from a valid collision.
 template <class Low, class S>
 [[nodiscard]] Outcome<S> frictionless_refined(const Contact<S>& contact) {
   CAROM_EXPECTS(is_made_of_valid(contact), contact.a.inverse_mass, contact.b.inverse_mass, contact.normal,
@@ -62,8 +62,8 @@ template <class Low, class S>
   return apply_impulse<S>(contact, n * (f + solve(residual)));
 }
 
-/// The reflection law. Solve, one of solve3.hpp, solves the 3×3 systems in Low. Precondition: the contact was made from
-/// a valid collision.
+/// The outcome of the reflection law. Solve, one of solve3.hpp, solves the 3×3 systems in Low. Precondition: the
+/// contact was made from a valid collision.
 template <class Low, class Solve, class S, class See = UnseenMatrix>
 [[nodiscard]] Outcome<S> reflection_refined(const Contact<S>& contact, const See& see = {}) {
   CAROM_EXPECTS(is_made_of_valid(contact), contact.a.inverse_mass, contact.b.inverse_mass, contact.normal,

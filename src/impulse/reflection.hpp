@@ -21,8 +21,8 @@ template <class S, class Inertia>
 
 }  // namespace detail
 
-/// The reflection law without a tangent basis. Note eq. 17, 20 and 21 together give K F = V⁺ − V⁻ = −(1+ε) (N·V⁻)/(N·N)
-/// N, with K the collision matrix. Solve is one of solve3.hpp, by default Ldlt.
+/// The impulse of the reflection law, without a tangent basis. Note eq. 17, 20 and 21 together give K F = V⁺ − V⁻ =
+/// −(1+ε) (N·V⁻)/(N·N) N, with K the collision matrix. Solve is one of solve3.hpp.
 ///
 /// Preconditions: the contact was made from a valid collision; `approach` is N·V⁻.
 template <class Solve = Ldlt, class S, class Inertia, class See = UnseenMatrix>
@@ -40,8 +40,7 @@ template <class Solve = Ldlt, class S, class Inertia, class See = UnseenMatrix>
   const Matrix3<S> matrix = collision_matrix(contact);
   see(matrix);
   const Vector3<S> solved = Solve::template solve<S>(matrix, velocity_change, inverse_mass(contact));
-  // If N lies along both lever arms, K N = λ N with λ = 1/m_A + 1/m_B. In this case, rounding errors in K must not turn
-  // a body.
+  // N along both lever arms gives K N = λ N with λ = 1/m_A + 1/m_B. Rounding errors in K must not turn a body.
   const Vector3<S> along = n * (factor / inverse_mass(contact));
   return {colliding, select(detail::turns_no_body(contact, n), along, solved)};
 }
@@ -50,7 +49,8 @@ template <class Solve = Ldlt, class S, class Inertia>
   return reflection_impulse<Solve, S>(contact, normal_velocity(contact));
 }
 
-/// A contact that is not colliding keeps its velocities. Precondition: the contact was made from a valid collision.
+/// The outcome of the reflection law. A contact that is not colliding keeps its velocities. Precondition: the contact
+/// was made from a valid collision.
 template <class Solve = Ldlt, class S, class Inertia = PrincipalInertia<S>>
 [[nodiscard]] Outcome<S> reflection(const Contact<S, Inertia>& contact) {
   return apply_impulse(contact, reflection_impulse<Solve>(contact));

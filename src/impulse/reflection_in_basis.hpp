@@ -10,9 +10,8 @@
 
 namespace carom::impulse {
 
-/// The basis {N, T0, T1} of note §2 as columns: T0 is the normalised tangential part of V⁻, T1 = N × T0. The second and
-/// third columns are zero if the tangential part is exactly zero. S is a floating-point type, because the basis needs
-/// square roots.
+/// The basis {N, T0, T1} of note §2 as columns: T0 is the normalised tangential part of V⁻, T1 = N × T0. T0 and T1 are
+/// zero if the tangential part is exactly zero. S is a floating-point type.
 template <class S>
 [[nodiscard]] Matrix3<S> tangent_basis(const Contact<S>& contact) {
   const Vector3<S> n = contact.normal / std::sqrt(contact.normal.dot(contact.normal));
@@ -27,9 +26,9 @@ template <class S>
   return basis;
 }
 
-/// A basis {N, T0, T1} that does not depend on V⁻. T0 is the coordinate axis that is least aligned with N, made
-/// orthogonal to N and normalised. For that axis |N_i| ≤ 1/√3. So its part orthogonal to N has length √(2/3) or more
-/// and loses no digits. S is a floating-point type.
+/// A basis {N, T0, T1} that does not depend on V⁻. T0 is the normalised part, orthogonal to N, of the coordinate axis
+/// least aligned with N. For that axis |N_i| ≤ 1/√3, so the part has length √(2/3) or more and loses no digits. S is a
+/// floating-point type.
 template <class S>
 [[nodiscard]] Matrix3<S> stable_tangent_basis(const Contact<S>& contact) {
   const Vector3<S> n = contact.normal / std::sqrt(contact.normal.dot(contact.normal));
@@ -50,7 +49,7 @@ template <class S>
     const Matrix3<S> q = moments_of_unit_impulses(body.inertia, body.lever_arm) * basis;
     return q.transpose() * body.inertia.inverse_moments.asDiagonal() * q;
   };
-  // A and B enter in the same way, so exchanging them changes no bit.
+  // Exchanging A and B changes no bit.
   return Matrix3<S>::Identity() * inverse_mass(contact) + (of_body(contact.a) + of_body(contact.b));
 }
 
@@ -60,8 +59,8 @@ template <class S>
   return in_basis<S>(matrix, basis.transpose());
 }
 
-/// The reflection law in a basis {N, T0, T1}, by note eq. 25 to 28 with N·V⁻ on the right-hand side of eq. 25. `see`
-/// receives the matrix C in world axes.
+/// The outcome of the reflection law in a basis {N, T0, T1}, by note eq. 25 to 28 with N·V⁻ on the right-hand side of
+/// eq. 25. `see` receives the matrix C in world axes.
 template <class S, class See = UnseenMatrix>
 [[nodiscard]] Outcome<S> reflection_in_given_basis(const Contact<S>& contact, const Matrix3<S>& basis,
                                                    const See& see = {}) {
@@ -77,9 +76,9 @@ template <class S, class See = UnseenMatrix>
   return apply_impulse<S>(contact, basis * Ldlt::solve<S>(c, right_hand_side, inverse_mass(contact)));
 }
 
-/// The reflection law as note §2 prints it. If V⁻ has no tangential part, the function uses eq. 18, as implementations
-/// do. The function is kept because it fails: near a head-on collision T0 is rounding error and not orthogonal to N.
-/// Use `reflection` instead.
+/// The outcome of the reflection law as note §2 prints it, or of eq. 18 if V⁻ has no tangential part, as in
+/// implementations of the note. It is kept because it fails: near a head-on collision T0 is rounding error and not
+/// orthogonal to N.
 template <class S, class See = UnseenMatrix>
 [[nodiscard]] Outcome<S> reflection_in_basis(const Contact<S>& contact, const See& see = {}) {
   const Matrix3<S> basis = tangent_basis(contact);
@@ -89,9 +88,8 @@ template <class S, class See = UnseenMatrix>
   return reflection_in_given_basis(contact, basis, see);
 }
 
-/// The reflection law with a T0 that does not depend on V⁻. Only the choice of T0 makes `reflection_in_basis` fail. If
-/// N lies along both lever arms, F lies along N (eq. 18). In this case the rounding errors of T0 and T1 must not turn a
-/// body.
+/// The outcome of the reflection law with a T0 that does not depend on V⁻. If N lies along both lever arms, the outcome
+/// is that of eq. 18, so that the rounding errors of T0 and T1 turn no body.
 template <class S, class See = UnseenMatrix>
 [[nodiscard]] Outcome<S> reflection_in_stable_basis(const Contact<S>& contact, const See& see = {}) {
   if (detail::turns_no_body(contact, contact.normal)) {

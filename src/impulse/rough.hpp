@@ -12,8 +12,7 @@
 
 namespace carom::impulse {
 
-/// The result of the law `rough`: an impulse with friction, and the frictionless impulse for contacts without friction.
-/// `rough_impulse` defines P_I, D and κ.
+/// The result of the law `rough`. `rough_impulse` defines P_I, D and κ.
 template <class S>
 struct RoughImpulse {
   NormalImpulse<S> normal;                                       // (1 + ε) P_I and the changes of spin that it causes
@@ -23,7 +22,7 @@ struct RoughImpulse {
 
 namespace detail {
 
-/// ‖v‖. The squares of the components may leave the range of S.
+/// ‖v‖, also if the squares of the components leave the range of S.
 template <class S>
 [[nodiscard]] S length(const Vector3<S>& v) {
   using std::sqrt;
@@ -32,10 +31,9 @@ template <class S>
   return sqrt(dot(scaled, scaled)) * size;
 }
 
-/// F, or a fraction of F. F is the impulse that changes the relative velocity by V = `change`, so K F = V. The impulse
-/// −F removes the energy F·V − ½ F·K F from a contact with relative velocity V. If K is singular up to rounding, a
-/// solve may return an F so long that it adds energy: F·K F > 2 F·V. The function then returns the fraction of F that
-/// removes the most energy. F·K F is a sum of terms ≥ 0 here, so nothing cancels.
+/// F, or a fraction of F. F is the solution of K F = V, with V = `change`. The impulse −F removes the energy F·V − ½
+/// F·K F from a contact with relative velocity V. If K is singular up to rounding, F may be so long that −F adds
+/// energy: F·K F > 2 F·V. The function then returns the fraction of F that removes the most energy.
 template <class S, class Inertia>
 [[nodiscard]] Vector3<S> without_gain_of_energy(const Contact<S, Inertia>& contact, const Vector3<S>& impulse,
                                                 const Vector3<S>& change) {
@@ -52,14 +50,13 @@ template <class S, class Inertia>
 
 }  // namespace detail
 
-/// The law `rough` (A. Chatterjee, A. Ruina, "A new algebraic rigid-body collision law based on impulse space
-/// considerations", J. Appl. Mech. 65, 1998). P_I is the impulse along N that stops the approach, P_II = −K⁻¹ V⁻ is the
-/// impulse that stops the contact point, and D = P_II − P_I:
+/// The impulse of the law `rough` (A. Chatterjee, A. Ruina, "A new algebraic rigid-body collision law based on impulse
+/// space considerations", J. Appl. Mech. 65, 1998). P_I is the impulse along N that stops the approach, P_II = −K⁻¹ V⁻
+/// is the impulse that stops the contact point, and D = P_II − P_I:
 ///
 ///   F = (1 + ε) P_I + κ D,   κ = 1 + e_t if this F has ‖N × F‖ ≤ μ N·F, else κ = μ (1 + ε) N·P_I / (‖N × D‖ − μ N·D).
 ///
-/// Solve is one of solve3.hpp, by default Ldlt. Preconditions: the contact was made from a valid collision; `approach`
-/// is N·V⁻.
+/// Solve is one of solve3.hpp. Preconditions: the contact was made from a valid collision; `approach` is N·V⁻.
 template <class Solve = Ldlt, class S, class Inertia, class See = UnseenMatrix>
 [[nodiscard]] RoughImpulse<S> rough_impulse(const Contact<S, Inertia>& contact, const S& approach,
                                             const See& see = {}) {
@@ -78,7 +75,7 @@ template <class Solve = Ldlt, class S, class Inertia, class See = UnseenMatrix>
   see(matrix);
   const Vector3<S> solved = Solve::template solve<S>(matrix, approaching, inverse_mass(contact));
   const Vector3<S> stops_point = -detail::without_gain_of_energy<S>(contact, solved, approaching);
-  // This code computes (1 + ε) D and κ / (1 + ε), because these need only one division.
+  // `d` is (1 + ε) D, and `share` is κ / (1 + ε).
   const S rebound = S(1) + contact.restitution;
   const S whole = S(1) + contact.tangential_restitution;
   const Vector3<S> d = stops_point * rebound - normal.on_a;
@@ -86,7 +83,7 @@ template <class Solve = Ldlt, class S, class Inertia, class See = UnseenMatrix>
   const S divisor = detail::length<S>(cross(n, d)) - contact.friction * dot(n, d);
   const auto is_outside = limit * rebound < whole * divisor;
   const S share = S(select(is_outside, limit, whole) / select(is_outside, divisor, rebound));
-  // If D lies along N except for rounding, the law needs no friction. If μ = 0, there is no friction for any κ.
+  // If D lies along N except for rounding, the law needs no friction.
   const auto has_friction = normal.colliding && share > S(0) && contact.friction > S(0);
   return {normal, has_friction, normal.on_a + d * share};
 }
@@ -95,9 +92,8 @@ template <class Solve = Ldlt, class S, class Inertia>
   return rough_impulse<Solve, S>(contact, normal_velocity(contact));
 }
 
-/// Without friction, the outcome has the bits of the frictionless law. With friction, a body is turned by both parts of
-/// F at once. Each part alone may turn a slender body far more than their sum does, so applying them one by one would
-/// leave their rounding errors.
+/// The outcome of the impulse. Without friction, it has the bits of the frictionless law. With friction, both parts of
+/// F turn a body at once, because each part may turn a slender body far more than their sum does.
 template <class S, class Inertia>
 [[nodiscard]] Outcome<S> apply_impulse(const Contact<S, Inertia>& contact, const RoughImpulse<S>& impulse) {
   const Outcome<S> without = apply_impulse(contact, impulse.normal);
@@ -113,7 +109,8 @@ template <class S, class Inertia>
   return {struck(contact.a, without.a, impulse.on_a), struck(contact.b, without.b, -impulse.on_a)};
 }
 
-/// A contact that is not colliding keeps its velocities. Precondition: the contact was made from a valid collision.
+/// The outcome of the law `rough`. A contact that is not colliding keeps its velocities. Precondition: the contact was
+/// made from a valid collision.
 template <class Solve = Ldlt, class S, class Inertia = PrincipalInertia<S>>
 [[nodiscard]] Outcome<S> rough(const Contact<S, Inertia>& contact) {
   return apply_impulse(contact, rough_impulse<Solve>(contact));

@@ -8,10 +8,10 @@
 
 #include <carom/collision/outcome.hpp>
 
-/// Choices by a condition: one bool for a scalar, and a mask with one bool for each lane for a pack of numbers.
+/// Choices by a condition: a bool for a scalar, or a mask with one bool for each lane of a pack.
 namespace carom::impulse {
 
-/// Whether the condition holds nowhere. For masks, argument-dependent lookup finds std::experimental::none_of.
+/// Whether the condition holds nowhere. For masks, lookup finds std::experimental::none_of.
 [[nodiscard]] inline bool none_of(bool condition) { return !condition; }
 
 /// `yes` if the condition holds, otherwise `no`, lane by lane.
@@ -26,7 +26,6 @@ template <class Condition, class S>
   }
 }
 
-/// Whether all components are zero.
 template <class S>
 [[nodiscard]] auto is_zero(const Vector3<S>& v) {
   return v[0] == S(0) && v[1] == S(0) && v[2] == S(0);
@@ -38,8 +37,7 @@ template <class S>
   if constexpr (std::is_same_v<decltype(number < least), bool>) {
     return number < least ? least : number;
   } else {
-    // The compiler makes one instruction of this selection between vectors of its own vector type. A mask and a
-    // selection by it have three times the latency.
+    // A selection by a mask would have three times the latency.
     using Numbers [[gnu::vector_size(sizeof(S))]] = typename S::value_type;
     const auto numbers = std::bit_cast<Numbers>(number);
     const auto leasts = std::bit_cast<Numbers>(least);
@@ -47,7 +45,6 @@ template <class S>
   }
 }
 
-/// |x|.
 template <class S>
 [[nodiscard]] S absolute(const S& x) {
   if constexpr (std::is_floating_point_v<S>) {
@@ -57,8 +54,7 @@ template <class S>
   }
 }
 
-/// x, or the least normal number if x is below it: that of S, or that of the lanes' type for a pack. Scalar types that
-/// are not built in have the range of binary64 or more.
+/// x, or the least normal number if x is below it: that of S, or of a pack's lanes, or of binary64 for other types.
 template <class S>
 [[nodiscard]] S at_least_normal(const S& x) {
   const auto least = [] {
@@ -73,7 +69,7 @@ template <class S>
   return at_least(S(least), x);
 }
 
-/// 1/x. Finite even if x is below the least normal number, which then replaces x.
+/// 1/x, or the reciprocal of the least normal number if x is below that number.
 template <class S>
 [[nodiscard]] S finite_reciprocal(const S& x) {
   return S(1) / at_least_normal(x);

@@ -8,16 +8,13 @@
 #include <carom/impulse/select.hpp>
 
 /// Ways to solve M x = b for a symmetric positive definite 3×3 matrix M. Each is an argument for the parameter `Solve`
-/// of a law. solve3_pivoting.hpp has such arguments for a general M. `least` is a lower bound of the eigenvalues of M.
-/// A solve that cannot use it ignores it.
+/// of a law. `least` is a lower bound of the eigenvalues of M, which some solves ignore.
 namespace carom::impulse {
 
-/// M = L D Lᵀ written out. It has no square root and no branch, so it runs in any field and in SIMD packs. Each pivot
-/// is a diagonal entry of a Schur complement of M, so it is at least the least eigenvalue of M. A computed pivot below
-/// `least` is rounding error, and `least` replaces it. So nothing is divided by zero if rounding makes M singular. The
-/// bound on the eigenvalues also gives |x_i| ≤ ‖x‖ ≤ ‖b‖ / least ≤ √3 max |b_i| / least. If a component exceeds
-/// 2 max |b_i| / least, x is rounding error. The whole x is then scaled, so that M x stays along b. A bound on each
-/// component by itself would turn x out of the directions in which M is small.
+/// M = L D Lᵀ without square root or branch, so it runs in any field and in SIMD packs. Each exact pivot is a diagonal
+/// entry of a Schur complement of M, so it is at least the least eigenvalue. `least` replaces a computed pivot below
+/// it, so nothing is divided by zero. The exact x has |x_i| ≤ ‖x‖ ≤ ‖b‖ / least ≤ √3 max |b_i| / least. If a component
+/// exceeds 2 max |b_i| / least, the whole x is scaled, so that M x stays along b.
 struct Ldlt {
   template <class S>
   [[nodiscard]] static Vector3<S> solve(const Matrix3<S>& m, const Vector3<S>& b) {

@@ -6,8 +6,8 @@
 
 #include <carom/collision/vector.hpp>
 
-/// Ways to solve M x = b for a general 3×3 matrix M. A collision matrix does not need this generality. Each is an
-/// argument for the parameter `Solve` of a law, as in solve3.hpp.
+/// Ways to solve M x = b for a general 3×3 matrix M. (A collision matrix is positive definite and does not need them.)
+/// Each is an argument for the parameter `Solve` of a law, as in solve3.hpp.
 namespace carom::impulse {
 
 /// Eigen's P M = L U, with pivots by rows.
@@ -18,7 +18,7 @@ struct EigenPartialPivLu {
   }
 };
 
-/// Eigen's P M Q = L U, with pivots by rows and columns. It treats a pivot below 3 machine epsilons of the largest as
+/// Eigen's P M Q = L U, with pivots by rows and columns. A pivot below 3 machine epsilons of the largest counts as
 /// zero.
 struct EigenFullPivLu {
   template <class S>

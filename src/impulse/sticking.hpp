@@ -10,7 +10,7 @@ namespace carom::impulse {
 
 namespace detail {
 
-/// The sums |w_j r_k| + |w_k r_j|. The rounding error of a component of w × r is about this sum times the unit
+/// |w_j r_k| + |w_k r_j| for each component of w × r. The rounding error of the component is about this times the unit
 /// roundoff.
 template <class S, class Inertia>
 [[nodiscard]] Vector3<S> terms_of_spin(const ContactBody<S, Inertia>& body) {
@@ -22,8 +22,8 @@ template <class S, class Inertia>
 
 }  // namespace detail
 
-/// The relative velocity V. Its component along N is computed from r × N, as in `normal_velocity`. The components of
-/// w × r are corrected to agree with it. Each correction is no more than a few rounding errors of its component.
+/// The relative velocity V, with N·V equal to `normal_velocity`. The correction of each component of w × r is at most a
+/// few of its rounding errors.
 template <class S, class Inertia>
 [[nodiscard]] Vector3<S> relative_velocity_along_normal(const Contact<S, Inertia>& contact) {
   const Vector3<S>& n = contact.normal;
@@ -32,8 +32,7 @@ template <class S, class Inertia>
   const S along_normal = dot(contact.a.angular_velocity, cross(contact.a.lever_arm, n)) -
                          dot(contact.b.angular_velocity, cross(contact.b.lever_arm, n));
   const Vector3<S> terms = detail::terms_of_spin(contact.a) + detail::terms_of_spin(contact.b);
-  // The correction δ has the least Σ (δ_i / terms_i)² such that N·δ = along_normal − N·by_spins. The code multiplies
-  // one factor at a time, to avoid overflow.
+  // The correction δ has the least Σ (δ_i / terms_i)² such that N·δ = along_normal − N·by_spins.
   const Vector3<S> along{n[0] * terms[0], n[1] * terms[1], n[2] * terms[2]};
   const S sum = (absolute(along[0]) + absolute(along[1])) + absolute(along[2]);
   const Vector3<S> shares = along * finite_reciprocal(sum);
@@ -43,8 +42,8 @@ template <class S, class Inertia>
   return (contact.a.velocity - contact.b.velocity) + Vector3<S>{mended(0), mended(1), mended(2)};
 }
 
-/// The law that lets the contact point stick, the limit μ → ∞ of Coulomb friction: N·V⁺ = −ε N·V⁻ and N × V⁺ = 0. So K
-/// F = V⁺ − V⁻ = −(V⁻ + ε (N·V⁻)/(N·N) N), with K the collision matrix. Solve is one of solve3.hpp, by default Ldlt.
+/// The impulse that lets the contact point stick, the limit μ → ∞ of Coulomb friction: N·V⁺ = −ε N·V⁻ and N × V⁺ = 0.
+/// So K F = V⁺ − V⁻ = −(V⁻ + ε (N·V⁻)/(N·N) N), with K the collision matrix. Solve is one of solve3.hpp.
 ///
 /// Preconditions: the contact was made from a valid collision; `approach` is N·V⁻.
 template <class Solve = Ldlt, class S, class Inertia, class See = UnseenMatrix>
@@ -69,7 +68,8 @@ template <class Solve = Ldlt, class S, class Inertia>
   return sticking_impulse<Solve, S>(contact, normal_velocity(contact));
 }
 
-/// A contact that is not colliding keeps its velocities. Precondition: the contact was made from a valid collision.
+/// The outcome of the law `sticking`. A contact that is not colliding keeps its velocities. Precondition: the contact
+/// was made from a valid collision.
 template <class Solve = Ldlt, class S, class Inertia = PrincipalInertia<S>>
 [[nodiscard]] Outcome<S> sticking(const Contact<S, Inertia>& contact) {
   return apply_impulse(contact, sticking_impulse<Solve>(contact));

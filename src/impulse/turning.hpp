@@ -5,9 +5,9 @@
 
 namespace carom::impulse {
 
-/// The rotation of a body by an impulse F at the lever arm r: the result of `turning(inertia, r, F, has_slender)`. The
-/// inertia is a `PrincipalInertia` or a `WorldInertia`. `has_slender` says whether any body of the contact is slender.
-/// If so, r × F is computed accurately for both bodies. A function without this argument considers only the given body.
+/// The rotation of a body by an impulse F at the lever arm r, as `turning(inertia, r, F, has_slender)` returns it for a
+/// `PrincipalInertia` or a `WorldInertia`. If `has_slender`, some body of the contact is slender, and r × F is computed
+/// accurately.
 template <class S>
 struct Turning {
   Vector3<S> change_of_spin;  // J⁻¹ (r × F)

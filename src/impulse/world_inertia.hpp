@@ -25,8 +25,8 @@ template <class S>
   return inverse_inertia;
 }
 
-/// J⁻¹ as engines store it: one matrix in world coordinates. It needs less storage and fewer multiplications than
-/// `PrincipalInertia`. It is kept because it fails: slender bodies lose the angular momentum about their long axes.
+/// J⁻¹ as engines store it: one matrix in world coordinates, smaller and faster than `PrincipalInertia`. It is kept
+/// because it fails: slender bodies lose the angular momentum about their long axes.
 template <class S>
 struct WorldInertia {
   Matrix3<S> inverse;  // about the centre of mass; 0 if immovable [1/(kg m²)]
@@ -37,7 +37,7 @@ struct WorldInertia {
   static WorldInertia immovable() { return {Matrix3<S>::Constant(S(0))}; }
 };
 
-/// Always false, because a WorldInertia uses no additional digits for slender bodies.
+/// False, because a WorldInertia uses no additional digits.
 template <class S>
 [[nodiscard]] bool is_slender(const WorldInertia<S>& /*inertia*/) {
   return false;

@@ -35,8 +35,7 @@ enum class Phase : std::uint8_t {
   return "resting";
 }
 
-/// The path of a sphere's centre from `start` on. At time t the centre is exactly at x + v s + a s²/2, with s = t −
-/// start.
+/// The path of a sphere's centre from `start` on: exactly x + v s + a s²/2 at the time t = start + s.
 struct Path {
   double start = 0;                       // [s]
   double end = never;                     // time at which the phase changes by itself [s]
@@ -49,7 +48,7 @@ struct Path {
   double acceleration_size = 0;           // ‖a‖₁
 };
 
-/// The motion that becomes 0 and so ends a phase without an impact.
+/// The motion that becomes 0, and so ends a phase without an impact.
 enum class Ending : std::uint8_t { none, slip, roll, spin };
 
 /// The rotation of a sphere, and the plane that supports it.
@@ -61,7 +60,6 @@ struct Turning {
   std::uint32_t plane = 0;       // index of the plane that the sphere is on, if it is not flying
 };
 
-/// The whole motion of a sphere between two of its events.
 struct Arc {
   Path path;
   Turning turning;

@@ -12,11 +12,10 @@
 
 namespace carom::scene {
 
-/// Finds the spheres near a sphere. The cells are cubes at least as wide as the largest sphere, so spheres that touch
-/// are in the same cell or in adjacent ones. A sphere is in the cell that it was last moved to. `SphereSimulation`
-/// moves it whenever its centre leaves the cell (B. Lubachevsky, "How to simulate billiards and similar systems", J.
-/// Comput. Phys. 94, 1991). Space has no bounds, because cells far apart may share a list of spheres. A shared list
-/// only costs time.
+/// Finds the spheres near a sphere (B. Lubachevsky, "How to simulate billiards and similar systems", J. Comput. Phys.
+/// 94, 1991). The cells are cubes at least as wide as the largest sphere, so spheres that touch are in the same cell or
+/// in adjacent ones. A sphere is in the cell that it was last moved to. Space has no bounds: cells far apart may share
+/// a list of spheres, which only costs time.
 class CellGrid {
  public:
   using Index = std::uint32_t;
@@ -29,8 +28,8 @@ class CellGrid {
   };
 
   CellGrid() = default;
-  /// `width` [m] exceeds the largest diameter by more than a millionth of it. This margin covers the rounding error of
-  /// the time of leaving. `extent` is the number of cells along each axis that should have separate lists.
+  /// `width` [m] exceeds the largest diameter by more than a millionth of it, to cover the rounding error of the time
+  /// of leaving. `extent` is the number of cells along each axis that should have separate lists.
   CellGrid(double width, const Cell& extent, std::size_t spheres)
       : width_(width), next_(spheres, nobody), places_(spheres) {
     std::size_t lists = 1;
@@ -64,8 +63,7 @@ class CellGrid {
   /// Calls use(j) for every other sphere in the same cell or in an adjacent one.
   template <class Use>
   void for_neighbours(Index sphere, const Use& use) const {
-    // Collects the non-empty lists without a branch. If most cells hold at most one sphere, a branch for each cell
-    // would be mispredicted every third time.
+    // Collects the non-empty lists without a branch, which would be mispredicted every third time.
     std::array<Index, 27> firsts;
     std::size_t lists = 0;
     for_lists_around(sphere, [&](std::size_t list) {
@@ -104,7 +102,6 @@ class CellGrid {
     return first;
   }
 
-  /// The centre of the cell that holds a sphere [m].
   [[nodiscard]] Vector3<double> centre_of_cell(Index sphere) const {
     const Cell& cell = places_[sphere].cell;
     return {(static_cast<double>(cell[0]) + 0.5) * width_, (static_cast<double>(cell[1]) + 0.5) * width_,
@@ -135,7 +132,7 @@ class CellGrid {
   }
 
   /// The first sphere of each list of 4 × 2 × 2 cells, in one cache line. The 27 cells around a sphere lie in 6 cache
-  /// lines on average. If cells were stored row by row, they would lie in more than 9.
+  /// lines on average; stored row by row, they would lie in more than 9.
   static constexpr std::size_t lists_in_a_block = 16;
   struct alignas(64) Block {
     std::array<Index, lists_in_a_block> first;
@@ -210,7 +207,7 @@ class CellGrid {
   Cell mask_{};
   std::size_t row_ = 0, layer_ = 0;  // lists in a row of blocks, and in a layer of blocks
   std::vector<Block> blocks_;
-  std::vector<Index> next_;  // separate from places_, because a search reads it for every neighbour
+  std::vector<Index> next_;  // a search reads it for every neighbour
   std::vector<Place> places_;
 };
 

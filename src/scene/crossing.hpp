@@ -25,8 +25,8 @@ struct UncertainQuadratic {
 
 enum class Decision { none, bounded, undecided };
 
-/// The least s ≥ 0 at which a quadratic falls below 0, if it does. The quadratic is at least 0 at s = 0. The true
-/// crossing is within `error` of `s`.
+/// The least s ≥ 0 at which a polynomial falls below 0, if it does, within `error`. The polynomial is at least 0 at s =
+/// 0.
 struct Crossing {
   Decision decision = Decision::none;
   double s = 0;
@@ -39,10 +39,10 @@ inline constexpr double roundoff = unit_roundoff(Precision::binary64);
 /// The first crossing of a quadratic, with a bound of its error. Precondition: the value at s = 0 is at least 0 within
 /// its radius, c₀ ≥ −e₀.
 ///
-/// Let q(s) = c₂ (s − s₁)(s − s₂) be the true quadratic and D = c₁² − 4 c₀ c₂ its discriminant. Let s₁ be the crossing.
-/// Then |s₂ − s₁| = √D/|c₂|. The computed s lies on the same side of the vertex as s₁. If |q(s)| |c₂| ≤ D/4, then |s −
-/// s₂| ≥ √D/(2|c₂|), and so |s − s₁| ≤ 2 |q(s)|/√D. An upper bound of |q(s)| comes from its computed value and the
-/// radii. If D may be 0 or the side is not certain, the crossing is undecided.
+/// Let q(s) = c₂ (s − s₁)(s − s₂) be the true quadratic, D = c₁² − 4 c₀ c₂, and s₁ the crossing. Then |s₂ − s₁| =
+/// √D/|c₂|. The computed s lies on the same side of the vertex as s₁. So if |q(s)| |c₂| ≤ D/4, |s − s₂| ≥ √D/(2|c₂|),
+/// and |s − s₁| ≤ 2 |q(s)|/√D. The computed value and the radii bound |q(s)|. If D may be 0 or the side is not certain,
+/// the crossing is undecided.
 [[nodiscard]] inline Crossing first_crossing(const UncertainQuadratic& q) {
   CAROM_EXPECTS(!(q.c0 < -q.e0), q.c0, q.e0);
   const double square = q.c1 * q.c1;
@@ -55,8 +55,7 @@ inline constexpr double roundoff = unit_roundoff(Precision::binary64);
                                 8 * roundoff * (square + std::abs(product));
   const bool falls = q.c1 < -q.e1;
   if (!falls) {
-    // The quadratic does not fall at first. It stays above 0 if it bends upwards, and falls below 0 later if it bends
-    // downwards.
+    // The quadratic falls below 0 later only if it bends downwards.
     const bool rises = q.c1 > q.e1 || (q.c1 == 0 && q.e1 == 0 && q.c0 > q.e0);
     if (q.c2 > q.e2 || (q.c2 == 0 && q.e2 == 0)) {
       if (rises || discriminant < -e_discriminant || (q.c1 >= 0 && q.e1 == 0)) {
@@ -83,11 +82,11 @@ inline constexpr double roundoff = unit_roundoff(Precision::binary64);
   if (!(8 * residual * (size2 + q.e2) <= least_discriminant)) {
     return {Decision::undecided};
   }
-  // The quotient and the square root are rounded too. The factor 1 + 16 u covers these errors, with u = `roundoff`.
+  // The factor 1 + 16 u (u = `roundoff`) covers the roundings of the quotient and the square root.
   return {Decision::bounded, s, (1 + 16 * roundoff) * 2 * residual / std::sqrt(least_discriminant)};
 }
 
-/// Bounds of the time of the crossing, with s counted from `now`.
+/// Bounds of the time `now` + s of the crossing.
 [[nodiscard]] inline TimeBounds bounds_from(double now, const Crossing& crossing) {
   const double time = now + crossing.s;
   const double error = (crossing.error + 2 * roundoff * (std::abs(now) + std::abs(crossing.s))) * (1 + 8 * roundoff);

@@ -11,11 +11,11 @@
 #include <carom/scene/arc.hpp>
 #include <carom/scene/prediction.hpp>
 
-/// The events of a scene, and what is counted during a run.
+/// The events of a scene, and the counts of a run.
 namespace carom::scene {
 
-/// An error that ends a run early. For example, bodies overlap at the beginning, impacts at one instant do not end, or
-/// a position is no longer accurate enough.
+/// An error that ends a run early: bodies overlap at the beginning, impacts at one instant do not end, or a position is
+/// no longer accurate enough.
 class SceneError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -25,7 +25,7 @@ enum class EventKind : std::uint8_t {
   plane_impact,  // of a body and a plane
   capture,       // a sphere stays on a level plane
   phase,         // slipping, rolling or spinning has ended
-  renewal,       // a polyhedron has turned so far that its state is stored again; its motion continues
+  renewal,       // a polyhedron has turned so far that its state is stored again
 };
 
 [[nodiscard]] constexpr std::string_view name_of(EventKind kind) {
@@ -48,8 +48,8 @@ enum class EventKind : std::uint8_t {
 struct Change {
   std::uint32_t body = 0;  // spheres first, then polyhedra, each in the scene's order
   Arc before, after;
-  /// If the scene has polyhedra: the rotation from body axes to world axes at the event, and the angular velocity
-  /// before the event [rad/s].
+  /// The rotation from body axes to world axes at the event, and the angular velocity before it [rad/s], if the scene
+  /// has polyhedra.
   Quaternion<double> orientation{1, 0, 0, 0};
   Vector3<double> angular_velocity_before{0, 0, 0};
 };
@@ -63,8 +63,8 @@ struct Event {
   bool has_impulse = false;  // of impacts and captures: whether the bodies approached
   Collision collision;       // of impacts and captures; its origin is the contact point
   Outcome<double> outcome;   // by the law; `Change::after` has the stored velocities
-  /// The approach was slower than `least_speed`, and the body cannot rest. The law then computes an impact with ε = 1,
-  /// and the body leaves at `least_speed`.
+  /// Whether the approach was slower than `least_speed` and the body cannot rest, so that it leaves at `least_speed`
+  /// with ε = 1.
   bool was_slow = false;
 };
 
@@ -77,7 +77,7 @@ struct Counts {
   unsigned long long renewals = 0;
   unsigned long long crossings = 0;       // of cells; these are not events of the scene
   unsigned long long slow = 0;            // impacts with `was_slow`
-  unsigned long long moved_clear = 0;     // stored positions that were moved by ulps because of a third body
+  unsigned long long moved_clear = 0;     // stored positions that were moved by ulps, clear of a third body
   unsigned long long at_one_instant = 0;  // largest number of impacts at one time
   unsigned long long advances = 0;        // steps of conservative advancement
   ExactCounts exact;

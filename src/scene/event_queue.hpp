@@ -11,10 +11,9 @@
 
 namespace carom::scene {
 
-/// A time for each sphere, and the sphere with the least time. Of equal times the lowest index is first. The queue is a
-/// tournament with four players in each match, so a change updates at most log₄ n matches for n spheres (D. Knuth, "The
-/// Art of Computer Programming" 3, 5.4.1). A match fits in one cache line, with the times beside the players. Most
-/// changes affect only one or two matches.
+/// A time for each sphere, and the sphere with the least time; of equal times, the lowest index. The queue is a
+/// tournament with four players in each match, which fits in one cache line. A change updates at most log₄ n matches
+/// for n spheres (D. Knuth, "The Art of Computer Programming" 3, 5.4.1).
 class EventQueue {
  public:
   using Index = std::uint32_t;
@@ -28,7 +27,7 @@ class EventQueue {
     for (std::size_t round = 0; round < rounds_.size(); ++round) {
       for (std::size_t k = 0; k < rounds_[round].size(); ++k) {
         for (std::size_t place = 0; place < 4; ++place) {
-          // Absent players never win, because their times stay `never`, and of equal times the lowest index is first.
+          // Absent players never win: their times are `never`, and of equal times the lowest index is first.
           rounds_[round][k].players[place] = static_cast<Index>((4 * k + place) << (2 * round));
         }
       }
@@ -43,7 +42,7 @@ class EventQueue {
       double& old_time = match.times[place % 4];
       Index& old_winner = match.players[place % 4];
       if (old_time == time && old_winner == winner) {
-        return;  // then no later match changes
+        return;  // no later match changes
       }
       old_time = time;
       old_winner = winner;
@@ -60,7 +59,7 @@ class EventQueue {
   }
   [[nodiscard]] double time_of(Index index) const { return rounds_.front()[index / 4].times[index % 4]; }
 
-  /// Calls use(k) for each index k whose time is at most `latest` and not `never`, in ascending order of k.
+  /// Calls use(k) for each index k whose time is at most `latest` and not `never`, in ascending order.
   template <class Use>
   void for_each_until(double latest, const Use& use) const {
     visit(rounds_.size() - 1, 0, latest, use);

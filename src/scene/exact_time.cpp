@@ -50,7 +50,6 @@ Coefficients<3> coordinate(const Path& path, int axis, const Rational& origin) {
           half};
 }
 
-/// |x_A − x_B|² − (R_A + R_B)².
 Coefficients<5> squared_gap(const Path& a, const Path& b, const Rational& origin) {
   const Rational radii = Rational(a.radius) + Rational(b.radius);
   Coefficients<5> sum{};
@@ -69,7 +68,6 @@ Coefficients<5> squared_gap(const Path& a, const Path& b, const Rational& origin
   return sum;
 }
 
-/// N·x − reach.
 Coefficients<3> height(const Path& sphere, const Reach& plane, const Rational& origin) {
   Coefficients<3> sum{};
   sum[0] = -Rational(plane.reach);
@@ -85,7 +83,7 @@ Coefficients<3> height(const Path& sphere, const Reach& plane, const Rational& o
 Coefficients<5> gap(const Path& a, const Path& b, const Rational& origin) { return squared_gap(a, b, origin); }
 Coefficients<3> gap(const Path& a, const Reach& b, const Rational& origin) { return height(a, b, origin); }
 
-/// The sign of a polynomial at the origin or, if the polynomial is 0 there, just after the origin.
+/// The sign of a polynomial at the origin or, if it is 0 there, just after the origin.
 template <std::size_t N>
 int sign_from_origin(const Coefficients<N>& q) {
   for (const Rational& coefficient : q) {
@@ -224,7 +222,7 @@ double reach_of(const Vector3<double>& normal, const Vector3<double>& point, dou
     const Rational over = Rational(x) - level;
     return over >= Rational(0) && over * over >= square;
   };
-  // The search runs over the indices of the doubles. It starts with steps that double in length.
+  // The search runs over the indices of the doubles, in steps that double in length.
   std::int64_t low = in_order(CGAL::to_double(level) + std::sqrt(CGAL::to_double(square)));
   std::int64_t high = low;
   for (std::int64_t step = 1; is_clear(from_order(low)); step *= 2) {

@@ -9,12 +9,12 @@
 #include <carom/scene/arc.hpp>
 #include <carom/scene/crossing.hpp>
 
-/// Exact decisions about times that rounding bounds cannot decide. The times are real roots of polynomials with
-/// rational coefficients, by CGAL.
+/// Exact decisions about times that rounding bounds cannot decide: real roots of polynomials with rational
+/// coefficients, compared by CGAL.
 namespace carom::scene {
 
-/// A plane for spheres of one radius. A sphere touches the plane if its centre x has N·x = `reach`, and is clear of it
-/// if N·x is larger.
+/// A plane for spheres of one radius. A sphere is clear of the plane if its centre x has N·x > `reach`, and touches the
+/// plane at equality.
 struct Reach {
   Vector3<double> normal;  // any nonzero length
   double reach = 0;
@@ -23,9 +23,9 @@ struct Reach {
 /// An instant: a number or a real root of a polynomial.
 class ExactTime {
  public:
-  struct Instant;  // a CGAL type, defined only in the source file
+  struct Instant;  // a CGAL type
   explicit ExactTime(std::shared_ptr<const Instant> instant) : instant_(std::move(instant)) {}
-  /// The instant of a number. Precondition: `time` is finite.
+  /// Precondition: `time` is finite.
   [[nodiscard]] static ExactTime at(double time);
 
   friend std::strong_ordering operator<=>(const ExactTime& left, const ExactTime& right);
@@ -39,19 +39,19 @@ class ExactTime {
   std::shared_ptr<const Instant> instant_;
 };
 
-/// The first instant from `now` on at which the gap |x_A − x_B| − R_A − R_B falls below 0; none if it never does. A
-/// touch after which the gap does not fall below 0 is no contact. Precondition: at `now` the gap is at least 0.
+/// The first instant from `now` on at which the gap |x_A − x_B| − R_A − R_B falls below 0; none if it never does, as
+/// after a mere touch. Precondition: at `now` the gap is at least 0.
 [[nodiscard]] std::optional<ExactTime> exact_contact(const Path& a, const Path& b, double now);
 
-/// The same instant for the gap N·x − reach of a sphere and a plane.
+/// The same for the gap N·x − reach of a sphere and a plane.
 [[nodiscard]] std::optional<ExactTime> exact_contact(const Path& sphere, const Reach& plane, double now);
 
 /// The sign of the gap at a time: −1, 0 or 1.
 [[nodiscard]] int sign_of_gap(const Path& a, const Path& b, double time);
 [[nodiscard]] int sign_of_gap(const Path& sphere, const Reach& plane, double time);
 
-/// The least double that is at least N·p + R |N|, with N = `normal`, p = `point` and R = `radius`. A sphere is clear of
-/// the plane if its centre x has N·x at least this number.
+/// The least double that is at least N·p + R |N|, with N = `normal`, p = `point` and R = `radius`: the `reach` of a
+/// plane.
 [[nodiscard]] double reach_of(const Vector3<double>& normal, const Vector3<double>& point, double radius);
 
 }  // namespace carom::scene

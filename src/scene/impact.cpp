@@ -48,8 +48,8 @@ Outcome<double> struck_in(Law law, const Collision& collision) {
     switch (law) {
       case Law::frictionless:
       case Law::reflection:
-        // The lever arms are along the normal, so the law's impulse does not depend on them. With zero lever arms,
-        // rounding cannot change the spins.
+        // The lever arms lie along the normal, so they do not change the impulse. Zero lever arms keep the spins
+        // exactly.
         contact.a.lever_arm.setConstant(S(0));
         contact.b.lever_arm.setConstant(S(0));
         return impulse::frictionless<S, Inertia>(contact);
@@ -65,7 +65,7 @@ Outcome<double> struck_in(Law law, const Collision& collision) {
     return impulse::rough<Ldlt, S, Inertia>(contact);
   }();
   Outcome<double> result{in_double(outcome.a), in_double(outcome.b)};
-  // The rounding to S would change velocities that the impulse does not affect.
+  // Rounding to S would change velocities that the impulse does not affect.
   if (law == Law::frictionless || law == Law::reflection) {
     result.a.angular_velocity = collision.a.angular_velocity;
     result.b.angular_velocity = collision.b.angular_velocity;
@@ -76,8 +76,8 @@ Outcome<double> struck_in(Law law, const Collision& collision) {
   return result;
 }
 
-/// Changes the component of the velocity v that has most effect on N·v. Adds enough to cancel `approach` = N·v < 0, and
-/// one ulp more.
+/// Changes the component of the velocity v that has most effect on N·v: enough to cancel `approach` = N·v < 0, and one
+/// ulp more.
 void add_along(const Vector3<double>& normal, double approach, Vector3<double>& velocity) {
   Eigen::Index axis = 0;
   normal.cwiseAbs().maxCoeff(&axis);
@@ -85,7 +85,7 @@ void add_along(const Vector3<double>& normal, double approach, Vector3<double>& 
   velocity[axis] = std::nextafter(enough, std::copysign(never, normal[axis]));
 }
 
-/// N·v, computed in double if its sign is then certain, otherwise from the exact sum.
+/// N·v, in double if its sign is certain, otherwise from the exact sum.
 template <class Exactly>
 double approach_of(const Vector3<double>& normal, const Vector3<double>& velocity, const Exactly& exactly) {
   const double sum = normal.dot(velocity);
@@ -98,8 +98,7 @@ Collision collision_of(const StruckSphere& a, const StruckSphere& b, const Mater
   Collision collision;
   const Vector3<double> unit = (a.position - b.position).normalized();
   collision.a = body_of(a, a.radius * unit);
-  // The normal is the lever arm of A itself. So it is exactly along that lever arm. If the radii are equal, it is also
-  // exactly along the lever arm of B.
+  // The normal is the lever arm of A itself, so rounding does not separate their directions.
   collision.normal = collision.a.position;
   collision.b = body_of(b, -b.radius * unit);
   set_material(collision, pair);

@@ -17,19 +17,17 @@ struct StruckSphere {
   Vector3<double> angular_velocity;  // [rad/s]
 };
 
-/// The collision of two spheres as input of a solver or the oracle. Its origin is the contact point, so that lever arms
-/// keep their digits wherever the spheres are. The normal is along x_A − x_B, with the length R_A.
+/// The collision of two spheres. Its origin is the contact point, so that lever arms keep their digits. The normal is
+/// along x_A − x_B, with the length R_A.
 [[nodiscard]] Collision collision_of(const StruckSphere& a, const StruckSphere& b, const MaterialPair& pair);
 
-/// The collision of a sphere with a fixed plane, which is body B. The normal is along the plane's normal, with the
-/// length R_A.
+/// The collision of a sphere with a fixed plane, which is body B. The normal has the length R_A.
 [[nodiscard]] Collision collision_with_plane(const StruckSphere& a, const Vector3<double>& normal,
                                              const MaterialPair& pair);
 
-/// The outcome of a collision of spheres by a law, in a precision. It computes only the terms that spheres need. The
-/// laws `frictionless` and `reflection` need one scalar division and leave the spins exactly unchanged. The law
-/// `coulomb` is `rough` without tangential restitution. Preconditions: collision_of or collision_with_plane made the
-/// collision; the law is not `any`.
+/// The outcome of a collision of spheres by a law, computed in a precision. The laws `frictionless` and `reflection`
+/// leave the spins exactly unchanged. The law `coulomb` is `rough` without tangential restitution. Preconditions:
+/// collision_of or collision_with_plane made the collision; the law is not `any`.
 [[nodiscard]] Outcome<double> struck(Law law, Precision precision, const Collision& collision);
 
 /// Adds ulps to velocity_a until the centres do not approach: (x_A − x_B)·(v_A − v_B) ≥ 0 exactly.

@@ -8,7 +8,7 @@
 namespace carom::scene {
 
 /// The range of numbers that a precision rounds with a relative error of at most its unit roundoff. Masses and moments
-/// must lie in the range of `Scene::precision`.
+/// must lie in this range.
 struct KnownRange {
   double least, greatest;
   [[nodiscard]] bool contains(double value) const { return value >= least && value <= greatest; }

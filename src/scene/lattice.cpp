@@ -7,8 +7,7 @@
 namespace carom::scene {
 namespace {
 
-/// An approximately normal number with mean 0 and standard deviation 1. It is a sum of integers, so only the last step
-/// rounds.
+/// An approximately normal number with mean 0 and standard deviation 1.
 double draw(std::mt19937_64& engine) {
   constexpr std::int64_t one = std::int64_t{1} << 53;
   std::int64_t sum = 6 - 6 * one;  // minus the mean of a sum of twelve integers from 0 to one − 1

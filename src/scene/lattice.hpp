@@ -9,10 +9,10 @@
 
 namespace carom::scene {
 
-/// Equal spheres in rows, columns and layers. Each has its own velocity.
+/// Equal spheres in rows, columns and layers, each with its own velocity.
 struct Lattice {
   std::array<std::size_t, 3> count{1, 1, 1};  // along each axis of the world
-  Vector3<double> first{0, 0, 0};             // centre of the first sphere, from which all others are counted [m]
+  Vector3<double> first{0, 0, 0};             // centre of the first sphere [m]
   Vector3<double> spacing{1, 1, 1};           // from one centre to the next along each axis [m]
   Sphere sphere;     // radius, density and material of every sphere; its name begins every name
   double speed = 0;  // standard deviation of each component of each velocity [m/s]
@@ -21,9 +21,9 @@ struct Lattice {
 };
 
 /// The spheres in order of x, then y, then z, named "NAME k" from k = 0 on. Every machine gives the same bits if the
-/// code is compiled without contraction to fused multiply-adds. Each velocity component comes from std::mt19937_64 as a
-/// sum of 12 uniform numbers minus its mean. The sum has the standard deviation 1, is nearly normal up to about 3 and
-/// never exceeds 6 (Irwin–Hall).
+/// code is compiled without fused multiply-adds. Each velocity component is a sum of 12 uniform numbers of
+/// std::mt19937_64, minus its mean and times `speed` (Irwin–Hall: nearly normal up to 3 standard deviations, and never
+/// above 6).
 [[nodiscard]] std::vector<Sphere> spheres_of(const Lattice& lattice);
 
 }  // namespace carom::scene

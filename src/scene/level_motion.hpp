@@ -16,20 +16,16 @@ struct Level {
 };
 
 /// The motion of a sphere on a level plane from `start` on: it slips, rolls or rests, and spins about the normal n. The
-/// slip is u = v − R w × n, with the angular velocity w. The friction μ g against the slip slows it by (7/2) μ g [m/s²]
-/// along a fixed direction. Rolling resistance slows a rolling sphere by μ_r g [m/s²]. The spin about n loses (5/2) μ_s
-/// g/R [rad/s²] (W. Leckie, M. Greenspan, "An event-based pool physics simulator", 2006). The direction u/‖u‖ is
-/// rounded once. After that the path follows the stored acceleration exactly. A slip that is only rounding error counts
-/// as 0.
-///
-/// The function sets the velocity along n to 0. `has_friction` says whether the law uses μ. Without friction, a sphere
-/// slips forever.
+/// slip is u = v − R w × n, with the angular velocity w. Friction slows the slip by (7/2) μ g [m/s²] along a fixed
+/// direction. Rolling resistance slows a rolling sphere by μ_r g [m/s²]. The spin about n loses (5/2) μ_s g/R [rad/s²]
+/// (W. Leckie, M. Greenspan, "An event-based pool physics simulator", 2006). The direction u/‖u‖ is rounded once, and
+/// the path follows the stored acceleration exactly. A slip that is only rounding error counts as 0. The velocity along
+/// n becomes 0. Unless the law has friction, a sphere slips forever.
 [[nodiscard]] Arc level_arc(const Level& level, std::uint32_t plane, const MaterialPair& pair, bool has_friction,
                             double radius, double start, const Vector3<double>& position,
                             const Vector3<double>& velocity, const Vector3<double>& angular_velocity);
 
 /// The motion after the end of an arc. The motion that ended (slip, rolling or spin) is exactly 0 from then on.
-/// `position` and `start` are the values that `SphereSimulation` stores.
 [[nodiscard]] Arc after_end(const Level& level, const MaterialPair& pair, bool has_friction, const Arc& ended,
                             double start, const Vector3<double>& position);
 

@@ -11,7 +11,7 @@
 namespace carom::scene {
 
 Vector3<double> rounded_away(const Path& path, double time, const Vector3<double>& away) {
-  // long double has the x87 format or a better one. Its rounding errors are at most 2⁻¹¹ of those of double.
+  // The roundoff of long double is at most 2⁻¹¹ of that of double.
   using Wide = long double;
   constexpr Wide wide_roundoff = std::numeric_limits<Wide>::epsilon() / 2;
   const Wide s = Wide(time) - Wide(path.start);
@@ -38,8 +38,8 @@ Vector3<double> rounded_away(const Path& path, double time, const Vector3<double
 
 namespace {
 
-/// The sign of the gap of two spheres at the common start of their paths. An exact sum of products takes far less time
-/// than rational numbers. A lattice may have hundreds of thousands of touching spheres.
+/// The sign of the gap of two spheres at the common start of their paths. A lattice may have hundreds of thousands of
+/// touching spheres, and an exact sum of products is faster than rational numbers.
 int sign_of_gap_at_start(const Path& a, const Path& b) {
   impulse::ExactSum squared_gap;
   for (int axis = 0; axis < 3; ++axis) {

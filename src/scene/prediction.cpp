@@ -16,8 +16,8 @@ TimeBounds exactly(const Path& path, const Other& other, double now, double hori
   return contact ? up_to(horizon, contact->bounds()) : TimeBounds{};
 }
 
-/// Bounds wider than this share of the time to the horizon are replaced by exact bounds. The bounds of a slow approach
-/// are wide, and other events would fall between them.
+/// Bounds wider than this share of the time to the horizon are replaced by exact bounds, because other events would
+/// fall between them.
 constexpr double widest_share = 0x1p-24;
 
 TimeBounds bounded_or_exact(const Crossing& crossing, const auto& exactly, double now, double horizon) {

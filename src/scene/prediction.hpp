@@ -8,19 +8,18 @@
 #include <carom/scene/crossing.hpp>
 #include <carom/scene/exact_time.hpp>
 
-/// The time at which a sphere next touches another sphere or a plane. The time is computed with error bounds. If they
-/// do not decide, exact arithmetic does.
+/// The time at which a sphere next touches another sphere or a plane: by error bounds, or exactly if the bounds do not
+/// decide.
 namespace carom::scene {
 
-/// The position and velocity of a path at a time, in double, with bounds of their errors. In a coordinate x + s (v +
-/// (s/2) a), each term has at most 6 roundings (N. J. Higham, "Accuracy and Stability of Numerical Algorithms", 2nd ed.
-/// 2002, ch. 3).
+/// The position and velocity of a path at a time, in double, with bounds of their errors. Each term of x + s (v + (s/2)
+/// a) has at most 6 roundings (N. J. Higham, "Accuracy and Stability of Numerical Algorithms", 2nd ed. 2002, ch. 3).
 struct PathState {
   Vector3<double> position, velocity;
   double position_error, velocity_error;  // in the 1-norm
 };
 
-/// The position and velocity at s = t − start. Sizes are in the 1-norm.
+/// The position and velocity at s = t − start. Sizes are 1-norms.
 [[nodiscard]] inline PathState state_at(double s, const Vector3<double>& position, const Vector3<double>& velocity,
                                         const Vector3<double>& acceleration, double position_size, double velocity_size,
                                         double acceleration_size) {
@@ -38,7 +37,7 @@ struct PathState {
                   path.velocity_size, path.acceleration_size);
 }
 
-/// The state of a sphere relative to another. Sizes and errors are in the 1-norm, which is at least the Euclidean norm.
+/// The state of a sphere relative to another sphere. Sizes and errors are 1-norms.
 struct RelativeState {
   Vector3<double> distance, velocity;  // of A relative to B
   double distance_size, velocity_size;
@@ -59,7 +58,7 @@ struct RelativeState {
     return (2 * distance_size + distance_error) * distance_error +
            8 * roundoff * (distance_size * distance_size + radii * radii);
   }
-  /// distance · velocity, which is positive if the spheres recede.
+  /// Positive if the spheres recede.
   [[nodiscard]] double receding() const { return distance.dot(velocity); }
   [[nodiscard]] double receding_error() const {
     return distance_size * velocity_error + (velocity_size + velocity_error) * distance_error +
@@ -92,7 +91,7 @@ struct RelativeState {
           0.5 * rounding_of_dot(sphere.acceleration)};
 }
 
-/// The numbers of decisions that needed exact arithmetic.
+/// Counts of decisions that needed exact arithmetic.
 struct ExactCounts {
   unsigned long long predictions = 0;  // whether and when two paths touch
   unsigned long long orders = 0;       // which of two events is first
@@ -100,8 +99,8 @@ struct ExactCounts {
   unsigned long long ties = 0;         // two events at one instant, exactly
 };
 
-/// Bounds of the first time from `now` on at which the gap of two spheres falls below 0. Both are `never` if the gap
-/// never falls below 0, or certainly only after `horizon`. Precondition: at `now` the gap is at least 0.
+/// Bounds of the first time from `now` on at which the gap of two spheres falls below 0. Both bounds are `never` if it
+/// never does, or certainly only after `horizon`. Precondition: at `now` the gap is at least 0.
 [[nodiscard]] TimeBounds contact_between(const Path& a, const Path& b, const RelativeState& pair, double now,
                                          double horizon, ExactCounts& counts);
 
@@ -110,17 +109,15 @@ struct ExactCounts {
                                          ExactCounts& counts);
 
 /// Whether two spheres are certain not to touch up to the horizon, because they are too far apart, or recede with equal
-/// accelerations. Most neighbours are certain not to touch. `bends` says that their accelerations differ.
-/// `acceleration_size` is the sum of the sizes of both accelerations. It is used only if `bends`.
+/// accelerations. `bends` says that their accelerations differ. `acceleration_size` is the sum of the sizes of both.
 [[nodiscard]] inline bool stay_apart(const RelativeState& pair, bool bends, double acceleration_size, double now,
                                      double horizon) {
   const double span = std::max(0.0, horizon - now);
   const double bend = bends ? 0.5 * acceleration_size * span : 0;
-  // `reach` is made of products and sums of positive numbers only, so the factor 1 + 16 u covers their rounding errors
-  // (u = `roundoff`).
+  // The factor 1 + 16 u (u = `roundoff`) covers the roundings of sums and products of positive numbers.
   const double reach = (pair.radii + pair.distance_error + (pair.velocity_size + pair.velocity_error + bend) * span) *
                        (1 + 16 * roundoff);
-  // Computes both conditions without a branch, because a processor cannot predict which of them holds.
+  // Both conditions are computed without a branch, because a processor cannot predict it.
   const bool is_far = pair.distance.dot(pair.distance) > reach * reach;
   const bool recedes = pair.receding() > pair.receding_error();
   return is_far | (!bends & recedes);

@@ -14,7 +14,7 @@ struct Halves {
   Bernstein first, second;
 };
 
-/// De Casteljau's subdivision at a share of the interval. Each new number has up to three roundings of its own.
+/// De Casteljau's subdivision at a share of the interval. Each new number adds up to three roundings.
 Halves divided(const Bernstein& whole, double share) {
   Bernstein row = whole;
   Halves halves{};
@@ -28,7 +28,7 @@ Halves divided(const Bernstein& whole, double share) {
   return halves;
 }
 
-/// The share of the subdivision if a root lies in the middle, or so near that the sign in the middle is not certain.
+/// The share of the subdivision if the sign in the middle is not certain.
 constexpr double beside_the_middle = 15.0 / 32;
 
 /// The first part of [begin, end] in which the quartic is not certainly positive, as narrow as the bounds allow.
@@ -50,7 +50,7 @@ std::optional<Crossing> first_in(const Bernstein& b, double begin, double end, d
   if (std::abs(halves.first[4]) <= divided_error) {
     share = beside_the_middle;
     halves = divided(b, share);
-    // The quartic has a certain sign at neither point of division, so here it is hardly larger than its error.
+    // The sign is uncertain at both points of division, so the quartic is hardly larger than its error here.
     if (crosses && std::abs(halves.first[4]) <= divided_error) {
       return here;
     }
@@ -87,7 +87,8 @@ UncertainQuartic squared_gap(const RelativeState& pair, const Path& a, const Pat
   const double size = pair.distance_size + pair.velocity_size * span + h_size;
   const double error = pair.distance_error + span * (pair.velocity_error + 4 * roundoff * pair.velocity_size) +
                        6 * roundoff * span * span * (a.acceleration_size + b.acceleration_size);
-  // |d + v t + h t²|² changes by at most (2 size + error) error. Products and sums have fewer than 24 roundings.
+  // An error of d + v t + h t² changes its square by at most (2 size + error) error. Products and sums have fewer than
+  // 24 roundings.
   return {bernstein, (2 * size + error) * error + 24 * roundoff * (size * size + pair.radii * pair.radii), span};
 }
 

@@ -9,27 +9,26 @@
 namespace carom::scene {
 
 /// A first look at the flying neighbours of a flying sphere. It finds those that certainly neither overlap the sphere
-/// now nor touch it before the horizon. It takes fewer operations than `stay_apart` and no branch, because its bounds
-/// of rounding errors are the same for all neighbours. So these bounds are wider than those of `stay_apart`.
+/// now nor touch it before the horizon. It is faster than `stay_apart`, because its bounds of rounding errors are the
+/// same for all neighbours, and so wider.
 ///
 /// Let u be `roundoff`, P and W the bounds of positions and velocities in `Extent`, R the sum of the radii, d the
-/// relative position and v the relative velocity. The 1-norms of d and v are at most 2 P and 2 W. These are bounds of
-/// the errors of the computed numbers, here and in `RelativeState`:
+/// relative position and v the relative velocity. The 1-norms of d and v are at most 2 P and 2 W. The errors of the
+/// computed numbers, here and in `RelativeState`, have these bounds (except for a millionth of them):
 /// - d: 2 · 7 u P + 2 u · 2 P = 18 u P.
 /// - v: 2 · 4 u W + 2 u · 2 W = 12 u W.
 /// - d·v: 2 P · 12 u W + 2 W · 18 u P + 4 u · 2 P · 2 W = 76 u P W.
 ///
-/// Terms of second order are less than a millionth of these bounds. The tests follow from these bounds:
+/// So the tests are certain:
 /// - Receding: if d·v > 128 u P W as computed, d·v is positive.
-/// - Far: the test is |d| > R + m + (‖v‖₁ + 16 u W) s as computed, with m = 256 u (P + R) and s the time to the
-///   horizon. If the test holds, both sides are at most 2 P, and they have fewer than 8 roundings relative to 2 P.
-///   These roundings (16 u P) and the error of d (18 u P) are less than m.
-/// - No overlap: if |d| > R + m, then |d|² − R² > (|d| + R) m. The error of the squared gap in `RelativeState` is at
-/// most (2√3
-///   |d| + 18 u P) 18 u P + 8 u (3 |d|² + R²) ≤ (|d| + R) (130 u P + 8 u R).
+/// - Far: |d| > R + m + (‖v‖₁ + 16 u W) s as computed, with m = 256 u (P + R) and s the time to the horizon.
+///   Both sides are then at most 2 P, with fewer than 8 roundings (16 u P). These and the error of d (18 u P) are below
+///   m.
+/// - No overlap: if |d| > R + m, then |d|² − R² > (|d| + R) m. The squared gap in `RelativeState` has a smaller error:
+///   at most (2√3 |d| + 18 u P) 18 u P + 8 u (3 |d|² + R²) ≤ (|d| + R) (130 u P + 8 u R).
 class QuickLook {
  public:
-  /// For a sphere of this radius that is `here` at `now`. Contacts after `horizon` do not matter.
+  /// For a sphere of this radius that is `here` at `now`.
   QuickLook(const PathState& here, double radius, const Vector3<double>& gravity, const Extent& extent, double now,
             double horizon)
       : here_(here),

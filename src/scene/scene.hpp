@@ -48,8 +48,8 @@ struct Sphere {
   Vector3<double> angular_velocity{0, 0, 0};  // [rad/s]
 };
 
-/// A convex body of uniform density at the beginning of a scene. A point x of its own frame is at position + R x, with
-/// R the rotation of `orientation`. Everything except the vertices is in world coordinates.
+/// A convex body of uniform density at the beginning of a scene, in world coordinates except for the vertices. A point
+/// x of its own frame is at position + R x, with R the rotation of `orientation`.
 struct Polyhedron {
   std::string name;
   std::vector<Vector3<double>> vertices;       // its corners, in its own frame [m]
@@ -69,10 +69,9 @@ struct Plane {
   Vector3<double> point{0, 0, 0};   // a point of the plane [m]
 };
 
-/// The default of the capture height h. If a sphere of radius R would rebound from a level plane by at most h R, it
-/// stays on the plane, as with ε = 0. On another sphere or on a slope, a sphere cannot rest. There an approach slower
-/// than √(2 g h R) becomes an elastic impact, after which the sphere leaves at that speed. So the sphere keeps hopping,
-/// no higher than h R.
+/// The default of the capture height h. A sphere of radius R that would rebound from a level plane by at most h R stays
+/// on the plane. On another sphere or on a slope, an approach slower than √(2 g h R) becomes an elastic impact, after
+/// which the sphere leaves at that speed.
 inline constexpr double default_capture_height = 1e-6;
 
 struct Scene {
@@ -89,7 +88,7 @@ struct Scene {
   std::vector<Plane> planes;
 };
 
-/// The number of bodies. The index of a body counts the spheres first, then the polyhedra.
+/// The number of bodies. Body indices count the spheres first, then the polyhedra.
 [[nodiscard]] inline std::size_t body_count(const Scene& scene) {
   return scene.spheres.size() + scene.polyhedra.size();
 }
@@ -100,7 +99,7 @@ struct Scene {
 [[nodiscard]] inline std::size_t material_of(const Scene& scene, std::size_t body) {
   return is_sphere(scene, body) ? scene.spheres[body].material : polyhedron_of(scene, body).material;
 }
-/// The kind of a body and its number among the bodies of this kind: "sphere 3", "polyhedron 0".
+/// The kind of a body and its number of this kind: "sphere 3", "polyhedron 0".
 [[nodiscard]] inline std::string kind_and_number(const Scene& scene, std::size_t body) {
   return is_sphere(scene, body) ? "sphere " + std::to_string(body)
                                 : "polyhedron " + std::to_string(body - scene.spheres.size());

@@ -15,14 +15,13 @@ struct BodyState {
   double mass = 1;                             // [kg]
   Vector3<double> principal_inertia{1, 1, 1};  // along the body axes [kg m²]
   Arc arc;
-  /// Body axes to world axes, at the arc's start and at `SceneState::time`. Not computed for the spheres of a scene
-  /// without polyhedra.
+  /// Body axes to world axes, at the arc's start and at `SceneState::time`. Not computed for a scene without polyhedra.
   Quaternion<double> orientation_at_start{1, 0, 0, 0};
   Quaternion<double> orientation{1, 0, 0, 0};
   Vector3<double> angular_velocity{0, 0, 0};  // at `SceneState::time`, world [rad/s]
 };
 
-/// The state of a run at one time, for observers at the beginning and the end of the run.
+/// The state of a run at its beginning or end.
 struct SceneState {
   const Scene* scene = nullptr;
   double time = 0;                           // [s]

@@ -12,10 +12,10 @@
 namespace carom::scene {
 namespace {
 
-/// The limit of impacts at one instant. Every observed sequence that ends by itself needs fewer impacts.
+/// The limit of impacts at one instant. Observed sequences that end by themselves need fewer.
 constexpr unsigned long long most_at_one_instant = 100'000;
 
-/// The number of cell crossings between two checks for a stop request, if no other event happens.
+/// The number of cell crossings between two checks for a stop request.
 constexpr unsigned long long crossings_between_looks = 4096;
 
 std::optional<Level> level_of(const Plane& plane, const Vector3<double>& gravity) {
@@ -146,7 +146,7 @@ std::optional<SphereSimulation::Index> SphereSimulation::next_sphere() {
     if (unsettled) {
       plan(*unsettled);
     } else if (leaves && agenda_[*leaves].when.earliest < agenda_[chosen].when.earliest) {
-      // The crossing comes before the other event, because a fast sphere would be far outside its cell by then.
+      // The crossing comes first, because a fast sphere would be far outside its cell at the other event.
       leave_cell(*leaves);
     } else {
       return chosen;

@@ -23,23 +23,22 @@ namespace carom::scene {
 
 class QuickLook;
 
-/// Runs a scene that has only spheres, one event at a time, in certified order. If the bounds of prediction.hpp do not
-/// decide the order, an exact method does. Of events at one instant, impacts of spheres come first, then impacts on
-/// planes, then ends of phases, each kind in the order of sphere indices. An event takes place at a double that is not
-/// after its exact time. The difference is within the width of the bounds. So paths never overlap, and stored positions
-/// are rounded so that they do not overlap either (placing.hpp).
+/// Runs a scene that has only spheres, one event at a time, in certified order: by the bounds of prediction.hpp, or
+/// exactly if they do not decide. Of events at one instant, impacts of spheres come first, then impacts on planes, then
+/// ends of phases, each kind in the order of sphere indices. An event takes place at a double that is within the bounds
+/// of its exact time, and not after it. So paths never overlap. Stored positions are rounded so that they do not
+/// overlap either (placing.hpp).
 ///
-/// Each sphere keeps only its own next event. The event is checked again when it is due, because the partner may have
-/// been struck since. An event that no longer holds is never later than the sphere's true next event (B. Lubachevsky
-/// 1991).
+/// Each sphere keeps only its own next event, and checks it when it is due, because the partner may have been struck
+/// since. An event that no longer holds is never later than the sphere's true next event (B. Lubachevsky 1991).
 class SphereSimulation {
  public:
   /// Precondition: the scene is valid (valid_scene.hpp). Throws SceneError if bodies overlap.
   explicit SphereSimulation(Scene scene);
 
   /// The next event; null after the scene's duration. The pointer is valid until the next call. Throws SceneError if
-  /// impacts at one instant do not end, or if a sphere is too far away for its cell to be known. Also throws SceneError
-  /// if no position within 3 ulps is free of overlap.
+  /// impacts at one instant do not end, if a sphere is too far away for its cell to be known, or if no position within
+  /// 3 ulps is free of overlap.
   [[nodiscard]] const Event* advance();
 
   /// Makes `advance` end early and return null once a stop is requested.
@@ -64,7 +63,6 @@ class SphereSimulation {
     Kind kind = Kind::none;
     Index partner = 0;
   };
-  /// The simulation's data of a sphere: half a cache line.
   struct alignas(32) Agenda {
     TimeBounds when;  // of the next event
     Index partner = 0;
@@ -81,16 +79,14 @@ class SphereSimulation {
 
   /// Finds and stores the next event of the sphere. False if the sphere may overlap another body.
   [[nodiscard]] bool plan_or_doubt(Index sphere);
-  /// Finds and stores the next event of a sphere that is known to overlap nothing.
+  /// As plan_or_doubt, for a sphere that is known to overlap nothing.
   void plan(Index sphere);
-  /// Finds and stores the next event of a sphere with a new stored state. If it overlaps a body, it is first moved
-  /// clear.
+  /// As plan, for a sphere with a new stored state, which is first moved clear if it overlaps a body.
   void place_and_plan(Index sphere);
   void keep(Index sphere, const Planned& planned);
   /// Replaces `best` with `planned` if `planned` comes first. Precondition: both are events of the sphere.
   void keep_first(Index sphere, const Planned& planned, Planned& best);
-  /// Keeps those of the first `count` of neighbours_ that may touch the sphere, in their order. Moves them to the front
-  /// of neighbours_ and returns their number.
+  /// Moves those of the first `count` of neighbours_ that may touch the sphere to the front, and returns their number.
   [[nodiscard]] std::size_t leave_out_apart(const QuickLook& look, bool flies, std::size_t count);
   [[nodiscard]] bool is_stale(const Agenda& agenda) const;
   [[nodiscard]] ExactTime exact_time(Index sphere, const Planned& planned) const;

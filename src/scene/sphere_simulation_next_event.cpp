@@ -11,8 +11,8 @@
 namespace carom::scene {
 namespace {
 
-/// The greatest distance from the origin, in cells. Up to this distance positions are accurate to a sixteenth of the
-/// margin of a cell (cell_grid.hpp).
+/// The greatest distance from the origin, in cells, at which positions are accurate to a sixteenth of the margin of a
+/// cell (cell_grid.hpp).
 constexpr double most_cells_away = 0x1p30;
 
 }  // namespace
@@ -31,8 +31,7 @@ const Reach& SphereSimulation::reach(Index sphere, std::size_t plane) const {
 }
 
 void SphereSimulation::find_planes_in_reach(Index sphere) {
-  // While the grid has the sphere in the cell, its centre is outside the cell by at most a millionth of the width. This
-  // margin is larger.
+  // A sphere's centre may be outside the grid's cell by a millionth of the width. This margin is larger.
   const double margin = 0x1p-10 * grid_.width();
   const Vector3<double> centre = grid_.centre_of_cell(sphere);
   const double half = 0.5 * grid_.width() + margin;
@@ -78,7 +77,7 @@ void SphereSimulation::keep_first(Index sphere, const Planned& planned, Planned&
     best = planned;
     return;
   }
-  // The order of this sphere's own events must be decided now, because only one of them is kept.
+  // The order is needed now, because a sphere keeps only one event.
   ++counts_.exact.orders;
   const auto order = exact_time(sphere, planned) <=> exact_time(sphere, best);
   counts_.exact.ties += order == std::strong_ordering::equal ? 1 : 0;
@@ -129,7 +128,6 @@ bool SphereSimulation::plan_or_doubt(Index sphere) {
   for (std::size_t k = 0; k < left; ++k) {
     const Index other = neighbours_[k];
     const Path its = spheres_.path(other);
-    // Does not search for events later than the first event found so far.
     const double horizon = std::min({own_horizon, spheres_.track(other).until, best.when.latest});
     const RelativeState pair(here, state_at(its, now_), path.radius + its.radius);
     is_clear = is_clear && pair.squared_gap() > pair.squared_gap_error();

@@ -19,8 +19,8 @@ struct SphereType {
   std::size_t material;  // index into Scene::materials
 };
 
-/// The data of a sphere that each of its neighbours reads: one cache line. Its acceleration is gravity unless it is on
-/// a plane. Its radius is that of its type.
+/// The data of a sphere that each of its neighbours reads: one cache line. The acceleration is gravity unless the
+/// sphere is on a plane.
 struct alignas(64) Track {
   Vector3<double> position{0, 0, 0};
   double start = 0;  // of the path [s]
@@ -34,15 +34,14 @@ struct Extent {
   double position_size, velocity_size;
 };
 
-/// The motions of all spheres of a scene. Successive events happen anywhere in space, so each event reads memory that
-/// no cache holds any more. For this reason, data that is read together is stored together, and data that many spheres
-/// share is stored once.
+/// The motions of all spheres of a scene. Each event reads memory that no cache holds, so data that is read together is
+/// stored together, and shared data once.
 class SphereStore {
  public:
   using Index = std::uint32_t;
 
   SphereStore() = default;
-  /// The spheres at the beginning of the scene, all flying.
+  /// All spheres are flying, as at the beginning of the scene.
   explicit SphereStore(const Scene& scene);
 
   [[nodiscard]] std::size_t size() const { return tracks_.size(); }
@@ -72,14 +71,14 @@ class SphereStore {
     measure(path);
     return path;
   }
-  /// Upper bounds of the sizes of all positions and velocities from the beginning up to `now`, in the 1-norm, except
-  /// for a few roundings. The accelerations of spheres on planes are not included.
+  /// Upper bounds, except for a few roundings, of the 1-norms of all positions and velocities up to `now`, without
+  /// accelerations on planes.
   [[nodiscard]] Extent extent(double now) const {
     const double turn = gravity_size_ * now;
     return {position_size_ + now * (velocity_size_ + turn), velocity_size_ + turn};
   }
   [[nodiscard]] Arc arc(std::size_t sphere) const { return {path(sphere), turnings_[sphere].turning}; }
-  /// Precondition: the radius is that of the sphere's type. If the arc is flying, its acceleration is gravity and it
+  /// Preconditions: the radius is that of the sphere's type; if the arc is flying, its acceleration is gravity and it
   /// has no end.
   void set_arc(std::size_t sphere, const Arc& arc);
   void set_position(std::size_t sphere, const Vector3<double>& position);

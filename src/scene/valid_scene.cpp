@@ -17,8 +17,8 @@ namespace {
 using Of = SceneDefect::Of;
 using Found = std::optional<SceneDefect>;
 
-/// The greatest coordinate of a position, in diameters of the largest sphere. Up to it, an ulp of a coordinate is at
-/// most 2⁻²⁴ of that diameter.
+/// The greatest coordinate of a position, in diameters of the largest sphere. An ulp of a coordinate is then at most
+/// 2⁻²⁴ of that diameter.
 constexpr double farthest = 0x1p28;
 
 constexpr double least_gravity = 1e-200;
@@ -144,7 +144,7 @@ Found spheres_defect(const Scene& scene) {
   return std::nullopt;
 }
 
-/// Whether the sphere is clear of the plane by more than any rounding error.
+/// Whether the sphere is above the plane by more than any rounding error.
 bool is_far_above(const Sphere& sphere, const Plane& plane) {
   const double height = plane.normal.dot(sphere.position - plane.point) - sphere.radius * plane.normal.norm();
   const double size =
@@ -172,7 +172,7 @@ Found overlap_defect(const Scene& scene) {
                                    "), or is behind it; move one of them")};
       }
     }
-    // The grid holds only the spheres with a lower index.
+    // The grid holds only spheres with a lower index.
     grid.put(i, sphere.position);
     std::optional<CellGrid::Index> partner;
     grid.for_neighbours(i, [&](CellGrid::Index j) {

@@ -19,10 +19,10 @@ struct SceneDefect {
   std::string what;       // "expected a number greater than 0", "sphere 1 (cue) overlaps sphere 0 (eight)", …
 };
 
-/// The first defect of a scene; nothing if the scene is valid, except for its polyhedra (valid_polyhedra.hpp). Valid
-/// numbers are finite and in their ranges. Gravity is along an axis of the world. Masses and moments are in the range
-/// of the scene's precision. No two bodies overlap. Overlap is decided exactly, and bodies that only touch do not
-/// overlap. The time is proportional to the number of spheres if their sizes are similar.
+/// The first defect of a scene except for its polyhedra (valid_polyhedra.hpp); nothing if the scene is valid. Valid
+/// numbers are finite and in their ranges, and masses and moments in the range of the scene's precision. Gravity is
+/// along an axis of the world. No two bodies overlap (decided exactly); they may touch. The time is proportional to the
+/// number of spheres of similar sizes.
 [[nodiscard]] std::optional<SceneDefect> first_defect(const Scene& scene);
 
 /// Whether the scene has no defect, except that bodies may overlap.

@@ -13,17 +13,16 @@ namespace carom::subjects {
 /// The subjects of `methods()`: the solvers of carom/impulse, as users compile them.
 [[nodiscard]] std::vector<Subject> built_in_subjects();
 
-/// The subjects that run in this process: the built-in solvers and the linked engines, including absent engines.
+/// The built-in solvers and the linked engines, including absent engines.
 [[nodiscard]] std::vector<Subject> all_subjects();
 
-/// Every engine, linked or over the protocol, including absent ones. The options apply to the programs that this
-/// function starts.
+/// Every engine, linked or over the protocol, including absent ones. Starts programs with `options`.
 [[nodiscard]] std::vector<Subject> engine_subjects(const protocol::ExecOptions& options);
 
 /// The subject with this name, including engines over the protocol; empty if there is none.
 [[nodiscard]] std::optional<Subject> subject_named(std::string_view name, const protocol::ExecOptions& options = {});
 
-/// The subjects that subject_named knows. Starts no program: engines over the protocol have no `open`.
+/// The subjects that subject_named knows. Starts no program, so engines over the protocol have no `open`.
 [[nodiscard]] std::vector<Subject> known_subjects();
 
 }  // namespace carom::subjects

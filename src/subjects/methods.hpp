@@ -10,11 +10,10 @@
 
 namespace carom::subjects {
 
-/// Solves once each contact that `Method::prepare` gave it, from memory to memory. It keeps the results, so that the
-/// compiler cannot drop the computation.
+/// Solves once each contact that `Method::prepare` gave it, and keeps the results, so that the compiler cannot drop the
+/// computation.
 using Kernel = std::function<void()>;
 
-/// The scalar type in which a method computes.
 struct ScalarType {
   std::string_view in_name;  // in the name of the method
   std::string_view in_words;
@@ -35,16 +34,15 @@ inline constexpr int solve_count = 7;
 /// The part of carom/impulse that a method uses.
 enum class MethodForm { law, in_basis, in_stable_basis, refined, guaranteed, batch };
 
-/// A way to compute an impulse, both as a subject that the gate judges and as a kernel that a clock measures. Both run
-/// the same code.
+/// A way to compute an impulse: a subject that the gate judges and a kernel that a clock measures, of the same code.
 struct Method {
   Subject subject;
   MethodForm form = MethodForm::law;
   ScalarType scalar = {};
   Solve3 solve = recommended_solve;  // unused if the law has no 3×3 system
   bool keeps_inertia_in_world = false;
-  /// Converts the collisions to the input of the method (contacts in its scalar type), and returns the kernel that
-  /// solves all of them once. The conversion is not part of the measured time. Precondition: every collision is valid.
+  /// Converts the collisions to contacts, which is not measured, and returns the kernel that solves all of them once.
+  /// Precondition: every collision is valid.
   std::function<Kernel(std::span<const Collision>)> prepare;
 };
 

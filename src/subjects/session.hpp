@@ -10,8 +10,7 @@
 
 namespace carom::subjects {
 
-/// A session that answers one collision after another with `solve` (Collision → Answer). It refuses invalid collisions,
-/// so that solvers need no checks of their own.
+/// A session that answers with `solve` (Collision → Answer), and refuses invalid collisions.
 template <class Solve>
 [[nodiscard]] Session session_of(Solve solve) {
   return [solve = std::move(solve)](std::span<const Collision> collisions) mutable {

@@ -7,7 +7,7 @@
 
 namespace carom::benchmarks {
 
-/// The number of operations of each kind that a law performs. `Counted` is a double that counts them.
+/// The number of operations performed on scalars of the type Counted.
 struct Operations {
   int additions = 0;
   int multiplications = 0;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 // Compares the friction of the engines with formulas (docs/reference/engines.md): engine_formulas [CASES]
 //
-// Prints how far each engine's impulse is from the formula that describes it, and from the law `coulomb`. The
-// contacts are of real bodies with moments up to 1 : 100. If a formula omits gyroscopic torque, the bodies do not
-// spin.
+// Prints how far each engine's impulse is from the formula that describes it, and from the law `coulomb`. The bodies
+// are real, with moments up to 1 : 100. They do not spin if a formula omits gyroscopic torque.
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -38,7 +37,7 @@ bool is_slender(const Body& body) {
   return !body.immovable && body.principal_inertia.maxCoeff() > limit * body.principal_inertia.minCoeff();
 }
 
-/// The first contacts of the family `physical` that collide and whose bodies are not too slender, each with every μ.
+/// Colliding contacts of the family `physical` whose bodies are not slender, each with every μ.
 std::vector<Collision> contacts(std::uint64_t cases, bool spin) {
   const properties::Family* const family = properties::family_named("physical");
   std::vector<Collision> drawn;
@@ -61,7 +60,7 @@ std::vector<Collision> contacts(std::uint64_t cases, bool spin) {
   return drawn;
 }
 
-/// F on A, computed from the velocities of the body that can move.
+/// The impulse on A, computed from the change of velocity of a movable body.
 template <class S>
 Vector3<double> impulse_of(const Collision& collision, const Outcome<S>& after) {
   const bool reads_b = collision.a.immovable;
@@ -98,7 +97,7 @@ Measured measure(const Subject& subject, const formulas::OutcomeOf& formula, std
         has_answer ? impulse_of(collision, *outcome) : Vector3<double>::Constant(HUGE_VAL);
     const Vector3<double> lawful = impulse::coulomb_impulse(impulse::make_contact<double>(collision)).on_a;
     const Vector3<double> computed = impulse_of(collision, formula(collision));
-    // Because of gyroscopic torque, an engine may return no impulse on a contact where the law returns one.
+    // Because of gyroscopic torque, an engine may return no impulse on a contact that collides.
     const double size = std::max(computed.norm(), lawful.norm());
     measured.from_formula.of_norm.push_back((by_engine - computed).norm() / size);
     measured.from_law[i % frictions.size()].of_norm.push_back((by_engine - lawful).norm() / lawful.norm());

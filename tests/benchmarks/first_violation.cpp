@@ -47,7 +47,6 @@ double processor_time() {
   return sum;
 }
 
-/// Times the search for one defect, from opening the subject to the shrunk witness.
 template <class Open>
 Find first_find(const Open& open) {
   properties::GateOptions options;

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSL-1.0
-// Judges the same outcomes with all filters (fast decisions by bounds) and in rational arithmetic alone, and counts
-// equal verdicts:
+// Judges the same outcomes with all filters (fast decisions by error bounds) and in rational arithmetic alone, and
+// counts equal verdicts:
 //
 //  judge_equality [--cases N] [--seed S] [--jobs J] [--relations-every R] [--wild-every W] [--long-every L]
 //  [--one-subject] [--laws L,L]
 //
-// It runs N cases of the families. One case in W (default 3) is wild, with numbers of extreme sizes. Each case goes to
-// all subjects, or to one drawn at random. The subjects are the built-in solvers, the mutants, and made-up outcomes at
-// the edge of the allowed rounding. One in L of the other cases (default: each) keeps all its digits, because numbers
-// of few digits cost the rational judge less. Relations, which compare two related collisions, are judged on one case
-// in R. With --laws, only subjects of these laws run. The exit status is 1 if a verdict differs.
+// It runs N cases of the families. One case in W (default 3) is wild: its numbers have extreme sizes. One in L of the
+// others (default: each) keeps all digits; the rest are shortened, because the rational judge is faster on few digits.
+// Each case goes to all subjects, or to one drawn at random: built-in solvers, mutants, and made-up outcomes at the
+// edge of the permitted rounding. Relations, which compare the answers to two related collisions, are judged on one
+// case in R. With --laws, only subjects of these laws run. The exit status is 1 if a verdict differs.
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -52,7 +52,6 @@ std::vector<Subject> subjects_and_mutants() {
   return subjects;
 }
 
-/// The subjects of these laws, or of all laws if the list is empty.
 std::vector<Examined> examined_of(const std::vector<std::string>& laws) {
   std::vector<Examined> examined;
   for (const Subject& subject : subjects_and_mutants()) {
@@ -75,7 +74,6 @@ struct Options {
   std::vector<std::string> laws;
 };
 
-/// A case and its name in a reported difference.
 struct Drawn {
   properties::Case one;
   std::string name;
@@ -134,8 +132,7 @@ int run(int argc, char** argv) {
   std::atomic<std::uint64_t> next = 0;
   std::vector<Agreement> agreements(options.jobs);
   {
-    // The last agreement runs on this thread. A single thread avoids atomic counts of the digits that rationals
-    // share.
+    // With --jobs 1 no thread is started, so the reference counts of rationals need not be atomic.
     std::vector<std::jthread> workers;
     for (std::size_t i = 0; i + 1 < agreements.size(); ++i) {
       workers.emplace_back([&, i] { compare(options, next, agreements[i]); });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
-// Judgements per second and core: for the judge in rational arithmetic alone, and for the judge with its filters.
-// Also times generating cases, and the whole gate by number of threads. It takes the flags of Google Benchmark. The
-// last lines print the ratios and, for each invariant, the share of comparisons that each filter decided.
+// Judgements per second and core, in rational arithmetic alone and with filters. Also times generating cases, and the
+// whole gate by number of threads. It takes the flags of Google Benchmark. The last lines print the ratios and, for
+// each invariant, the share of comparisons that each filter decided.
 #include <algorithm>
 #include <ctime>
 #include <map>
@@ -47,7 +47,7 @@ struct Asked {
 struct Prepared {
   std::vector<Subject> subjects;
   std::vector<properties::Case> cases;
-  std::vector<std::vector<Asked>> asked;  // by case and subject: in memory in the order of judging
+  std::vector<std::vector<Asked>> asked;  // by case and subject, the order of judging
 };
 
 properties::RelationTurn relations_if(bool wanted) {
@@ -79,7 +79,7 @@ Prepared prepared(std::vector<Subject> subjects, const std::vector<Claim>& claim
   return result;
 }
 
-/// As in the gate, all subjects of a case share the results computed for it.
+/// All subjects of a case share the results computed for it, as in the gate.
 std::uint64_t judge_all(const Prepared& work, const std::vector<Claim>& claims, bool with_relations) {
   std::uint64_t verdicts = 0;
   std::vector<double> known(work.subjects.size(), 0);
@@ -124,7 +124,7 @@ void judge(benchmark::State& state, const std::string& name, const std::vector<S
   }
   std::uint64_t judgements = 0;
   std::uint64_t verdicts = 0;
-  const std::clock_t start = std::clock();  // processor time of this process, which other programs do not change
+  const std::clock_t start = std::clock();  // processor time
   for ([[maybe_unused]] const auto _ : state) {
     for (const Prepared& one : work) {
       verdicts += judge_all(one, claims, with_relations);
@@ -165,7 +165,6 @@ void whole_gate(benchmark::State& state, const std::vector<Subject>& subjects, u
   state.counters["judgements/s"] = benchmark::Counter(static_cast<double>(judgements), benchmark::Counter::kIsRate);
 }
 
-/// Prints which filter decided the comparisons of each invariant, over all families and sound subjects.
 void print_shares() {
   constexpr std::uint64_t cases = 20;
   fmt::print("\nwhat decided, of the comparisons of each invariant [%]\n{:<24}{:>12}{:>11}{:>11}{:>15}{:>11}{:>10}\n",
@@ -181,7 +180,7 @@ void print_shares() {
       if (!is_claimed || claim.invariants.empty()) {
         continue;
       }
-      // Every invariant needs the exact outcome and the backward error. Comparisons for these are counted once, as
+      // Every invariant needs the exact outcome and the backward error, whose comparisons are counted once, as
       // backward_error.
       for (const properties::Family& family : properties::all_families()) {
         const Prepared work = prepared({subject}, {claim}, family, cases, true);

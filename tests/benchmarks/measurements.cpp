@@ -8,7 +8,7 @@
 namespace carom::benchmarks {
 namespace {
 
-/// The quantile of the numbers at this share. Precondition: there is at least one number.
+/// Precondition: there is at least one number.
 double quantile(std::vector<double> numbers, double share) {
   std::sort(numbers.begin(), numbers.end());
   const double place = share * static_cast<double>(numbers.size() - 1);
@@ -30,11 +30,10 @@ bool Recorder::ReportContext(const Context&) { return true; }
 void Recorder::ReportRuns(const std::vector<Run>& runs) {
   for (const Run& run : runs) {
     if (run.run_type == Run::RT_Iteration && !run.error_occurred) {
-      // Processor time excludes the time of other programs. Benchmarks of threads ask for real time; their iteration
-      // count is the sum over the threads.
+      // Benchmarks of threads ask for real time. Their iteration count is the sum over the threads.
       const bool by_the_wall = run.run_name.time_type == "real_time";
       const double seconds = by_the_wall ? run.real_accumulated_time : run.cpu_accumulated_time;
-      // The name without the suffixes that Google Benchmark adds.
+      // function_name has no suffixes of Google Benchmark.
       measurements_[run.run_name.function_name].nanoseconds.push_back(seconds * 1e9 /
                                                                       static_cast<double>(run.iterations));
     }

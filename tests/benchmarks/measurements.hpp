@@ -9,8 +9,8 @@
 
 namespace carom::benchmarks {
 
-/// Repeated measurements of one quantity, represented by their median. The repetitions are interleaved with those of
-/// all other benchmarks. So the median tolerates a machine that is busy for less than half of the repetitions.
+/// Repeated measurements of one quantity. The repetitions are interleaved with those of other benchmarks, so the median
+/// tolerates a machine that is busy for less than half of them.
 struct Measurement {
   std::vector<double> nanoseconds;  // for each iteration of any thread
 

@@ -8,15 +8,15 @@ namespace carom::benchmarks::CAROM_INSTRUCTION_SET {
 
 [[gnu::flatten]] std::size_t multiply_and_add(double* sink) {
   using Pack = std::experimental::native_simd<double>;
-  // Each chain depends on itself. Twelve chains fill two pipelines with a latency of four cycles each, and leave
-  // registers for the factors.
+  // Each chain depends on itself. Twelve chains fill two pipelines with a latency of four cycles, and leave registers
+  // for the factors.
   constexpr std::size_t chains = 12;
   constexpr std::size_t rounds = 1000;
   Pack x[chains];
   for (std::size_t k = 0; k < chains; ++k) {
     x[k] = Pack(1.0 + static_cast<double>(k));
   }
-  const Pack factor = sink[0];  // read at run time, so that the compiler does not know it
+  const Pack factor = sink[0];  // read at run time, unknown to the compiler
   const Pack addend = sink[1];
   for (std::size_t i = 0; i < rounds; ++i) {
 #pragma GCC unroll 12

@@ -3,8 +3,8 @@
 
 #include <cstddef>
 
-/// The peak rate of multiplications and additions that are not fused, as in the batch solvers. It is the flat part of a
-/// roofline. Each instruction set has a namespace.
+/// The peak rate of multiplications and additions that are not fused, as in the batch solvers, for each instruction
+/// set.
 #define CAROM_DECLARE_PEAK(SET)                        \
   namespace carom::benchmarks::SET {                   \
   /** The number of operations; keeps `sink` alive. */ \

@@ -63,7 +63,6 @@ Motion pushed(const RigidBody& body, const Vector& lever_arm, const Vector& impu
   return motion_of(body, body.motion.momentum + impulse, body.motion.angular_momentum + cross(lever_arm, impulse));
 }
 
-/// Applies the impulse to A and its opposite to B.
 Motions pushed(const Contact& contact, const Vector& impulse) {
   return {pushed(*contact.a, contact.point - contact.a->position, impulse),
           pushed(*contact.b, contact.point - contact.b->position, -1 * impulse)};

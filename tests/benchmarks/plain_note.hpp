@@ -8,8 +8,8 @@
 
 /// The note (docs/findings/note.md) as a game developer would implement it, in plain C++ and double. Each body is an
 /// object with its momenta as state. The solver uses a basis of a normal and two tangents, and the inverse of a 3×3
-/// matrix. The batch solvers are timed against it. It shares no code with the library. As the note does, it fails if
-/// the relative velocity is nearly along the normal.
+/// matrix. The batch solvers are timed against this solver, which shares no code with the library. Like the note, it
+/// fails if the relative velocity is nearly along the normal.
 namespace carom::benchmarks::plain {
 
 struct Vector {
@@ -20,7 +20,7 @@ struct Matrix {
   std::array<Vector, 3> rows;
 };
 
-/// The state that a collision changes. The velocities are derived from the momenta.
+/// The momenta of a body, and the velocities that follow from them.
 struct Motion {
   Vector momentum;          // kg m/s
   Vector angular_momentum;  // kg m²/s, about the centre of mass
@@ -28,8 +28,7 @@ struct Motion {
   Vector angular_velocity;  // rad/s
 };
 
-/// In world coordinates. The inverse mass and inverse inertia of an immovable body are zero, so its velocities are
-/// zero.
+/// A body in world coordinates. The inverse mass and inertia of an immovable body are 0.
 struct RigidBody {
   double mass;
   double inverse_mass;
@@ -38,7 +37,7 @@ struct RigidBody {
   Motion motion;
 };
 
-/// Two bodies in contact. The caller owns them.
+/// The bodies must outlive the contact.
 struct Contact {
   const RigidBody* a;
   const RigidBody* b;
@@ -54,10 +53,10 @@ struct Motions {
 
 /// Precondition: the collision is valid, and an immovable body is at rest.
 [[nodiscard]] RigidBody rigid_body(const Body& body);
-/// A contact of bodies made from the same collision. The bodies must outlive it.
+/// Precondition: both bodies are made from this collision.
 [[nodiscard]] Contact contact(const Collision& collision, const RigidBody& a, const RigidBody& b);
 
-/// An impulse along the normal: note §1, eq. 18.
+/// Applies an impulse along the normal: note §1, eq. 18.
 [[nodiscard]] Motions solve_frictionless(const Contact& contact);
 /// Reflects the relative velocity: note §2, eq. 20 to 29 as corrected in docs/findings/note.md.
 [[nodiscard]] Motions solve_reflection(const Contact& contact);

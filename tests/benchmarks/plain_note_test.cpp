@@ -12,8 +12,8 @@
 
 #include "support/cases.hpp"
 
-/// The plain solver is correct: the judge accepts it within the rounding that a sound solver may have. It loses angular
-/// momentum of slender bodies. It fails if the impact is nearly head-on, because of its basis (docs/findings/note.md).
+/// The judge accepts the plain solver, except for slender bodies, whose angular momentum it loses, and nearly head-on
+/// impacts, for which its basis fails (docs/findings/note.md).
 namespace carom::benchmarks {
 namespace {
 

@@ -53,7 +53,7 @@ Scene gas(int edge, double volume_fraction) {
   return scene;
 }
 
-/// Processor time of the events [s]. Other programs affect it only through the caches.
+/// The processor time of the events [s].
 double seconds_of(carom::scene::SphereSimulation& simulation, long events) {
   const std::clock_t begin = std::clock();
   for (long k = 0; k < events; ++k) {
@@ -66,16 +66,16 @@ double seconds_of(carom::scene::SphereSimulation& simulation, long events) {
 
 struct Measured {
   std::unique_ptr<carom::scene::SphereSimulation> simulation;
-  std::vector<double> rates;  // events per second in each round; sorted in ascending order at the end
+  std::vector<double> rates;  // events per second in each round; ascending at the end
   double cells_left = 0;      // for each event
 };
 
-/// Each round runs all sizes in turn, so a disturbance of the machine affects all of them.
+/// Each round runs all sizes in turn, so a disturbance of the machine affects all sizes.
 std::vector<Measured> measure(long events, double volume_fraction) {
   std::vector<Measured> all;
   for (const int edge : edges) {
     all.push_back({std::make_unique<carom::scene::SphereSimulation>(gas(edge, volume_fraction)), {}});
-    // Some events of each sphere, so that the spheres leave the lattice.
+    // These events let the spheres leave the lattice.
     seconds_of(*all.back().simulation, std::max(events, 2 * static_cast<long>(all.back().simulation->size())));
   }
   for (std::size_t round = 0; round < rounds; ++round) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Times the solvers: solvers [--benchmark_…]; it takes about a minute. Every figure is the median of repetitions that
-// are interleaved with those of all other benchmarks. Each figure is printed with its ratio to a baseline of the same
-// run.
+// Times the solvers: solvers [--benchmark_…]; it takes about a minute. Prints medians with their ratios to a baseline
+// of the same run.
 #include <algorithm>
 #include <map>
 #include <string>
@@ -161,7 +160,6 @@ void register_batches() {
   }
 }
 
-/// Every thread has its own batch.
 void register_threads() {
   for (const Law law : laws) {
     for (const std::size_t size : {in_cache, out_of_cache / 4}) {
@@ -207,7 +205,6 @@ void register_peaks() {
   }
 }
 
-/// Operations for one colliding contact: runs the solver with a scalar that counts.
 Operations operations_of(Law law) {
   const auto contact = colliding_batch<double>(1).at(0);
   const auto counted = [](const auto& matrix) { return matrix.template cast<Counted>().eval(); };
@@ -225,7 +222,7 @@ Operations operations_of(Law law) {
   return Counted::operations;
 }
 
-/// Nanoseconds per contact of a measurement over this many contacts.
+/// Nanoseconds for each contact.
 double per_contact(const Recorder& recorder, const std::string& name, std::size_t contacts) {
   return recorder.at(name).median() / static_cast<double>(contacts);
 }
@@ -269,8 +266,8 @@ void print_instruction_sets(const Recorder& recorder) {
   }
 }
 
-/// The speed of the batches relative to the note in plain C++: its solver of the same law, and its reflection, which is
-/// the whole note.
+/// Compares the batches with two solvers of the note in plain C++: the one of the same law, and the reflection, which
+/// is the whole note.
 void print_plain(const Recorder& recorder) {
   const std::string reflection = plain_name(Law::reflection);
   if (!recorder.has(reflection)) {
@@ -296,7 +293,7 @@ void print_plain(const Recorder& recorder) {
   }
 }
 
-/// The cost of slender bodies, which are about half of the bodies.
+/// Prints the cost of slender bodies, which are about half of the bodies.
 void print_slender(const Recorder& recorder) {
   const InstructionSet best = impulse::best_instruction_set();
   fmt::print("\nBatches in double with slender bodies, {} contacts in cache, {}\n", in_cache, name_of(best));
@@ -349,7 +346,7 @@ void print_threads(const Recorder& recorder) {
   }
 }
 
-/// Gigaflops of the multiply-and-add loop.
+/// The rate of the multiply-and-add loop [Gflop/s].
 double peak(const Recorder& recorder, InstructionSet set) {
   double sink[]{0.5, 1, 0};
   return static_cast<double>(multiply_and_add(set, sink)) / recorder.at(peak_name(set)).median();
@@ -433,7 +430,7 @@ void print_goals(const Recorder& recorder) {
 }
 
 int run(int argc, char** argv) {
-  // Defaults. Options on the command line come later and override them.
+  // Options on the command line override these defaults.
   std::vector<std::string> words{argv[0], "--benchmark_repetitions=9", "--benchmark_min_time=0.02",
                                  "--benchmark_enable_random_interleaving=true"};
   words.insert(words.end(), argv + 1, argv + argc);

@@ -8,18 +8,18 @@
 
 namespace carom::benchmarks {
 
-/// Number of contacts that fit into the first-level cache with their outcomes, in double.
+/// This many contacts with their outcomes fit into the first-level cache, in double.
 inline constexpr std::size_t in_cache = 64;
-/// Number of contacts that fit into no cache: 384 MB in double.
+/// This many contacts fit into no cache: 384 MB in double.
 inline constexpr std::size_t out_of_cache = 1'000'000;
 
 /// Colliding contacts of general bodies with moments up to 1 : 4, from the start of a fixed sequence.
 [[nodiscard]] std::vector<Collision> colliding(std::size_t count);
 
-/// Colliding contacts of bodies with moments up to 1 : 10⁸. About half of the bodies are plates or rods.
+/// Like colliding(), with moments up to 1 : 10⁸. About half of the bodies are plates or rods.
 [[nodiscard]] std::vector<Collision> colliding_slender(std::size_t count);
 
-/// Collisions as a batch of `count` contacts. If there are fewer collisions, they repeat.
+/// A batch of `count` contacts of these collisions, which repeat if they are fewer.
 template <class S>
 [[nodiscard]] impulse::ContactBatch<S> batch_of(const std::vector<Collision>& collisions, std::size_t count) {
   std::vector<impulse::Contact<S>> contacts;
@@ -54,8 +54,7 @@ template <class S>
 inline constexpr std::size_t bytes_of_contact = (impulse::contact_number_count + impulse::outcome_number_count) *
                                                 sizeof(S);
 
-/// The plain triad z = x + s y over the arrays of a workload, three arrays at a time. It computes each array of
-/// outcomes from two arrays of contacts.
+/// Computes z = x + s y for each array z of outcomes, from two arrays x and y of contacts.
 void triad(Workload<double>& workload);
 
 /// Bytes that the triad reads and writes for each contact.

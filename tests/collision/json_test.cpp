@@ -17,7 +17,7 @@ Collision through_text(const Collision& collision) {
   return collision_from_json(json::parse(collision_to_json(collision).dump()));
 }
 
-/// Any NaN equals any other NaN, because the protocol has one word for all of them.
+/// Any NaN equals any other NaN.
 void expect_same(const Collision& left, const Collision& right, const std::string& what) {
   EXPECT_EQ(left.a.immovable, right.a.immovable) << what;
   EXPECT_EQ(left.b.immovable, right.b.immovable) << what;
@@ -80,7 +80,7 @@ TEST(CollisionJson, LeavesOutWhatTheProtocolSaysIsAbsent) {
   EXPECT_EQ(collision_to_json(collision).at("tangential_restitution"), -0.5);
 }
 
-/// The example of the protocol, with all fields of both bodies.
+/// The example of the protocol.
 json example() {
   return json::parse(R"({
     "a":{"mass":2.0,"principal_inertia":[0.8,0.7,0.5],"orientation":[1,0,0,0],
@@ -138,7 +138,6 @@ TEST(CollisionJson, NamesAnUnknownFieldAndThoseThatAreKnown) {
             "/resitution: unknown field; expected one of a, b, point, normal, restitution, friction, "
             "tangential_restitution");
   EXPECT_EQ(error_of([](json& r) { r["a"]["spin"] = 1; }).substr(0, 22), "/a/spin: unknown field");
-  // An immovable body has no mass.
   EXPECT_EQ(error_of([](json& r) { r["b"]["mass"] = 1; }).substr(0, 22), "/b/mass: unknown field");
 }
 
@@ -189,7 +188,6 @@ TEST(CollisionJson, DoesNotValidateTheNumbers) {
   EXPECT_EQ(error_of([](json& r) { r["normal"] = {"nan", "inf", "-inf"}; }), "");
 }
 
-/// Parsed both by the library's reader and by the protocol's own parser.
 TEST(ParseJson, ReadsWhatTheLibraryReads) {
   for (const char* text :
        {"{}", "[]", "null", "true", "\"text\"", "-3", "18446744073709551615", "0.1", "-0.0", "5e-324", "1E+5",

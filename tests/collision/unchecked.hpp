@@ -3,7 +3,7 @@
 
 namespace carom::unit {
 
-/// How often a build without checks evaluates the condition of a precondition, and the value that it returns.
+/// How often a build without checks evaluates the condition of a precondition.
 [[nodiscard]] int evaluations_of_an_unchecked_precondition();
 
 }  // namespace carom::unit

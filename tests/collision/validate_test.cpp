@@ -18,8 +18,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double tiny = std::numeric_limits<double>::denorm_min();
 
-/// The single defect that the change causes, as "field: expected …". If there is not exactly one: "none" or "several:
-/// …".
+/// The single defect that the change causes, "field: expected …"; otherwise "none" or "several: …".
 template <class Change>
 std::string defect_of(const Change& change) {
   Collision collision;
@@ -54,7 +53,7 @@ TEST(Validate, NamesEachNumberThatIsNotFinite) {
       ASSERT_FALSE(defects.empty()) << place << " = " << bad;
       EXPECT_EQ(defects[0].field, place);
       EXPECT_EQ(defects[0].expected, "a finite number");
-      // An infinite number may also be out of range. A NaN is reported once.
+      // An infinite number may also be out of range.
       EXPECT_LE(defects.size(), std::isnan(bad) ? 1U : 2U) << describe(defects);
       for (const Defect& defect : defects) {
         EXPECT_EQ(defect.field, place) << bad;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// The batch solvers of the installed package: balls of 2 kg hit a fixed floor at 3 m/s, ε = 1/2.
+// Balls of 2 kg hit a fixed floor at 3 m/s, ε = 1/2.
 #include <carom/impulse/batch/solve.hpp>
 
 int main() {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSL-1.0
-// A built-in subject, found by its name.
 #include <carom/properties/gate/gate.hpp>
 #include <carom/subjects/catalogue.hpp>
 

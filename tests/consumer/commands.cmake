@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSL-1.0
 
-# Runs a command that must end with the exit status `expected`. Its output is then in `output`.
+# Runs a command that must end with the exit status `expected`. Sets `output` to its output.
 function(run_expecting expected)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE printed ERROR_VARIABLE printed)
   if(NOT result EQUAL expected)

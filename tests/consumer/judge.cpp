@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// The judge as a library: a sound solver passes the gate. A solver that returns its input fails.
+// A sound solver passes the gate. A solver that returns its input fails.
 #include <carom/impulse/frictionless.hpp>
 #include <carom/properties/conformance/subject.hpp>
 #include <carom/properties/gate/gate.hpp>

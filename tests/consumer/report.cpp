@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSL-1.0
-// The report as a library: writes the gate's findings as a page and as JSON, and reads the JSON back.
 #include <carom/impulse/frictionless.hpp>
 #include <carom/properties/conformance/subject.hpp>
 #include <carom/properties/gate/gate.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// A scene as a library: a ball 1 m above a floor falls for √(2 h / g) seconds.
+// A ball 1 m above a floor falls for √(2 h / g) seconds.
 #include <cmath>
 
 #include <carom/scene/sphere_simulation.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// The solvers alone: a ball of 2 kg hits a fixed floor at 3 m/s, ε = 1/2.
+// A ball of 2 kg hits a fixed floor at 3 m/s, ε = 1/2.
 #include <carom/impulse/coulomb.hpp>
 #include <carom/impulse/frictionless.hpp>
 #include <carom/impulse/reflection.hpp>
@@ -15,7 +15,7 @@ int main() {
   collision.restitution = 0.5;
   const auto contact = carom::impulse::make_contact<double>(collision);
   const bool frictionless = carom::impulse::frictionless(contact).a.velocity[1] == 1.5;
-  // The default solve is Ldlt's.
+  // The default 3×3 solve is Ldlt.
   const bool defaults = carom::impulse::reflection(contact).a.velocity[1] == 1.5 &&
                         carom::impulse::sticking(contact).a.velocity[1] == 1.5 &&
                         carom::impulse::rough(contact).a.velocity[1] == 1.5 &&

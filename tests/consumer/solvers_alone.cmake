@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSL-1.0
-# cmake -DSOURCE=… -DWORK=… -DCONSUMER=… -DCOMPILER=… -P solvers_alone.cmake: configures, builds and installs the
-# solvers of the tree into WORK, and uses them from there. Eigen is the only package that CMake can find.
+# cmake -DSOURCE=… -DWORK=… -DCONSUMER=… -DCOMPILER=… -P solvers_alone.cmake: builds and installs the solvers into WORK,
+# and uses them. CMake can find no package but Eigen.
 
 include(${CMAKE_CURRENT_LIST_DIR}/commands.cmake)
 

@@ -30,7 +30,7 @@ std::string_view name_of(Status status) {
   return "skipped";
 }
 
-/// The answers of a subject to a case, and to the related collisions of Trial::questions.
+/// The answers of a subject to a case and to the related collisions of Trial::questions.
 struct Answers {
   Answer first;
   std::vector<Answer> related;
@@ -117,7 +117,7 @@ void compare_judges(const properties::Case& one, std::span<Examined> subjects, R
     }
     const Claim claim = properties::claim_of(examined.subject, yardstick);
     const Answers answers = answers_of(judged_case, claim, examined.session, relations);
-    // Half of the time `known` is infinite, so that lower bounds of the sensitivity decide more often.
+    // An infinite `known` lets lower bounds of the sensitivity decide more often.
     const double known = choices.chance(2) ? 0 : std::numeric_limits<double>::infinity();
     compare(fast(claim, relations, answers, known, agreement.filtered),
             exact(claim, relations, answers, 0, agreement.rational), origin + ", " + examined.subject.name, agreement);

@@ -12,10 +12,10 @@
 
 #include <carom/properties/trial/trial.hpp>
 
-/// Judges the same outcomes twice: with every filter (a fast decision by bounds), and in rational arithmetic alone.
+/// Judges the same outcomes twice: with every filter, and in rational arithmetic alone.
 namespace carom::equality {
 
-/// The number of verdicts of each kind for one invariant, by the rational judge.
+/// The verdicts on one invariant by the rational judge.
 struct Outcomes {
   std::uint64_t holds = 0;
   std::uint64_t violated = 0;
@@ -34,10 +34,9 @@ struct Agreement {
   Agreement& operator+=(const Agreement& other);
 };
 
-/// Whether relations, invariants about the answers to related collisions, are judged as well.
+/// Whether relations (invariants that compare answers to related collisions) are judged, too.
 enum class Relations { left_out, judged };
 
-/// A subject (a solver under test) and its session.
 struct Examined {
   explicit Examined(Subject of) : subject(std::move(of)), session(subject.open()) {}
 
@@ -45,9 +44,9 @@ struct Examined {
   Session session;
 };
 
-/// Asks each subject once for its answers to the case (a drawn collision) and to the related collisions. Both judges
-/// judge these answers, and each computes the facts of the case by itself. In one of three comparisons the yardstick is
-/// a number of digits instead of ulps. `origin` names the source of the case in a reported difference.
+/// Asks each subject once for its answers to the case and to the related collisions. Both judges judge these answers,
+/// and each computes the facts of the case by itself. In one of three comparisons the yardstick is a number of digits
+/// instead of ulps. `origin` names the case in a reported difference.
 void compare_judges(const properties::Case& one, std::span<Examined> subjects, Relations relations,
                     const std::string& origin, Agreement& agreement);
 

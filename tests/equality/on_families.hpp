@@ -7,8 +7,7 @@ namespace carom::equality {
 
 inline constexpr std::uint64_t seed = 4;
 
-/// Compares the judges on `cases` cases of each family (a named random generator of collisions). After about every
-/// fifth case, it also compares them on a wild case (wild.hpp). All subjects share the facts of a case.
+/// Compares the judges on `cases` cases of each family, and after about every fifth case on a wild case (wild.hpp).
 void compare_on_families(std::span<Examined> examined, std::uint64_t cases, Relations relations, Agreement& agreement);
 
 /// The differences, one per line.

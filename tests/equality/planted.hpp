@@ -3,17 +3,17 @@
 
 #include <carom/properties/trial/trial.hpp>
 
-/// Planted outcomes: their errors are near the allowance.
+/// Planted outcomes, whose errors are near the permitted errors.
 namespace carom::equality {
 
 /// The exact outcome rounded to the precision, with one vector moved. In half of the cases the backward error is ½ to 2
-/// times the limit. In the other half, this error is multiplied by 2⁻⁵ to 2⁶, because other invariants have other
-/// limits. Preconditions: the case is valid; the law is `coulomb` or determines the outcome.
+/// times the limit. In the other half it is multiplied by 2⁻⁵ to 2⁶, because invariants have different limits.
+/// Preconditions: the case is valid; the law is `coulomb` or determines the outcome.
 [[nodiscard]] ReportedOutcome planted_outcome(const oracles::ExactCase& exact_case, Law law, Precision precision,
                                               double allowance, properties::Stream& stream);
 
-/// A solver that answers every collision with a planted outcome, which depends only on the collision's numbers.
-/// Precondition: the collisions are valid.
+/// A solver that answers with planted outcomes, which depend only on the collision's numbers. It refuses invalid
+/// collisions.
 [[nodiscard]] Subject planting_subject(Law law, Precision precision);
 
 }  // namespace carom::equality

@@ -12,8 +12,7 @@
 #include "support/effort.hpp"
 #include "wild.hpp"
 
-/// Repeats subjects_and_mutants_test.cpp with outcomes near the allowance (planted.hpp), which are hard for the
-/// filters.
+/// Repeats subjects_and_mutants_test.cpp with planted outcomes (planted.hpp), which are hard for the filters.
 namespace carom::equality {
 namespace {
 
@@ -39,7 +38,7 @@ TEST(JudgeEquality, OnNumbersOfFewDigits) {
   EXPECT_GT(agreement.verdicts, 1000U);
 }
 
-/// Here the bounds are tight: both verdicts occur within a factor of two of the allowance.
+/// Both verdicts occur within a factor of two of the limit.
 TEST(JudgeEquality, AtTheEdgeOfWhatIsAllowed) {
   std::vector<Examined> examined;
   for (const Law law : laws_with_truth) {

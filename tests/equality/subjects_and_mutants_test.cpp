@@ -10,9 +10,8 @@
 #include "on_families.hpp"
 #include "support/effort.hpp"
 
-/// The filters (fast decisions by bounds) change no verdict. Each verdict on the built-in subjects (solvers) and the
-/// mutants (solvers with a planted defect) is compared with that of rational arithmetic alone. The program
-/// `judge_equality` runs the same comparison on any number of cases.
+/// The filters change no verdict on the built-in subjects and the mutants: rational arithmetic alone gives the same.
+/// The program `judge_equality` compares any number of cases.
 namespace carom::equality {
 namespace {
 

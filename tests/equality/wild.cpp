@@ -15,7 +15,7 @@ using properties::Stream;
 
 double scaled(double number, int most, Stream& stream) { return std::ldexp(number, stream.integer(-most, most)); }
 
-/// Replaces each number by one from `draw`, adjusted to the range of its field. μ and e_t stay.
+/// Replaces each number except μ and e_t by one from `draw`, adjusted to the range of its field.
 template <class Draw>
 Collision drawn(Collision c, const Draw& draw, Stream& stream) {
   for_each_number(
@@ -80,7 +80,7 @@ properties::Case shortened(properties::Case one, Stream& stream) {
 
 properties::Case wild_case(Stream& stream) {
   const auto families = properties::all_families();
-  // Extreme cases are rare, because one such collision can cost the rational judge seconds.
+  // Extreme cases are rare, because one can cost the rational judge seconds.
   constexpr std::array moderate{4, 8, 16, 40};
   constexpr std::array extreme{100, 200, 300, 1000};
   for (;;) {

@@ -3,20 +3,19 @@
 
 #include <carom/properties/families/family.hpp>
 
-/// Wild cases: collisions that no family (a named random generator of collisions) draws.
+/// Wild cases: collisions that no family draws.
 namespace carom::equality {
 
 /// The collision with each field scaled by its own power of two, from 2^−most to 2^most.
 [[nodiscard]] Collision scaled_fields(Collision collision, int most, properties::Stream& stream);
 
-/// The case with its numbers rounded to few binary digits, 1 to 12 by the stream, and scaled to a size of 2⁻⁷ to 2⁶.
-/// Body B is immovable at least half of the time. Rational arithmetic is quick on such a case, and exact coincidences
-/// occur.
+/// The case with its numbers rounded to 1 to 12 binary digits and clamped to sizes of 2⁻⁷ to 2⁶. Body B is immovable at
+/// least half of the time. Rational arithmetic is quick on such a case, and exact coincidences occur.
 [[nodiscard]] properties::Case shortened(properties::Case one, properties::Stream& stream);
 
-/// A valid collision of one of three kinds: a case of a family with each field scaled by its own power of two, up to
-/// 2^±k; numbers with exponents up to ±k; random bit patterns. k is at most 40. About one case in 64 has a k of 100 to
-/// 1000 or random bit patterns. Zeros and subnormal numbers occur.
+/// A valid collision of one of three kinds: a family's case with each field scaled by its own power of two, up to 2^±k;
+/// numbers with exponents up to ±k; random bit patterns. k is at most 40. About one case in 64 has a larger k, up to
+/// 1000, or random bit patterns.
 [[nodiscard]] properties::Case wild_case(properties::Stream& stream);
 
 }  // namespace carom::equality

@@ -11,7 +11,7 @@
 
 #include "support/program.hpp"
 
-/// The examples of docs/guide/plug-in.md are sound, and the gate finds a defect planted in any of them.
+/// The examples of docs/guide/plug-in.md are sound, and the gate finds defects planted in them.
 namespace carom::tests {
 namespace {
 
@@ -19,7 +19,6 @@ using nlohmann::json;
 
 const std::filesystem::path documents = std::filesystem::path(CAROM_SOURCE_DIR) / "docs";
 
-/// The gate's report on one subject; null if the gate wrote none.
 json report_on(const std::string& subject, const std::string& cases) {
   const TemporaryDirectory out;
   const RunResult run = run_carom({"gate", subject, "--cases", cases, "--out", out.path().string()});
@@ -27,7 +26,7 @@ json report_on(const std::string& subject, const std::string& cases) {
   return text.empty() ? json{{"errors", run.errors}} : json::parse(text).at("subjects").at(0);
 }
 
-/// The text of the first block of this language, without its fences; empty if the page has none.
+/// The first block of this language, without its fences; empty if the page has none.
 std::string block_of(const std::string& page, const std::string& language) {
   const std::string fence = "\n```" + language + "\n";
   const std::size_t begin = page.find(fence);
@@ -69,7 +68,6 @@ TEST(Examples, InJavaScriptIsSound) {
   EXPECT_EQ(report.at("status"), "sound") << report;
 }
 
-/// This example reports its collision matrix, which is judged.
 TEST(Examples, OfReflectionIsSound) {
   const json report = report_on("exec:python3 " + (documents / "examples" / "reflection.py").string(), "200");
   EXPECT_EQ(report.at("status"), "sound") << report;
@@ -77,7 +75,7 @@ TEST(Examples, OfReflectionIsSound) {
   for (const char* invariant : {"definite", "well_conditioned", "matrix_used"}) {
     std::uint64_t held = 0;
     for (const json& family : report.at("families")) {
-      // Invalid collisions have no such invariant.
+      // A family of invalid collisions does not list this invariant.
       const json& invariants = family.at("invariants");
       held += invariants.contains(invariant) ? invariants.at(invariant).at("holds").get<std::uint64_t>() : 0;
     }
@@ -85,7 +83,6 @@ TEST(Examples, OfReflectionIsSound) {
   }
 }
 
-/// A line of an example, its replacement, and the invariant that finds the defect.
 struct Defect {
   std::string name;
   std::string line;

@@ -2,8 +2,8 @@
 // The laws in impulse space (docs/guide/laws.md): impulse_space OUT
 //
 // The contact is planar: a body of mass 1 and moments 1 hits a fixed body at velocity (3, −4, 0). The contact point is
-// at (1, −1, 0) from its centre. N = (0, 1, 0), ε = 1/2, μ = 1. The collision matrix is (2, 1; 1, 2) in the tangential
-// and the normal component.
+// (1, −1, 0) from its centre. N = (0, 1, 0), ε = 1/2, μ = 1. In tangential and normal components, the collision matrix
+// is (2, 1; 1, 2).
 #include <array>
 #include <filesystem>
 #include <stdexcept>
@@ -45,7 +45,7 @@ Point impulse_by(Law law, const Collision& collision) {
   return point;
 }
 
-/// The path to the impulse F of the law: the impulses as one of the coefficients grows, starting without restitution.
+/// A path of impulses from 0 to the law's impulse, along which friction or restitution grows.
 std::vector<Point> path_of(Law law) {
   Collision c = shown();
   std::vector<Point> path{{0, 0}};

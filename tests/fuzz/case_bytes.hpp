@@ -11,11 +11,11 @@
 
 /// Cases as bytes, in two forms. The first byte selects the form:
 ///
-///  below 120:     the family with that number (modulo the number of families) draws from the integers that follow
+///  below 120:     the family with this number (modulo the number of families) draws from the integers that follow
 ///  below 128:     the same, with a family beyond the claimed domain (claimed_domain.hpp)
 ///  128 and above: a byte for the immovable body (1: A, 2: B), then the raw numbers of a collision, valid or not
 ///
-/// Inputs that are kept use the second form, which does not depend on the families.
+/// Kept inputs use the second form, which does not depend on the families.
 namespace carom::fuzz {
 
 struct ReadCase {
@@ -25,10 +25,10 @@ struct ReadCase {
 
 [[nodiscard]] ReadCase case_from(Input& input);
 
-/// The case with this index and seed 1 of the family with this number, in the first form.
+/// The case that the family with this number draws for this index and seed 1, in the first form.
 [[nodiscard]] std::vector<std::uint8_t> bytes_of_family(std::size_t family, std::uint64_t index);
 
-/// The case with this index of the family with this number beyond the claimed domain, in the first form.
+/// Like bytes_of_family, for a family beyond the claimed domain.
 [[nodiscard]] std::vector<std::uint8_t> bytes_beyond_domain(std::size_t family, std::uint64_t index);
 
 /// The collision in the second form.

@@ -7,14 +7,14 @@ namespace carom::fuzz {
 
 bool is_in_claimed_domain(const Collision& collision, Law law) {
   constexpr double largest_ratio_of_moments = 1e8;
-  // In units of λ, the sum of the inverse masses. The limit 16 λ of K includes λ itself, and 0.5 covers the rounding of
-  // this computation.
+  // In units of λ = 1/m_A + 1/m_B. The collision matrix is λI and the response to torque, and at most 16 λI. The other
+  // 0.5 covers the rounding of this computation.
   constexpr double largest_response_to_torque = 14.5;
   if (!oracles::is_moderate(collision)) {
     return false;
   }
   double inverse_mass = 0;
-  double response_to_torque = 0;  // at least the norm of the sum of [r]ᵀ J⁻¹ [r]
+  double response_to_torque = 0;  // at least the norm of Σ [r]ᵀ J⁻¹ [r]
   for (const Body* body : {&collision.a, &collision.b}) {
     if (body->immovable) {
       continue;

@@ -13,8 +13,8 @@ namespace carom::fuzz {
 
 using Bytes = std::span<const std::uint8_t>;
 
-/// The fuzzer's input, read from the front. After its end the numbers of a fixed stream follow. So every input is long
-/// enough. A family that repeats a draw until it fits also terminates.
+/// The fuzzer's input, read from the front. The numbers of a fixed stream follow its end, so every input is long
+/// enough, and a family that repeats a draw until it fits terminates.
 class Input {
  public:
   explicit Input(Bytes bytes) : left_(bytes), beyond_(properties::stream_from(0)) {}

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSL-1.0
-// The JSON reader and the collision reader. Rejected input throws a FormatError. Accepted input has the value that
-// the library's own reader finds, and does not change when written and read again.
 #include <string_view>
 
 #include <carom/collision/json/json.hpp>

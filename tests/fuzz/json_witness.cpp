@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSL-1.0
-// The reader for the input of `carom replay`: witnesses and collisions, as one object, an array or lines. Rejected
-// input throws a UsageError. Accepted input is valid, unless the input says that it is not.
 #include <string>
 
 #include <sys/mman.h>
@@ -17,7 +15,6 @@
 namespace carom::fuzz {
 namespace {
 
-/// A file in memory that holds the text.
 class FileOf {
  public:
   explicit FileOf(std::string_view text) : descriptor_(memfd_create("input", MFD_CLOEXEC)) {

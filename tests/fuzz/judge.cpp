@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
-// The judge with filters (fast decisions by bounds) and the judge in rational arithmetic alone give the same verdicts.
-// The answers are near the exact outcome or far from it. The first byte selects the yardstick, which is the rounding
-// that is allowed. The second selects whether numbers keep all digits, and whether relations (comparisons of the
-// answers to two related collisions) are judged. The case follows, then the solver's claim and its answers.
+// The first byte selects the yardstick, which is the permitted rounding. The second selects whether numbers keep all
+// digits, and whether relations (invariants that compare the answers to two related collisions) are judged. The case
+// follows, then the solver's claim and its answers.
 #include <cmath>
 #include <span>
 
@@ -17,8 +16,7 @@
 namespace carom::fuzz {
 namespace {
 
-/// Whether all finite numbers are 0 or from 2⁻¹⁰⁰ to 2¹⁰⁰ in size. With other numbers, rational arithmetic takes
-/// seconds.
+/// Whether all finite numbers are 0 or from 2⁻¹⁰⁰ to 2¹⁰⁰ in size. On others, rational arithmetic takes seconds.
 bool is_quick_to_judge(const Collision& collision) {
   constexpr double largest = 0x1p+100;
   bool quick = true;
@@ -41,7 +39,7 @@ void compare_judges(Bytes bytes) {
     return;
   }
   equality::Examined examined(made_up_subject(input));
-  // The two most expensive options, numbers with all digits and relations, are each used for one input in four.
+  // Numbers with all digits and relations are expensive, so each is used for one input in four.
   if (choices % 4 != 0) {
     properties::Stream stream = input.stream();
     one = equality::shortened(one, stream);

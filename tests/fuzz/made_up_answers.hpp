@@ -8,8 +8,9 @@
 namespace carom::fuzz {
 
 /// A subject (solver under test) that answers as the input says. An answer is the rounded exact outcome moved by some
-/// ulps, an outcome at the edge of the allowed rounding, any twelve numbers, a refusal or a skip. The subject reports
-/// the exact collision matrix with one changed entry. It refers to the input, and each answer reads more of the input.
+/// ulps, an outcome at the edge of the permitted rounding, any twelve numbers, a refusal or a skip. The subject reports
+/// the exact collision matrix with one changed entry. Each answer reads more of the input, which must outlive the
+/// subject.
 [[nodiscard]] Subject made_up_subject(Input& input);
 
 }  // namespace carom::fuzz

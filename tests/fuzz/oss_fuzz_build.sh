@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSL-1.0
-# Builds every target as OSS-Fuzz requires: with $CXX, $CXXFLAGS and $LIB_FUZZING_ENGINE, in $WORK, to $OUT, each with
-# its seeds and its dictionary. README.md describes the project that runs it.
+# Builds every target as OSS-Fuzz requires: with $CXX, $CXXFLAGS and $LIB_FUZZING_ENGINE, in $WORK, to $OUT, with its
+# seeds and its dictionary.
 set -euo pipefail
 source=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 fuzz=$source/tests/fuzz
@@ -10,8 +10,7 @@ fuzz=$source/tests/fuzz
 flags=${CXXFLAGS:-}
 flags=${flags//-stdlib=libc++/}
 
-# Targets run on machines without the shared libraries, so these are copied beside them.
-# shellcheck disable=SC2016 # $ORIGIN is the loader's
+# Targets run on machines without the shared libraries, which are copied beside them.
 cmake -S "$source" -B "$WORK/carom" -G Ninja -Wno-dev -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS="$flags" \
   -DCAROM_BUILD_FUZZERS=ON -DCAROM_BUILD_TESTS=OFF -DCAROM_UNITY=ON -DCAROM_WARNINGS_AS_ERRORS=OFF \
   -DCMAKE_BUILD_RPATH='$ORIGIN/lib'

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Makes the output of a foreign program safe to print, and splits and quotes words of a command line. The first byte
-// is the greatest printed length.
+// The first byte is the greatest printed length. The rest is the text.
 #include <algorithm>
 #include <stdexcept>
 #include <string>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// The gate's reader for a program's output. The first byte selects the precision. The rest is a line, read as the
-// reply to `start` and as the reply to `solve` number 1. An unreadable line throws a FormatError. A readable one does
-// not change when written and read again.
+// The first byte selects the precision. The rest is a line, read as the reply to `start` and as the reply to `solve`
+// number 1.
 #include <array>
 #include <optional>
 

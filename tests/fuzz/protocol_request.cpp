@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSL-1.0
-// The solver's side of the line protocol. It answers every request in a line that the gate can read, or reports that it
-// cannot and ends with status 2.
 #include <iostream>
 #include <sstream>
 #include <string>
@@ -18,7 +16,7 @@ namespace {
 
 namespace protocol = subjects::protocol;
 
-/// Silences standard error, so that it does not mix with the fuzzer's.
+/// Keeps standard error for the fuzzer.
 class Silence {
  public:
   Silence() : kept_(std::cerr.rdbuf(dropped_.rdbuf())) {}
@@ -31,7 +29,6 @@ class Silence {
   std::streambuf* kept_;
 };
 
-/// Checks that the n-th reply answers the n-th request.
 void require_right_replies(const std::string& requests, const std::string& replies, Precision precision) {
   std::istringstream asked(requests);
   std::istringstream answered(replies);

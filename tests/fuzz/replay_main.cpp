@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 //  fuzz_replay TARGET FILE…
-// Runs a target without a fuzzing engine, on files and on the files of directories. A missing directory counts as
-// empty.
+// Runs a target on files and on the files of directories. A missing directory counts as empty.
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
@@ -14,7 +13,7 @@
 
 #include "target.hpp"
 
-// In this program the function of each target has a name of its own. CMake lists the targets.
+// Each target's function has a name of its own here. CMake lists the targets.
 #define TARGET(name) extern "C" int replay_##name(const std::uint8_t* data, std::size_t size);
 CAROM_FUZZ_TARGETS
 #undef TARGET
@@ -53,7 +52,7 @@ int replay(Target target, const std::vector<std::string>& arguments) {
       std::cerr << file << ": cannot be read\n";
       return 2;
     }
-    // Printed before the run: if the process ends, this is the last line.
+    // If the process ends in the target, this is the last line.
     std::cerr << file.string() << std::endl;
     const std::vector<char> bytes(std::istreambuf_iterator<char>(stream), {});
     (void)target(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());

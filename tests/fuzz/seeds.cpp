@@ -38,7 +38,7 @@ std::string with_head(std::initializer_list<std::size_t> head, const std::vector
   return text + std::string(bytes.begin(), bytes.end());
 }
 
-/// Writes the same case in both forms. The numbers in front of a case cycle through the possible choices.
+/// Writes the case in both forms. The bytes before it cycle through their choices.
 void write_cases(const fs::path& directory, std::size_t number, std::string_view family,
                  const std::vector<std::uint8_t>& drawn, const Collision& collision) {
   const std::string name(family);

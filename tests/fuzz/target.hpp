@@ -7,13 +7,13 @@
 #include <cstdlib>
 #include <string>
 
-/// The function that a fuzzing engine calls with each input. Every target defines it. A finding ends the process, by
-/// `fail`, by an uncaught exception, or by a sanitizer.
+/// The function that a fuzzing engine calls with each input, defined by every target. `fail`, an uncaught exception or
+/// a sanitizer ends the process, which is a finding.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace carom::fuzz {
 
-/// Ends the process as a finding, which the text describes.
+/// Ends the process as a finding with this description.
 [[noreturn]] inline void fail(const std::string& what) {
   (void)std::fprintf(stderr, "%s\n", what.c_str());
   std::abort();

@@ -4,9 +4,9 @@
 
 usage: adding_test.py SOURCE BUILD NINJA COMPILER WORK
 
-A family, an invariant and a feature take one row each. The test compiles the file of the row and links it with a
-program (listing.cpp), which must list the row. The law is only an enumerator. The compiler has to name the places that
-lack the law, and the page has to name each of these files.
+A family, an invariant and a feature take one row each. The test compiles the row's file and links it with
+listing.cpp, which must list the row. The law is only an enumerator: the compiler has to name the places that lack it,
+and the page has to name their files.
 """
 import pathlib
 import re
@@ -19,7 +19,7 @@ SOURCE, BUILD, NINJA, COMPILER, WORK = *sys.argv[1:5], pathlib.Path(sys.argv[5])
 TREE = WORK / "tree"
 PAGES = pathlib.Path(SOURCE) / "docs/internals"
 
-# The page, its words for the file, the file, and its changes as (anchor, text to insert before it). Other files to
+# The page, its words for the file, the file, its changes as (anchor, text to insert before it), other files to
 # compile, and the line that the program must print.
 ROWS = [
     ("contributing.md", "row in `family.cpp`", "properties/families/family.cpp",
@@ -64,8 +64,7 @@ def change(path, insertions):
 
 
 def arguments(line):
-    """The arguments of one call of the compiler, without its launcher. Other commands of the build delete files, so
-    none of them runs here.
+    """The arguments of one call of the compiler. Other commands of the build delete files, so none of them runs here.
     """
     words = shlex.split(line)
     if COMPILER not in words or any(word in ("&&", "||", ";", "|") for word in words):
@@ -74,7 +73,7 @@ def arguments(line):
 
 
 def commands_of_listing():
-    """The build's commands that compile and link listing.cpp, with the include folders of the copy."""
+    """The commands that compile and link listing.cpp, with the include folders of the copy."""
     lines = checked([NINJA, "-t", "commands", "house_listing"]).strip().splitlines()
     compile_line, link_line = next(line for line in lines if line.endswith("listing.cpp")), lines[-1]
     flags, skip = [], False
@@ -107,7 +106,7 @@ def adds_rows(compiler, link):
     output = link.index("-o")
     link = link[:own + 1] + list(map(str, objects)) + link[own + 1:]
     link[link.index("-o") + 1] = str(program)
-    # The libraries still contain the original rows. The linker takes the first definition.
+    # The libraries contain the original rows. The linker takes the first definition.
     checked([*link[:output], "-Wl,--allow-multiple-definition", *link[output:]])
     listed = checked([program]).splitlines()
     for *_, line in ROWS:

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSL-1.0
-"""Reads the output of `gcovr --csv` and prints the share of executed lines, one folder per line."""
+"""Prints the share of executed lines of each folder, from the output of `gcovr --csv`."""
 
 import collections
 import csv

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSL-1.0
 """draw_house.py SOURCE [--check]: draws docs/internals/house.svg, the folders of the sources and the includes between
-them. With --check it writes nothing, and ends with status 1 if the picture is not that of the sources."""
+them. With --check it only ends with status 1 if the picture is out of date."""
 
 import pathlib
 import re
@@ -48,7 +48,7 @@ def reached(below, folder):
 
 
 def rows_of(below):
-    """The folders by height: each stands above all folders that it includes."""
+    """The folders in rows. Each folder is above all folders that it includes."""
     heights = {}
 
     def height(folder):

@@ -6,17 +6,15 @@
 
 #include "layout.hpp"
 
-/// C++ does not specify the order in which operands of a product, or arguments of a call, are evaluated. Two draws
-/// from a stream in unspecified order give different cases with another compiler.
+/// C++ does not order the operands of a product or the arguments of a call. If two of them draw from a stream, another
+/// compiler may draw other cases.
 namespace carom::layout {
 namespace {
 
-/// The first unordered pair of draws; empty if there is none. Two draws are allowed if `?` or the commas of a braced
-/// list order them.
+/// The first unordered pair of draws, or an empty text. `?` and the commas of a braced list order draws.
 std::string unordered_draws(const std::string& text) {
-  // Matches four parts in a row. The first is a draw, by the stream or by a function that takes it. The second is the
-  // end of the braces or parentheses around it. An operator or a comma follows, and then another draw in the same
-  // statement.
+  // Matches two draws in one statement with an operator or a comma between them. A draw is by the stream or by a
+  // function that takes it. Closing braces or parentheses may follow the first one.
   static const std::regex pair(
       R"re((stream\.\w+\([^()]*\)|\w+\(stream\b[^()]*\)|stream\.\w+\([^()]*\)[^;?{}()]*\})\)*\s*[-+*/,][^;?{}]*(stream\.\w|\(stream\b))re");
   std::smatch match;

@@ -10,7 +10,6 @@
 
 #include "layout.hpp"
 
-/// Folders do not include each other in a cycle. The checker is first tested on planted files.
 namespace carom::layout {
 namespace {
 
@@ -18,7 +17,7 @@ using Folders = std::set<std::string>;
 
 std::string folder_of(const std::string& path) { return path.substr(0, path.find_last_of('/')); }
 
-/// The folders that each folder includes, except for itself. <carom/NAME/…> is src/NAME/… or NAME/….
+/// The other folders that each folder includes. <carom/NAME/…> is src/NAME/… or NAME/….
 std::map<std::string, Folders> folders_included(const std::vector<SourceFile>& files) {
   static const std::regex include(R"re([ \t]*#[ \t]*include[ \t]*(?:<carom/|")([^>"]+)[>"])re");
   Folders paths;
@@ -60,7 +59,7 @@ Folders reachable_from(const std::string& folder, const std::map<std::string, Fo
   return reached;
 }
 
-/// The sets of folders that include each other in a cycle, as large as possible.
+/// The largest sets of folders that all include each other, directly or through others.
 std::vector<Folders> cycles(const std::vector<SourceFile>& files) {
   const std::map<std::string, Folders> included = folders_included(files);
   std::map<std::string, Folders> reached;

@@ -11,13 +11,12 @@
 
 #include "layout.hpp"
 
-/// No function has more than 80 lines. The checker is first tested on planted text.
 namespace carom::layout {
 namespace {
 
 constexpr std::size_t most_lines = 80;
 
-/// The end of the comment or literal that begins at `begin`. If none begins there, `begin` itself.
+/// The end of the comment or literal that begins at `begin`; `begin` if there is none.
 std::size_t end_of_opaque(const std::string& text, std::size_t begin) {
   const auto after = [&](const std::string& close, std::size_t from) {
     const std::size_t found = text.find(close, from);
@@ -71,8 +70,8 @@ std::size_t lines_in(std::string_view text) {
   return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
 }
 
-/// If a body `{…` ends with a statement that returns a table, the number of lines of this statement. A table is no
-/// code, and functions in its rows are measured separately.
+/// The lines of the statement that returns a table, if the body `{…` ends with one. A table is no code, and functions
+/// in its rows are measured separately.
 std::size_t lines_of_returned_table(std::string_view body) {
   int depth = 0;
   std::size_t last = 1;
@@ -89,7 +88,7 @@ std::size_t lines_of_returned_table(std::string_view body) {
   return statement.starts_with("return") ? lines_in(statement) : 0;
 }
 
-/// The declaration, up to its parameters, of each function with more than `most` lines.
+/// The declarations, up to the parameters, of the functions with more than `most` lines.
 std::vector<std::string> long_functions(const std::string& source, std::size_t most) {
   const std::string text = without_opaque(source);
   const auto next_from = [&](std::size_t from) { return std::min(text.find_first_not_of(" \n", from), text.size()); };

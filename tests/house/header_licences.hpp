@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-/// The licences of CGAL's headers. CGAL has parts under the LGPL and parts under the GPL. Code under BSL-1.0 includes
-/// only LGPL parts.
+/// The licences of CGAL's headers. Some are under the LGPL, others under the GPL. Code under BSL-1.0 may include only
+/// those under the LGPL.
 namespace carom::header_licences {
 
 struct CompiledObject {
@@ -23,12 +23,11 @@ struct CompiledObject {
 
 [[nodiscard]] bool is_of_cgal(const std::string& header);
 
-/// The reason why code under BSL-1.0 must not include a header with this text: a GPL tag, or no tag. Empty if there
-/// is none.
+/// The reason why code under BSL-1.0 must not include a header with this text: a GPL tag, or no tag. Otherwise empty.
 [[nodiscard]] std::string licence_offence(const std::string& text);
 
-/// One line for each header of CGAL with an offence. `read` returns the text of a header. A target below tests/ that
-/// `gpl_test_programs` names may include any header.
+/// One line for each included header of CGAL with an offence. `read` returns the text of a header. The targets below
+/// tests/ named in `gpl_test_programs` may include any header.
 [[nodiscard]] std::vector<std::string> header_offences(const std::vector<CompiledObject>& objects,
                                                        const std::set<std::string>& gpl_test_programs,
                                                        const std::function<std::string(const std::string&)>& read);

@@ -11,7 +11,6 @@
 
 #include "support/program.hpp"
 
-/// No installed library or program includes a GPL header of CGAL. The checker is first tested on planted headers.
 namespace carom::header_licences {
 namespace {
 
@@ -19,7 +18,7 @@ namespace fs = std::filesystem;
 
 using Offences = std::vector<std::string>;
 
-/// Test programs that use a GPL part of CGAL, by the names of their targets. No test program is installed.
+/// Targets of test programs that use a GPL part of CGAL. No test program is installed.
 const std::set<std::string> gpl_test_programs{};
 
 constexpr const char* listing =
@@ -33,7 +32,7 @@ constexpr const char* listing =
     "    /usr/include/CGAL/Other.h\n"
     "\n";
 
-/// Planted texts: Gmpq.h is under the LGPL, the two others are under the GPL.
+/// The text of a header. Gmpq.h is under the LGPL, the two others are under the GPL.
 std::string planted_text(const std::string& header) {
   const std::string licence = header == "/usr/include/CGAL/Gmpq.h" ? "LGPL-3.0-or-later" : "GPL-3.0-or-later";
   return "// Copyright (c) 2001\n// SPDX-License-Identifier: " + licence + " OR LicenseRef-Commercial\n#pragma once\n";

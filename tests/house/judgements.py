@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSL-1.0
 """Counts the judgements in a gate's reports: judgements.py REPORT_DIRECTORY…
 
-A judgement is one decided comparison of an invariant with an answer, or with several answers that it relates. The
-exit status is 1 if a subject that is expected to pass was rejected or not judged.
+A judgement is the decision of one invariant about one answer, or about the related answers that it compares. The exit
+status is 1 if a subject that is expected to pass was rejected or not judged.
 """
 import json
 import pathlib

@@ -22,7 +22,7 @@ struct Rule {
   std::vector<std::string> names;
 };
 
-/// The rule for one file that uses CGAL. Each such file may include its own part of CGAL.
+/// The rule for one file that uses these parts of CGAL.
 Rule of_exact(const std::string& file, const std::vector<std::string>& packages) {
   Rule rule{"oracles/exact/", file, true, {"carom/collision/", "carom/oracles/laws/", "carom/oracles/exact/"}};
   rule.names.insert(rule.names.end(), packages.begin(), packages.end());
@@ -70,7 +70,7 @@ const std::vector<Rule>& rules() {
        true,
        {"carom/", "CLI/", "fmt/", "nlohmann/", "pugixml", "benchmark/", "boost/", "Eigen/", "nlopt", "unistd.h", "sys/",
         "signal.h", "fcntl.h", "poll.h"}},
-      // Trusted code has its own folder, and includes no code that is not trusted.
+      // Trusted code includes no code that is not trusted.
       {"oracles/laws/", "", true, {"carom/collision/", "carom/oracles/laws/", "Eigen/"}},
       of_exact("gmpq.hpp", {"CGAL/Gmpq.h"}),
       of_exact("elimination.cpp", {"CGAL/Linear_algebraCd.h", "Eigen/"}),
@@ -127,7 +127,6 @@ const std::vector<Rule>& rules() {
   return all;
 }
 
-/// A folder of the program, and the neighbouring folders that its files may include.
 struct Room {
   std::string folder;
   std::vector<std::string> neighbours;
@@ -159,10 +158,10 @@ bool is_standard(const std::string& name) {
                      [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; });
 }
 
-/// Headers by which a library could start a thread or touch a file.
+/// Headers for threads and files.
 const std::set<std::string> outside{"csignal", "filesystem", "fstream", "future", "thread"};
 
-/// Whether the file belongs to a component that starts no process, starts no thread and touches no file.
+/// Whether the file's component starts no process or thread and touches no file.
 bool stays_inside(const std::string& path) {
   static const std::vector<std::string> folders{"oracles/", "properties/", "src/collision/", "src/impulse/",
                                                 "src/report/"};
@@ -179,8 +178,7 @@ bool is_allowed(const Rule& rule, const std::string& name) {
   return rule.only ? named || is_standard(name) : !named;
 }
 
-/// Whether a file of the program may include this file in quotes: a file of its own folder or of an allowed
-/// neighbour.
+/// Whether a file may include this file in quotes: it is in the same folder or in an allowed neighbour.
 bool is_neighbour(const std::string& path, const std::string& name) {
   const auto room =
       std::find_if(rooms().begin(), rooms().end(), [&](const Room& one) { return begins_with(path, one.folder); });
@@ -210,8 +208,8 @@ std::vector<std::string> include_offences(const std::string& path, const std::st
     if (!std::regex_search(line, match, include)) {
       continue;
     }
-    // A name in quotes bypasses the form <carom/…> and could refer to any file. So only programs that install no
-    // header (the tool and the tests) may use one, for a neighbouring file.
+    // A name in quotes could refer to any file. So only programs that install no header (the tool and the tests) may
+    // use one, for a neighbouring file.
     const bool quoted = match[1] == "\"";
     const bool may_quote = begins_with(path, "src/tool/") || begins_with(path, "tests/");
     const std::string name = match[2];

@@ -6,15 +6,14 @@
 #include <string>
 #include <vector>
 
-/// The rules of the source tree: allowed includes for each folder, the names at the top level, and the licence tag of
-/// each file.
+/// The rules of the source tree: the includes of each folder, the names at the top level, and the licence tags.
 namespace carom::layout {
 
 /// The offences of one source file, for example "src/impulse/x.hpp: includes <CGAL/Gmpq.h>". The path is relative to
-/// the top, with slashes. Files in folders without a rule have none.
+/// the top, with slashes. Files in folders without a rule have no offences.
 [[nodiscard]] std::vector<std::string> include_offences(const std::string& path, const std::string& text);
 
-/// The offence of a source file whose first comment does not name BSL-1.0. Other files have none.
+/// The offence of a source file whose first comment does not name BSL-1.0, if it is one.
 [[nodiscard]] std::vector<std::string> licence_offences(const std::string& path, const std::string& text);
 
 /// Missing and unexpected names at the top level. Dot-files and names that begin with "build" are ignored.
@@ -25,8 +24,8 @@ struct SourceFile {
   std::string text;
 };
 
-/// Every *.hpp, *.cpp, *.sh, *.cmake and CMakeLists.txt of the tree, sorted, without dot-folders, build directories
-/// and node_modules.
+/// Every *.hpp, *.cpp, *.sh, *.cmake and CMakeLists.txt, sorted, without dot-folders, build directories and
+/// node_modules.
 [[nodiscard]] std::vector<SourceFile> source_files(const std::filesystem::path& top);
 
 }  // namespace carom::layout

@@ -7,7 +7,6 @@
 
 #include <gtest/gtest.h>
 
-/// The tree follows the layout rules. The checker is first tested on planted text.
 namespace carom::layout {
 namespace {
 
@@ -23,7 +22,6 @@ std::string joined(const Offences& offences) {
   return text;
 }
 
-/// The offences of a file at this path with this include.
 std::string offence_of(const std::string& path, const std::string& include) {
   return joined(include_offences(path, "// SPDX\n#pragma once\n\n#include <vector>\n" + include + "\nint x;\n"));
 }

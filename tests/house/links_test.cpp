@@ -12,7 +12,6 @@
 
 #include <gtest/gtest.h>
 
-/// Every page can be reached from docs/README.md, and no link of any page is broken.
 namespace carom::links {
 namespace {
 
@@ -25,7 +24,6 @@ std::string read(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// The text without code blocks, whose content is not interpreted.
 std::string without_blocks(const std::string& text) {
   std::istringstream lines(text);
   std::string rest;
@@ -54,7 +52,6 @@ std::vector<std::string> links_of(const std::string& text) {
   return targets;
 }
 
-/// The anchors of the headings: lower-case letters, digits, - and _; a blank becomes -.
 std::set<std::string> anchors_of(const std::string& text) {
   std::set<std::string> anchors;
   std::istringstream lines(without_blocks(text));
@@ -77,7 +74,7 @@ std::set<std::string> anchors_of(const std::string& text) {
   return anchors;
 }
 
-/// The reason why the page's link is broken. Empty if it is not broken.
+/// The reason why the link is broken; empty if it is not.
 std::string offence_of(const fs::path& page, const std::string& target) {
   const std::size_t hash = target.find('#');
   const fs::path file = hash == 0 ? page : page.parent_path() / target.substr(0, hash);
@@ -91,7 +88,7 @@ std::string offence_of(const fs::path& page, const std::string& target) {
   return {};
 }
 
-/// Every page of the tree, without dot-folders, build directories and third-party packages.
+/// All pages, without dot-folders, build directories and third-party packages.
 std::vector<fs::path> pages() {
   std::vector<fs::path> found;
   auto walk = fs::recursive_directory_iterator(top);

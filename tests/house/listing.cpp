@@ -7,8 +7,8 @@
 #include <carom/properties/gate/schedule.hpp>
 #include <carom/properties/invariants/invariant.hpp>
 
-/// Lists the catalogues of the judge, one row per line. A family is listed if one of its cases can be drawn, in the
-/// order of a run. adding_test.py searches this output for its rows.
+/// Lists the catalogues of the judge, one row per line, for adding_test.py. A family is listed if one of its cases can
+/// be drawn.
 int main() {
   using namespace carom::properties;
   GateOptions options;

@@ -7,7 +7,7 @@
 
 #include "support/exact.hpp"
 
-/// Findings about the note (D. Eberly, "Computing Impulse Forces for Colliding Contact"), checked on exact numbers.
+/// Findings about the note (D. Eberly, "Computing Impulse Forces for Colliding Contact"), on exact numbers.
 namespace carom {
 namespace {
 
@@ -17,8 +17,7 @@ using unit::ratio;
 using unit::Rational;
 using unit::same;
 
-/// Two unit masses without spin. Their centres lie on the normal. A approaches B, which is at rest, at speed 1,
-/// ε = 1.
+/// Two unit masses without spin, with centres on the normal. A approaches the resting B at speed 1, ε = 1.
 BasicCollision<Rational> newtons_cradle() {
   BasicCollision<Rational> c;
   c.a.position = {0, 1, 0};
@@ -27,9 +26,8 @@ BasicCollision<Rational> newtons_cradle() {
   return c;
 }
 
-/// Eq. 9 and 13 reverse the normal velocity of each body separately: N·v⁺ = −ε N·v⁻. Then the resting body would stay
-/// at rest after the impact. In fact this body takes over the whole velocity. Only the difference of the two equations,
-/// eq. 17, is right.
+/// Eq. 9 and 13 reverse the normal velocity of each body separately: N·v⁺ = −ε N·v⁻. Then a resting body would stay at
+/// rest, but here it takes over the whole velocity. Only eq. 17, the difference of eq. 9 and 13, is right.
 TEST(Note, IsWrongThatEachBodyReversesItsOwnNormalVelocity) {
   const auto c = newtons_cradle();
   const auto contact = impulse::make_contact<Rational>(c);
@@ -61,7 +59,7 @@ TEST(Note, IsWrongThatTheSkewMatrixIsSemidefinite) {
   }
 }
 
-/// QᵀJ⁻¹Q is semidefinite, because J⁻¹ is definite. The product is singular along r.
+/// QᵀJ⁻¹Q is semidefinite, because J⁻¹ is definite. It is singular along r.
 TEST(Note, IsRightThatTheAngularPartOfTheCollisionMatrixIsSemidefinite) {
   properties::Stream stream = properties::stream_from(4);
   for (int i = 0; i < 200; ++i) {
@@ -76,7 +74,7 @@ TEST(Note, IsRightThatTheAngularPartOfTheCollisionMatrixIsSemidefinite) {
   }
 }
 
-/// "λI is positive definite" needs a movable body. λ is 1/m_A + 1/m_B.
+/// "λI is positive definite" needs a movable body, with λ = 1/m_A + 1/m_B.
 TEST(Note, NeedsAMovableBodyForADefiniteCollisionMatrix) {
   auto c = newtons_cradle();
   c.a.immovable = true;
@@ -87,8 +85,7 @@ TEST(Note, NeedsAMovableBodyForADefiniteCollisionMatrix) {
   EXPECT_FALSE(oracles::is_positive_definite(k));
 }
 
-/// λI ⪯ C for each family (a random generator of collisions). The bound is sharp if both centres of mass are at the
-/// contact.
+/// λI ⪯ C. The bound is sharp if both centres of mass are at the contact.
 TEST(Note, IsRightThatTheCollisionMatrixIsDefiniteWithTheMarginLambda) {
   int sharp = 0;
   for (const auto& [family, one] : unit::valid_cases(4)) {

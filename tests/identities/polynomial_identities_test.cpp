@@ -17,12 +17,11 @@
 /// The laws as polynomial identities, proved except for a probability below 10⁻²⁶ (Schwartz–Zippel).
 ///
 /// The solver uses only + − × ÷, so each entry of its outcome is a quotient of polynomials in the numbers of the
-/// collision. Each law, cleared of denominators, says that a polynomial p is zero. Suppose p is not zero and has
-/// degree d. Then it vanishes at a random point with probability at most d/s, if each variable is drawn uniformly
-/// from s values.
+/// collision. Each law, cleared of denominators, says that a polynomial p is zero. If p is not zero and has degree d,
+/// it vanishes at a random point with probability at most d/s, with each variable uniform among s values.
 ///
-/// The degree is derived below, as numerator/denominator. D = m_A m_B |q_A|⁴ |q_B|⁴ I_A I_B has degree 2·(1 + 4 + 3) =
-/// 16. I is the product of the three moments.
+/// Degrees are written numerator/denominator. D = m_A m_B |q_A|⁴ |q_B|⁴ I_A I_B, with I the product of the three
+/// moments, has degree 2·(1 + 4 + 3) = 16.
 ///
 ///  J⁻¹ has degree 6/7, because its entries are sums of R_ri R_ci / I_i with R of degree 2/2.
 ///
@@ -38,9 +37,9 @@
 /// 144. Over this denominator the law has degree 149. The denominators of the other side divide this one. So d < 256
 /// for every law.
 ///
-/// The answer depends on the sign of N·V⁻, so N is reversed if the contact does not approach. The test evaluates p at
-/// x, or at x with −N. The product of these two is a polynomial of degree below 512 = 2⁹. With s = 2³² and four
-/// independent points, a false law passes with probability at most (2⁹⁻³²)⁴ = 2⁻⁹² < 10⁻²⁶.
+/// If the contact does not approach, the test uses −N, so it evaluates p at x or at x with −N. The product of both is a
+/// polynomial of degree below 512 = 2⁹. With s = 2³² and four independent points, a false law passes with probability
+/// at most (2⁹⁻³²)⁴ = 2⁻⁹² < 10⁻²⁶.
 namespace carom::properties {
 namespace {
 
@@ -56,8 +55,7 @@ constexpr std::uint64_t seed = 20240301;
 /// Uniform in the 2³² integers from `lowest` on.
 Rational uniform(Stream& stream, double lowest) { return Rational(lowest + static_cast<double>(stream.bits() >> 32U)); }
 
-/// Restitution is any integer, because the identities do not require it to be in [0, 1]. Masses and moments are
-/// positive.
+/// Restitution is any integer, because the identities hold outside [0, 1] too. Masses and moments are positive.
 RationalCollision random_point(Stream& stream) {
   RationalCollision c;
   for_each_number(
@@ -77,7 +75,6 @@ bool is_identity(const oracles::Sides<Rational, N>& sides) {
   return sides.left == sides.right;
 }
 
-/// The two sides of the tangential equation, which distinguishes the law from the others.
 oracles::Sides<Rational, 3> tangential_equation(const RationalCollision& c, Law law, const Outcome<Rational>& y) {
   switch (law) {
     case Law::frictionless:
@@ -94,7 +91,7 @@ oracles::Sides<Rational, 3> tangential_equation(const RationalCollision& c, Law 
   oracles::determines_no_outcome(law);
 }
 
-/// The energy change ΔE from the law alone, without the outcome.
+/// The energy change by a formula, without the outcome.
 Rational energy_gain(const RationalCollision& c, Law law) {
   const Matrix3<Rational> k = oracles::response_matrix(c);
   const Vector& n = c.normal;
@@ -123,8 +120,8 @@ Rational energy_gain(const RationalCollision& c, Law law) {
   oracles::determines_no_outcome(law);
 }
 
-/// The name of a law that the solver's outcome violates at one of the points; nothing if every law is an identity. A
-/// solver that never acts satisfies most laws, and is also reported.
+/// The name of a law that the solver's outcome violates at a point. It also reports a solver that never acts, which
+/// satisfies most laws.
 std::optional<std::string> false_identity(Solver solver, Law law) {
   Stream stream = stream_from(seed);
   for (int i = 0; i < points; ++i) {
@@ -186,8 +183,8 @@ TEST(PolynomialIdentities, TellTheLawsApart) {
             "the law's tangential equation");
 }
 
-/// xᵀKx − λ xᵀx = Σ (Qx)ᵀ J⁻¹ (Qx) with Qx = r × x. This is a sum of squares, because each term is uᵀJu ≥ 0 with u =
-/// J⁻¹(Qx). So λI ⪯ K. The degree is below 32, because K has degree 17/16 and x enters twice.
+/// xᵀKx − λ xᵀx = Σ (Qx)ᵀ J⁻¹ (Qx) with Qx = r × x. Each term is uᵀJu ≥ 0 with u = J⁻¹(Qx), so λI ⪯ K. The degree is
+/// below 32, because K has degree 17/16 and x enters twice.
 TEST(PolynomialIdentities, MakeTheMarginOfTheCollisionMatrixASumOfSquares) {
   Stream stream = stream_from(seed);
   for (int i = 0; i < points; ++i) {

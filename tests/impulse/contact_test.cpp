@@ -18,7 +18,7 @@
 namespace carom::impulse {
 namespace {
 
-/// Whether `scaled` is the vector times one power of two, with the largest component in [1/2, 1).
+/// Checks that `scaled` is the vector times one power of two, with the largest component in [1/2, 1).
 void expect_scaled_by_power_of_two(const Vector3<double>& vector, const Vector3<double>& scaled) {
   const double largest = scaled.cwiseAbs().maxCoeff();
   EXPECT_GE(largest, 0.5);
@@ -36,7 +36,7 @@ TEST(WithoutExtremeLength, IsAnExactPowerOfTwoScaling) {
   properties::Stream stream = properties::stream_from(1);
   for (int i = 0; i < 2000; ++i) {
     Vector3<double> vector = stream.direction();
-    // Components differ by up to 2^60, so that the smallest stays a normal number before and after scaling.
+    // With components that differ by up to 2^60, the smallest stays a normal number.
     vector[stream.integer(0, 2)] *= std::ldexp(1.0, -stream.integer(0, 60));
     vector *= std::ldexp(1.0, stream.integer(-900, 1000));
     expect_scaled_by_power_of_two(vector, without_extreme_length<double>(vector));
@@ -54,7 +54,6 @@ TEST(WithoutExtremeLength, LeavesNoSquareToOverflowInFloat) {
   for (const double x : {1e300, 1e30, 1e-30, 1e-300}) {
     const Vector3<float> scaled = without_extreme_length<float>(Vector3<double>{x, 2 * x, -x});
     const float squared = scaled.dot(scaled);
-    // Each component is at most 1, and the largest at least 1/2.
     EXPECT_GE(squared, 0.25F);
     EXPECT_LE(squared, 3.0F);
     EXPECT_EQ(scaled[1], 2 * scaled[0]);
@@ -78,8 +77,7 @@ TEST(MakeContact, ReadsNothingThatAnImmovableBodyHasNot) {
   EXPECT_TRUE(outcome.a.velocity.allFinite() && outcome.b.angular_velocity.allFinite());
 }
 
-/// Whether the reported number is the given one, as a method of that precision reads it. A method in binary32 may round
-/// the number or keep all its digits.
+/// Whether the reported number is the given one, or is rounded to it in binary32.
 bool is_unchanged(long double reported, double given, Precision precision) {
   const auto is = [&](long double number) {
     return reported == number && std::signbit(reported) == std::signbit(number);
@@ -125,7 +123,7 @@ TEST(Solvers, LeaveSeparatingAndInertContactsUnchangedBitForBit) {
 }
 
 /// Bodies of the family `resting` do not spin, so N·V is n0·(−n1 s) + n1·(n0 s), with s a power of two. The products
-/// round alike and cancel. This fails only if the normal is normalised first, as a basis requires.
+/// round alike and cancel, unless the normal is normalised first, as a basis requires.
 TEST(Solvers, LeaveRestingContactsUnchangedBitForBit) {
   expect_unchanged_by(cases_of("resting"),
                       [](const Subject& method) { return method.name.find("basis") == std::string::npos; });
@@ -147,7 +145,7 @@ TEST(Solvers, LeaveTwoImmovableBodiesUnchangedThatApproach) {
   expect_unchanged_by({c}, any_method);
 }
 
-/// The tests of unchanged contacts could pass vacuously, so here each method must change a colliding contact.
+/// The tests of unchanged contacts are not vacuous.
 TEST(Solvers, ChangeACollidingContact) {
   const Collision collision = unit::case_of("elastic", 0).collision;
   for (const subjects::Method& method : subjects::methods()) {
@@ -160,7 +158,7 @@ TEST(Solvers, ChangeACollidingContact) {
   }
 }
 
-/// The bodies of the smallest energy example: m = 1, J = I/6, r = (½, −½, 0), N = (0, 1, 0), a fixed plane below.
+/// The smallest energy example: m = 1, J = I/6, r = (½, −½, 0), N = (0, 1, 0), on a fixed plane.
 Contact<double> box_on_plane(double tangential_velocity) {
   Collision c;
   c.a.principal_inertia.setConstant(1.0 / 6);
@@ -170,8 +168,8 @@ Contact<double> box_on_plane(double tangential_velocity) {
   return make_contact<double>(c);
 }
 
-/// Head-on the outcome is frictionless, F = (0, 4/5, 0). With any tangential velocity it is F = (−3/4, 5/4, 0). The
-/// two differ by ‖(3/4, −9/20)‖ = 0.87, more than the frictionless impulse.
+/// Head-on, F = (0, 4/5, 0), as frictionless. With any tangential velocity, F = (−3/4, 5/4, 0). The impulses differ by
+/// ‖(3/4, −9/20)‖ = 0.87.
 TEST(ReflectionInBasis, JumpsWhereTheTangentialVelocityVanishes) {
   const double slight = std::ldexp(1.0, -40);
   const Vector3<double> head_on = reflection_in_basis(box_on_plane(0)).a.velocity;
@@ -183,13 +181,13 @@ TEST(Reflection, IsContinuousWhereTheTangentialVelocityVanishes) {
   const double slight = std::ldexp(1.0, -40);
   const Vector3<double> head_on = reflection<Ldlt>(box_on_plane(0)).a.velocity;
   const Vector3<double> oblique = reflection<Ldlt>(box_on_plane(slight)).a.velocity;
-  // F depends only on N·V, so it does not change. Adding v_t to a number below 1 rounds by at most 2^-53.
+  // F depends only on N·V. Adding v_t to a number below 1 rounds by at most 2^-53.
   EXPECT_LE((oblique - head_on).norm(), slight * 2);
   EXPECT_GT(oblique[0], head_on[0]);
 }
 
-/// A contact as binary32 reads it at 10¹⁰ m from the origin. Its lever arms are multiples of 512 m, but the moments
-/// belong to a body of one metre. The condition number of C exceeds 1/u, and the rounded C may be singular.
+/// A contact in binary32 at 10¹⁰ m from the origin. Lever arms are multiples of 512 m, but the moments are those of a
+/// body of one metre. The condition number of C exceeds 1/u, so the rounded C may be singular.
 Contact<float> contact_with_lost_lever_arms(properties::Stream& stream) {
   Collision c;
   c.a.principal_inertia = Vector3<double>{1, 1, 1} * std::ldexp(1.0, -stream.integer(0, 9));
@@ -215,7 +213,7 @@ int not_finite(const Solver& solver) {
 TEST(Reflection, DividesByNoPivotThatRoundingHasMadeZero) {
   EXPECT_EQ(not_finite([](const auto& contact) { return reflection<Ldlt>(contact); }), 0);
   EXPECT_EQ(not_finite([](const auto& contact) { return reflection_in_stable_basis(contact); }), 0);
-  // Without the bound of the least eigenvalue, the same matrices cause division by zero.
+  // The same matrices cause division by zero without the bound.
   EXPECT_GT(not_finite([](const Contact<float>& contact) {
               const Vector3<float> impulse = Ldlt::solve<float>(
                   printed_collision_matrix(contact, stable_tangent_basis(contact)), Vector3<float>{1, 0, 0});
@@ -224,7 +222,7 @@ TEST(Reflection, DividesByNoPivotThatRoundingHasMadeZero) {
             0);
 }
 
-/// If the rounded C has eigenvalues below λ = 1/m_A + 1/m_B, each component of the impulse is still at most 2 ‖b‖∞ / λ.
+/// Even if the rounded C has eigenvalues below λ = 1/m_A + 1/m_B, each component of the impulse is at most 2 ‖b‖∞ / λ.
 TEST(Ldlt, KeepsToTheLargestImpulseThatTheLeastEigenvalueAllows) {
   properties::Stream stream = properties::stream_from(98);
   const Vector3<float> b{1, 0, 0};

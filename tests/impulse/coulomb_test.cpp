@@ -36,7 +36,7 @@ TEST(Coulomb, HasTheBitsOfFrictionlessWithoutFriction) {
   EXPECT_EQ(after.a.angular_velocity, frictionless(contact).a.angular_velocity);
 }
 
-/// λ = 1/m_A + 1/m_B is finite, but the trace of the collision matrix K is not.
+/// λ = 1/m_A + 1/m_B is finite, but the trace of K is not.
 TEST(Coulomb, EndsWhereTheTraceOverflows) {
   Collision c = ball_on_a_plane(0.125);
   c.a.mass = 1e-308;
@@ -51,8 +51,8 @@ TEST(Coulomb, KeepsWhatSeparates) {
   EXPECT_EQ(coulomb(make_contact<double>(c)).a.velocity, c.a.velocity);
 }
 
-/// Real bodies have a well-conditioned K. F equals one of the exact answers, up to the roundings of a solve times the
-/// condition number κ(K) ≤ 16.
+/// F equals one of the exact answers, up to the roundings of a solve times the condition number of K, at most 16 for
+/// real bodies.
 TEST(Coulomb, FindsAnAnswer) {
   int slides = 0;
   for (const char* family : {"physical", "collinear_spheres"}) {
@@ -67,8 +67,7 @@ TEST(Coulomb, FindsAnAnswer) {
       for (const oracles::CoulombAnswer& answer : oracles::coulomb_answers(oracles::lift(collision))) {
         const auto exact = map_outcome<double>(answer.truth.outcome,
                                                [](const oracles::Rational& x) { return oracles::nearest_double(x); });
-        // Angular velocities are compared as speeds at a lever arm of about 1 m, so one length measures all four
-        // vectors.
+        // Angular velocities are compared as speeds at a lever arm of about 1 m.
         double distance = 0;
         for (const OutcomeVector k : all_outcome_vectors) {
           distance = std::max(distance, (*vectors(found)[k] - *vectors(exact)[k]).norm());

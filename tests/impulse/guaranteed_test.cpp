@@ -19,7 +19,6 @@ using unit::sign_of;
 
 constexpr std::uint64_t cases_of_each = 200;
 
-/// N·V for these velocities, in ℚ.
 Rational normal_velocity(const Collision& collision, const Outcome<Rational>& motion) {
   const auto exact = oracles::lift(collision);
   return exact.normal.dot(oracles::relative_velocity<Rational>(exact, motion));
@@ -35,8 +34,7 @@ Outcome<double> outcome_of(Session& session, const Collision& collision) {
                              [](long double x) { return static_cast<double>(x); });
 }
 
-/// The number of valid collisions with a movable body, from all families, that the subject leaves approaching.
-/// Decided exactly.
+/// The number of valid collisions with a movable body that the subject leaves approaching, exactly.
 int approaching_outcomes(const std::string& subject) {
   Session session = subjects::subject_named(subject)->open();
   int approaching = 0;
@@ -75,7 +73,6 @@ TEST(Guaranteed, LeavesWhatDoesNotApproachUntouched) {
   }
 }
 
-/// If the law's outcome does not penetrate, it is unchanged.
 TEST(Guaranteed, ChangesOnlyWhatPenetrates) {
   Session plain = subjects::subject_named("reflection-double")->open();
   int changed = 0;
@@ -115,7 +112,7 @@ TEST(NormalVelocitySign, IsThatOfRationals) {
   EXPECT_GT(zeros, 50);
 }
 
-/// N·V rounds to zero in binary64, so it does not tell how many ulps are missing.
+/// N·V rounds to zero in binary64, so the number of missing ulps is unknown.
 TEST(Guaranteed, ComesToAnEndWhereTheNormalVelocityUnderflows) {
   Collision collision;
   collision.b.immovable = true;

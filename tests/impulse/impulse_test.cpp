@@ -60,7 +60,6 @@ TEST(WorldInverseInertia, IsSymmetricAndInvertsTheInertiaOfTheOracle) {
   }
 }
 
-/// Without rounding, the representation of inertia makes no difference.
 TEST(PrincipalInertia, IsTheSameAsInWorldCoordinates) {
   for (std::uint64_t i = 0; i < 50; ++i) {
     const auto body = oracles::lift(unit::case_of("generic", i).collision).a;
@@ -82,7 +81,6 @@ TEST(CollisionMatrix, IsSymmetricAndEqualsTheResponseToUnitImpulses) {
   }
 }
 
-/// The matrix is symmetric in floating point too: both triangles hold the same computed entries.
 TEST(CollisionMatrix, IsExactlySymmetricInFloatingPoint) {
   for (std::uint64_t i = 0; i < 200; ++i) {
     const Matrix3<float> k = collision_matrix(make_contact<float>(unit::case_of("generic", i).collision));
@@ -90,8 +88,6 @@ TEST(CollisionMatrix, IsExactlySymmetricInFloatingPoint) {
   }
 }
 
-/// The entries of the note's eq. 27, in the basis {N, T0, T1}. Off the diagonal only the lever arms contribute. On the
-/// diagonal λ contributes too.
 TEST(PrintedCollisionMatrix, EqualsTheCollisionMatrixInARationalOrthonormalBasis) {
   for (std::uint64_t i = 0; i < 100; ++i) {
     properties::Stream stream = stream_of(i);
@@ -102,7 +98,7 @@ TEST(PrintedCollisionMatrix, EqualsTheCollisionMatrixInARationalOrthonormalBasis
   }
 }
 
-/// The printed equation has λ twice in the entries (2,2) and (3,3). So these entries are wrong by λ.
+/// The printed equation has λ twice in the entries (2,2) and (3,3).
 TEST(PrintedCollisionMatrix, DiffersFromTheNoteWhichCountsLambdaTwice) {
   properties::Stream stream = stream_of(0);
   const auto contact = exact_contact(unit::small_collision(stream));
@@ -149,7 +145,7 @@ TYPED_TEST(Solve3, SolvesExactlyInAField) {
   }
 }
 
-/// The result is the same if the least eigenvalue is given, because in exact arithmetic no pivot is smaller.
+/// In exact arithmetic no pivot is below the least eigenvalue.
 TYPED_TEST(Solve3, SolvesTheMatricesOfEveryFamily) {
   for (const auto& [family, one] : unit::valid_cases(3)) {
     if (family == "both_immovable") {
@@ -188,7 +184,7 @@ TEST(Reflection, CreatesEnergyInTheSmallestExample) {
   EXPECT_TRUE(same(smallest_example(1).a.angular_velocity, ExactVector(0, 0, ratio(3, 2))));
 }
 
-/// For spheres r × N = 0, so C is block diagonal. Both laws agree, and the angular velocities do not change.
+/// For spheres r × N = 0, so C is block diagonal.
 TEST(Reflection, EqualsFrictionlessForSpheres) {
   int colliding = 0;
   for (std::uint64_t i = 0; i < 500; ++i) {
@@ -208,7 +204,7 @@ TEST(Reflection, DiffersFromFrictionlessForGeneralBodies) {
   EXPECT_FALSE(same(reflection<Ldlt>(contact), frictionless(contact)));
 }
 
-/// F depends on V⁻ only through N·V⁻. A tangential velocity is just added to the outcome.
+/// F depends on V⁻ only through N·V⁻.
 TEST(Reflection, AddsATangentialVelocityAndChangesNothingElse) {
   for (std::uint64_t i = 0; i < 50; ++i) {
     properties::Stream stream = stream_of(i);
@@ -255,8 +251,7 @@ TEST(Rough, WithoutFrictionHasTheBitsOfTheFrictionlessLaw) {
   }
 }
 
-/// Compares a slipping ball with one of 2^`mass` times the mass and 2^`speed` times the speed. The outcome scales by
-/// 2^`speed`.
+/// Compares a slipping ball with a ball of 2^`mass` times the mass and 2^`speed` times the speed.
 template <class S>
 void expect_rough_to_scale(int mass, int speed, S relative_rounding) {
   Collision c = unit::ball_on_a_plane(0.4, 0.0625);
@@ -271,8 +266,8 @@ void expect_rough_to_scale(int mass, int speed, S relative_rounding) {
             relative_rounding * usual.a.angular_velocity.norm() * scale);
 }
 
-/// Impulses of 2⁻¹⁰⁴⁰ N s keep 34 bits of binary64, and those of 2⁻¹³⁶ N s keep 13 bits of binary32. Rounding costs a
-/// few of them.
+/// Impulses of 2⁻¹⁰⁴⁰ N s keep 34 bits of binary64, and impulses of 2⁻¹³⁶ N s keep 13 bits of binary32. Rounding costs
+/// a few of these bits.
 TEST(Rough, SlipsByImpulsesThatAreSubnormal) {
   expect_rough_to_scale<double>(-1000, -40, 0x1p-30);
   expect_rough_to_scale<float>(-110, -26, 0x1p-9F);

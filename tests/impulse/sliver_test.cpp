@@ -21,10 +21,9 @@
 
 #include "support/cases.hpp"
 
-/// The cost of world coordinates for slender and flat bodies. J⁻¹ = R diag(1/I) Rᵀ has a rounding error of u ‖J⁻¹‖ in
-/// each entry, with u the unit roundoff. Multiplied by J, the error is u ρ for moments 1 : ρ. A method that rotates the
-/// torque into the body frame, divides by the moments there and rotates back has a small error. It is no larger than
-/// the effect of rotating the body by u.
+/// The cost of world coordinates for slender and flat bodies, with moments 1 : ρ. J⁻¹ = R diag(1/I) Rᵀ has a rounding
+/// error of u ‖J⁻¹‖ in each entry, with u the unit roundoff. Multiplied by J, this error is u ρ. In the body frame, the
+/// error is only of the size that a rotation of the body by u causes.
 namespace carom::impulse {
 namespace {
 
@@ -32,7 +31,7 @@ double ratio_of_moments(const Body& body) {
   return body.principal_inertia.maxCoeff() / body.principal_inertia.minCoeff();
 }
 
-/// The body compressed along one or two of its axes to 2^−exponent of its width. The contact point stays in or on it.
+/// The body compressed along one or two of its axes to 2^−exponent of its width, with the contact point.
 Body compressed(const Body& body, const Vector3<double>& point, int axis, bool others, int exponent) {
   const Vector3<double> moments = body.principal_inertia;
   Vector3<double> squares = Vector3<double>::Constant(moments.sum() / 2) - moments;
@@ -49,7 +48,7 @@ Body compressed(const Body& body, const Vector3<double>& point, int axis, bool o
   return result;
 }
 
-/// Slivers with moments 1 : ρ, least ≤ ρ < 2 least, against bodies that are not slender.
+/// Slivers (slender or flat bodies) with moments 1 : ρ, least ≤ ρ < 2 least, against bodies that are not slender.
 std::vector<Collision> slivers(double least, std::size_t count) {
   std::vector<Collision> result;
   properties::Stream stream = properties::stream_from(95);
@@ -67,7 +66,7 @@ std::vector<Collision> slivers(double least, std::size_t count) {
   return result;
 }
 
-/// The residual of a law, in ulps of S.
+/// The residual of an equation of the law, in ulps of S.
 template <class S>
 double missed(const oracles::Equation& equation, const Collision& collision, const Outcome<S>& outcome) {
   constexpr double least_that_is_shown = 0x1p-10;
@@ -81,7 +80,7 @@ double missed(const oracles::Equation& equation, const Collision& collision, con
   return comparison.holds ? 0 : least_that_is_shown * comparison.residual / comparison.allowed;
 }
 
-/// The largest residual of the laws that involve angular velocities.
+/// The largest residual of the equations that involve angular velocities.
 template <class S>
 double missed(const Collision& collision, const Outcome<S>& outcome) {
   return std::max({missed(oracles::equation::AngularMomentum{true}, collision, outcome),
@@ -135,7 +134,7 @@ TYPED_TEST(Slivers, LoseAngularMomentumInWorldCoordinatesAlone) {
   }
 }
 
-/// A rod that flies along its long axis into any body. The normal lies along that axis, up to rounding.
+/// A rod that flies along its long axis into any body. The normal is that axis, up to rounding.
 Collision rod_on_its_tip(properties::Stream& stream, double ratio) {
   Collision c;
   c.b.immovable = true;
@@ -160,7 +159,7 @@ double backward_error(const Collision& c, Law law, const Outcome<S>& outcome) {
       .backward_error(yardstick.unit_roundoff);
 }
 
-/// Whether the rod is thinner than the rounding of its position. If so, any spin about its long axis is within
+/// Whether the rod is thinner than the rounding of its position, so that any spin about its long axis is within
 /// rounding.
 template <class S>
 bool is_blind(const Collision& c) {
@@ -169,7 +168,7 @@ bool is_blind(const Collision& c) {
 }
 
 /// Lever arm, impulse and long axis are parallel. The rounding error of their product would spin the rod about its long
-/// axis. In ulps this error is ρ times the error of the torque.
+/// axis, by ρ times the error of the torque.
 TYPED_TEST(Slivers, DoNotSpinWhenStruckOnTheirTips) {
   properties::Stream stream = properties::stream_from(97);
   for (const double ratio : {8.0, 64.0, 1e4, 1e6, 1e8}) {
@@ -194,8 +193,7 @@ TYPED_TEST(Slivers, DoNotSpinWhenStruckOnTheirTips) {
   }
 }
 
-/// Both lever arms start at the same point, so the same torque turns both bodies, to its last bit. One body is
-/// slender.
+/// Both lever arms start at the same point, so the same torque turns both bodies, to its last bit.
 TEST(SlenderBodies, ShareTheTorqueWithWhatTurnsAboutTheSamePlace) {
   Collision c;
   c.a.velocity = {0, 0, -1};
@@ -208,8 +206,8 @@ TEST(SlenderBodies, ShareTheTorqueWithWhatTurnsAboutTheSamePlace) {
   }
 }
 
-/// The lever arms lie exactly along the normal, and all other vectors lie in one plane. So no body should turn. A
-/// body that is slender across the plane is easily turned by the rounding error in the other body's K.
+/// The lever arms lie exactly along the normal, so no body should turn. But the rounding error in the other body's K
+/// easily turns A.
 TEST(SlenderBodies, AreNotTurnedByRoundingInTheMatrixOfTheOtherBody) {
   Collision c;
   c.a.mass = 37961134;
@@ -226,8 +224,7 @@ TEST(SlenderBodies, AreNotTurnedByRoundingInTheMatrixOfTheOtherBody) {
   }
 }
 
-/// The matrix in a basis must not turn bodies either: the rounding error of T0 and T1 in a head-on impact turns
-/// nothing.
+/// The rounding error of T0 and T1 in a head-on impact must turn no body.
 TEST(SlenderBodies, AreNotTurnedByRoundingInATangentBasis) {
   Collision c;
   c.a.mass = 0.4;
@@ -251,7 +248,7 @@ TEST(PrincipalInertia, OfEqualMomentsKnowsNoOrientation) {
   EXPECT_EQ(inertia.axes, Matrix3<double>::Identity());
 }
 
-/// A second impulse against an approach of a few ulps would change the spin about the long axis by far more than ulps.
+/// A second impulse against an approach of a few ulps would change the spin about the long axis by far more.
 TEST(SlenderBodies, KeepTheirSpinWhereTheApproachIsRoundedAway) {
   for (std::uint64_t i = 0; i < 2000; ++i) {
     properties::Stream stream = properties::case_stream(1, "physical", i);
@@ -263,7 +260,7 @@ TEST(SlenderBodies, KeepTheirSpinWhereTheApproachIsRoundedAway) {
   }
 }
 
-/// The family `physical` contains slender bodies, up to 1 : 10⁸.
+/// The family `physical` (a random generator) contains slender bodies, up to 1 : 10⁸.
 TEST(PhysicalBodies, AreSlenderToo) {
   properties::Stream stream = properties::stream_from(96);
   double largest = 0;

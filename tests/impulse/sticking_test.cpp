@@ -7,9 +7,8 @@
 namespace carom::impulse {
 namespace {
 
-/// B spins fast along a lever arm of 10⁷ m. The other body is a sphere of 10⁻² m. w × r rounds 10⁷ times more along z
-/// than along x and y. So a correction of V along N must follow the rounding errors of the components, not the
-/// direction of N.
+/// B spins fast along a lever arm of 10⁷ m, and A is a sphere of 10⁻² m. w × r rounds 10⁷ times more along z than along
+/// x and y. So a correction of V along N must follow these rounding errors.
 Collision fast_spin_along_lever_arm() {
   Collision c;
   c.a.mass = 512;

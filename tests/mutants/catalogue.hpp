@@ -22,7 +22,6 @@ struct Mutant {
   std::vector<std::string_view> rejected_by;  // at least these
 };
 
-/// Prints the mutant in GoogleTest's output.
 inline void PrintTo(const Mutant& mutant, std::ostream* out) { *out << mutant.name << ": " << mutant.sentence; }
 
 [[nodiscard]] std::span<const Mutant> all_mutants();

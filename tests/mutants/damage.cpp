@@ -13,7 +13,7 @@ namespace {
 using Vector = Vector3<double>;
 using ContactImpulse = impulse::ContactImpulse<double>;
 
-/// A vector orthogonal to this one and of the same length.
+/// An orthogonal vector of the same length.
 Vector across(const Vector& vector) {
   int least = 0;
   vector.cwiseAbs().minCoeff(&least);
@@ -34,7 +34,7 @@ ContactImpulse impulse_on_a(const impulse::RoughImpulse<double>& impulse) {
   return {impulse.normal.colliding, impulse.has_friction ? impulse.on_a : impulse.normal.on_a};
 }
 
-/// The law's impulse on another contact with the same N·V⁻, applied to this one.
+/// The outcome of the law's impulse for another contact with the same N·V⁻, applied to this contact.
 Outcome<double> solved_as(const Solution& sound, const impulse::Contact<double>& other) {
   Outcome<double> outcome;
   impulse::with_law(sound.law, [&](const auto& solver) {
@@ -44,7 +44,7 @@ Outcome<double> solved_as(const Solution& sound, const impulse::Contact<double>&
   return outcome;
 }
 
-/// Reverses the sign of the change of this component of a velocity.
+/// Reverses the change of this component of a velocity.
 void change_reversed(Vector& after, const Vector& before, int component) {
   after[component] = before[component] - (after[component] - before[component]);
 }

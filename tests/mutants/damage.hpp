@@ -11,8 +11,7 @@
 
 namespace carom::mutants {
 
-/// Ways to damage a sound outcome. A conditional mutant (detection.hpp) returns the damaged outcome if its feature is
-/// present.
+/// Ways to damage a sound outcome, which a conditional mutant (detection.hpp) returns if its feature is present.
 enum class Damage {
   torque_of_a_dropped,
   turning_left_out_of_k,
@@ -48,7 +47,6 @@ static_assert(counts_from_zero_to(all_damages, Damage::not_a_number));
 
 [[nodiscard]] std::string_view name_of(Damage damage);
 
-/// Describes the damage in a sentence.
 [[nodiscard]] std::string_view sentence_of(Damage damage);
 
 /// The built-in solver's result for a collision, by a law in binary64.

@@ -3,8 +3,8 @@
 
 namespace carom::mutants {
 
-/// Defects of a solver. catalogue.cpp describes each one and where it occurred; mutable_solver.cpp implements each at
-/// the step that it affects. (`carom::Defect` is something else: a defect of a collision.)
+/// Defects of a solver (not of a collision, as `carom::Defect`). catalogue.cpp describes them and where they occurred;
+/// mutable_solver.cpp implements them.
 enum class Defect {
   none,
 

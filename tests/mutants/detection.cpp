@@ -19,8 +19,8 @@ namespace {
 using properties::all_features;
 using properties::JudgedCase;
 
-/// The claims of a sound solver in binary64 about a single outcome. The claim about the truth comes first: it rejects
-/// most mutants, and a violation of a law takes longer to decide.
+/// The claims of a sound solver in binary64 about a single outcome. The claim about the truth (the exact outcome) comes
+/// first, because it is decided faster.
 struct Claims {
   properties::Claim truth;
   properties::Claim laws;
@@ -120,8 +120,8 @@ void Detection::add(const JudgedCase& one, const Collision& previous) {
   ++cases_;
   oracles::Yardstick yardstick;
   yardstick.unit_roundoff = unit_roundoff(Precision::binary64);
-  // If `permitted_inputs` is not null, the judge accepts every answer of the law to any of these inputs. A small damage
-  // stays among these answers, and shows nothing about the judge.
+  // If `permitted_inputs` is not null, the judge accepts every answer of the law to these inputs, so a small damage
+  // shows nothing about the judge.
   if (properties::reason_unjudged(one.exact(), yardstick) ||
       one.exact().permitted_inputs(yardstick.allowance()) != nullptr) {
     return;
@@ -190,7 +190,7 @@ Detection detect(const DetectionOptions& options) {
   const auto work = [&](Detection& detection) {
     for (std::size_t i = next++; i < tasks.size(); i = next++) {
       const auto& [family, first, last] = tasks[i];
-      // Computed here, so that the previous answer does not depend on how threads share the cases.
+      // The previous answer must not depend on how threads share the cases.
       Collision previous = first == 0 ? Collision{} : generated(*family, first - 1).collision;
       for (std::uint64_t index = first; index < last; ++index) {
         const JudgedCase one(generated(*family, index));

@@ -10,7 +10,7 @@
 
 /// Conditional mutants: sound solvers that return a damaged outcome if the collision has a given feature (a special
 /// value, relation or size) or pair of features. The gate rejects such a mutant if it rejects the damaged outcome of
-/// any case with the feature. So one pass over the cases decides all mutants.
+/// any case with the feature. So one pass decides all mutants.
 namespace carom::mutants {
 
 struct DetectionOptions {
@@ -20,7 +20,7 @@ struct DetectionOptions {
   std::vector<Law> laws{laws_with_truth.begin(), laws_with_truth.end()};
 };
 
-/// The result of all cases for a conditional mutant: the last of these that some case reaches.
+/// The result of all cases for a conditional mutant: the last enumerator that some case reaches.
 enum class Sight : std::uint8_t {
   no_case_judged,   // no case with the feature is judged
   leaves_truth,     // in every case the damage leaves the exact outcome unchanged, so no judge can find it
@@ -28,7 +28,7 @@ enum class Sight : std::uint8_t {
   killed,           // in some case an invariant is violated
 };
 
-/// The result for one conditional mutant. The numbers cover the cases until it was killed.
+/// The result for one conditional mutant, of the cases until it was killed.
 struct Seen {
   float backward_error = 0;   // the largest of those within rounding, in ulps
   std::uint16_t changed = 0;  // cases within rounding; 65535 means at least that many
@@ -37,8 +37,7 @@ struct Seen {
   Seen& operator+=(const Seen& other);
 };
 
-/// The result of one pass over cases, for all conditional mutants. Features are given by their index in
-/// all_features().
+/// The result of one pass, for all conditional mutants. A feature is given by its index in all_features().
 class Detection {
  public:
   explicit Detection(std::vector<Law> laws);
@@ -53,7 +52,7 @@ class Detection {
 
   [[nodiscard]] const std::vector<Law>& laws() const { return laws_; }
 
-  /// The number of recorded cases, of those that can be judged in binary64, and of sound outcomes that were rejected.
+  /// The numbers of recorded cases, of judged cases, and of sound outcomes that were rejected.
   [[nodiscard]] std::uint64_t cases() const { return cases_; }
   [[nodiscard]] std::uint64_t judged() const { return judged_; }
   [[nodiscard]] std::uint64_t sound_rejected() const { return sound_rejected_; }

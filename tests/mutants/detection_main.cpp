@@ -3,8 +3,8 @@
 //
 //  detection [--seed S] [--cases N] [--jobs J] [--law L…] [--format text|markdown]
 //
-// The exit status is 1 if a sound outcome is rejected. With --planted it prints which invariants reject each planted
-// mutant, and which mutants would survive without each invariant.
+// The exit status is 1 if a sound outcome is rejected. --planted prints which invariants reject each planted mutant,
+// and which mutants would survive without each invariant.
 #include <algorithm>
 #include <cstdio>
 #include <exception>

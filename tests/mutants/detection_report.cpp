@@ -53,7 +53,7 @@ std::string condition_of(const Survivor& survivor) {
   return survivor.x == survivor.y ? x : x + ", " + all_features()[survivor.y].name;
 }
 
-/// The kind of a feature, such as "X.speed" or "head_on". Features of one kind differ only by the body or the decade.
+/// The kind of a feature, such as "X.speed" or "head_on", without body and decade.
 std::string kind_of(const properties::Feature& feature) {
   const std::string& name = feature.kind == properties::FeatureKind::magnitude ? feature.quantity : feature.name;
   const bool of_a_body = name.starts_with("a.") || name.starts_with("b.");

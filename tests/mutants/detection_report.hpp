@@ -9,7 +9,7 @@
 
 namespace carom::mutants {
 
-/// The numbers of conditional mutants of one kind, by the result of their cases.
+/// The numbers of conditional mutants, by the result of their cases.
 struct Score {
   std::uint64_t no_case_judged = 0;
   std::uint64_t leaves_truth = 0;
@@ -25,7 +25,7 @@ struct Score {
   [[nodiscard]] double percent() const;
 };
 
-/// Scores of mutants whose condition is one feature, and of those whose condition is a possible pair.
+/// Scores of mutants whose condition is one feature, and of mutants whose condition is a possible pair.
 struct Scores {
   Score singles;
   Score pairs;
@@ -43,7 +43,7 @@ struct Survivor {
   Seen seen;
 };
 
-/// In the order of laws, damages and features. A pair is omitted if one of its features alone has the same result.
+/// Survivors in the order of laws, damages and features. A pair is omitted if one of its features has the same result.
 [[nodiscard]] std::vector<Survivor> survivors_of(const Detection& detection);
 
 [[nodiscard]] std::string to_text(const Detection& detection, bool markdown);

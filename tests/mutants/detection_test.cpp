@@ -67,15 +67,14 @@ TEST(Detection, KillsWhatCanBeSeenOfSingleFeaturesAndNearlyAllOfPairs) {
   for (const Law law : detection.laws()) {
     for (const Damage damage : all_damages) {
       const auto& [single, pair] = scores_of(detection, law, damage);
-      // An impulse with an error of 10⁻⁹ stays within 32 ulps if the inputs are about 10⁵ times its effect. A few
-      // rare features have only such cases.
+      // An impulse with an error of 10⁻⁹ stays within 32 ulps if the inputs are about 10⁵ times its effect, as in all
+      // cases of a few features.
       const bool is_slight = damage == Damage::impulse_off;
       EXPECT_GE(single.percent(), is_slight ? 99 : 100) << name_of(law) << ' ' << name_of(damage);
       EXPECT_GE(pair.percent(), is_slight ? 98.5 : 99) << name_of(law) << ' ' << name_of(damage);
     }
   }
-  // If no judge can find a mutant, its feature usually makes the damage harmless, as ε = 0 does for an ignored ε. Few
-  // pairs of features do so.
+  // A mutant that no judge can find has a feature that makes the damage harmless, as ε = 0 for an ignored ε.
   EXPECT_GT(pairs.visible(), 100 * pairs.leaves_truth);
 }
 

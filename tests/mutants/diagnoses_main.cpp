@@ -10,8 +10,7 @@
 #include "catalogue.hpp"
 #include "io/threads.hpp"
 
-/// Prints the gate's diagnosis of each planted mutant, next to its defect. With arguments, only for the named
-/// mutants.
+/// Prints the gate's diagnosis of each planted mutant, or of the named mutants, next to its defect.
 int main(int argc, char** argv) {
   using namespace carom;
   properties::GateOptions options;

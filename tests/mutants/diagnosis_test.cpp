@@ -15,8 +15,7 @@
 #include "catalogue.hpp"
 #include "io/threads.hpp"
 
-/// The gate's diagnosis of a wrong solver: checks every row of the table in docs/reference/diagnoses.md with a planted
-/// defect.
+/// The gate's diagnosis of a planted defect, for every row of the table in docs/reference/diagnoses.md.
 namespace carom::mutants {
 namespace {
 
@@ -32,7 +31,7 @@ std::string trimmed(const std::string& text) {
   return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
-/// Rows "| `MUTANT`: SENTENCE | SAYS |" of the page.
+/// The rows "| `MUTANT`: SENTENCE | SAYS |" of the page.
 std::vector<Row> rows_of_the_page() {
   std::ifstream page(CAROM_DIAGNOSES_PAGE);
   std::vector<Row> rows;
@@ -56,7 +55,7 @@ const Mutant& planted(const std::string& name) {
   return *found;
 }
 
-/// The diagnosis of each mutant of the page. One run judges them all, as a default gate judges programs.
+/// The diagnosis of each mutant of the page, by one run with the defaults for programs.
 std::map<std::string, Diagnosis> diagnoses() {
   properties::GateOptions options;
   options.shrinks = false;

@@ -24,7 +24,7 @@ bool is_binary32(const T& number) {
   return std::isfinite(rounded) && T(static_cast<double>(rounded)) == number;
 }
 
-/// Decides in the type T of the exact outcome's numbers.
+/// The result of `leaves_truth`, in the type T of the exact outcome's numbers.
 template <class T>
 bool leaves(Damage damage, const BasicCollision<T>& c, const oracles::Truth<T>& exact, Law law) {
   const Outcome<T>& truth = exact.outcome;
@@ -41,7 +41,7 @@ bool leaves(Damage damage, const BasicCollision<T>& c, const oracles::Truth<T>& 
       return a_keeps_spin;
     case Damage::turning_left_out_of_k:
       // K − λI is a sum of squares, so K F = λF if and only if the impulse turns neither body. F of `rough` combines
-      // two impulses, and neither may turn a body.
+      // two impulses.
       return a_keeps_spin && b_keeps_spin &&
              (law != Law::rough || are_equal<T>(c.normal.cross(exact.impulse), Vector3<T>{T(0), T(0), T(0)}) ||
               (is_at_centre(c.a) && is_at_centre(c.b)));

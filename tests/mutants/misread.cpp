@@ -12,7 +12,7 @@ bool is_at_rest(const Body& body) {
   return (body.velocity.array() == 0).all() && (body.angular_velocity.array() == 0).all();
 }
 
-/// If two moments are equal, sets the third equal to them.
+/// If two moments are equal, sets the third moment equal to them.
 void take_for_sphere(Vector3<double>& moments) {
   for (int i = 0; i < 3; ++i) {
     if (moments[i] == moments[(i + 1) % 3]) {
@@ -84,7 +84,7 @@ Body misread(Defect defect, Body body, const Body& other) {
     case Defect::resting_body_asleep:
       body.immovable = body.immovable || is_at_rest(body);
       break;
-    default:  // defects that do not affect reading the bodies
+    default:  // the other defects do not affect reading the bodies
       break;
   }
   return body;

@@ -7,8 +7,7 @@
 
 namespace carom::mutants {
 
-/// The collision that a solver with this defect reads. It is unchanged if the defect is elsewhere. Precondition: the
-/// collision is valid.
+/// The collision that a solver with this defect reads. Precondition: the collision is valid.
 [[nodiscard]] Collision misread(Defect defect, const Collision& collision);
 
 }  // namespace carom::mutants

@@ -47,7 +47,7 @@ Matrix basis_of_2012(const Vector& n) {
   return basis;
 }
 
-/// The tangents from the axis that N is least aligned with. If two axes tie, it finds neither.
+/// The tangents from the axis that N is least aligned with, or none if two axes tie.
 Matrix basis_without_ties(const Vector& n) {
   Vector t0 = Vector::Zero();
   for (int i = 0; i < 3; ++i) {
@@ -61,7 +61,7 @@ Matrix basis_without_ties(const Vector& n) {
   return basis;
 }
 
-/// Acts as if the solver omits J⁻¹ together with an R that is the identity: the spin does not change.
+/// Leaves the spin unchanged if R is the identity, as if the solver omitted J⁻¹ together with R.
 void keep_spin_if_identity(const Body& body, BodyVelocity<double>& after) {
   if (body.orientation == Quaternion<double>(1, 0, 0, 0)) {
     after.angular_velocity = body.angular_velocity;
@@ -168,7 +168,7 @@ class Solver {
 
   // The relative velocity, and whether the contact is colliding.
 
-  /// The part of a body's motion that enters the relative velocity. A sound solver uses all of it.
+  /// The part of a body's motion that enters the relative velocity: all of it in a sound solver.
   [[nodiscard]] BodyVelocity<double> motion(const ContactBody& body, bool is_a) const {
     const bool is_wall = body.inverse_mass == 0;
     if ((has(Defect::other_body_left_out) && !is_a) || (has(Defect::wall_velocity_as_zero) && is_wall)) {
@@ -181,8 +181,7 @@ class Solver {
     return {body.velocity, is_reversed ? Vector(-body.angular_velocity) : body.angular_velocity};
   }
 
-  /// The spins' contribution along N comes from r × N, as in impulse/sticking.hpp, because w × r has too much
-  /// rounding error.
+  /// The spins' contribution along N comes from r × N (impulse/sticking.hpp).
   [[nodiscard]] Vector relative_velocity(const Contact& contact) const {
     Contact moving = contact;
     for (const auto body : {&Contact::a, &Contact::b}) {
@@ -238,7 +237,7 @@ class Solver {
     return inverse_mass_a + inverse_mass_b;
   }
 
-  /// The factor of the angular term. In a sound solver it is 1.
+  /// The factor of the angular term, 1 in a sound solver.
   [[nodiscard]] double angular_weight(const Contact& contact) const {
     const bool at_a_centre = contact.a.lever_arm.isZero(0) || contact.b.lever_arm.isZero(0);
     const bool equal_masses = contact.a.inverse_mass == contact.b.inverse_mass;
@@ -260,7 +259,7 @@ class Solver {
     return has(Defect::angular_term_of_a_for_both) ? contact.a : contact.b;
   }
 
-  /// N·K N for the frictionless law, computed without K.
+  /// N·K N for the frictionless law, without forming K.
   [[nodiscard]] double normal_response(const Contact& contact) const {
     const Vector& n = contact.normal;
     const auto angular_term = [&](const ContactBody& body) {
@@ -302,7 +301,7 @@ class Solver {
 
   // The law.
 
-  /// ε. In a sound solver it does not depend on N·V⁻.
+  /// ε, which does not depend on N·V⁻ in a sound solver.
   [[nodiscard]] double restitution_of(const Contact& contact, double normal_velocity) const {
     const double length = std::sqrt(contact.normal.squaredNorm());
     double restitution = contact.restitution;
@@ -336,8 +335,8 @@ class Solver {
     return v - n * (n.dot(v) / n.squaredNorm());
   }
 
-  /// The error of a defect in the slip that sticking and friction remove. The error is added to V⁻, because the slip
-  /// itself has rounding errors in all components even if V⁻ lies along an axis.
+  /// The error that a defect adds to the slip that sticking and friction remove. It is added to V⁻, because the
+  /// computed slip has rounding errors in all components.
   [[nodiscard]] Vector slip_added(const Contact& contact) const {
     const Vector v = relative_velocity(contact);
     const Vector slip = across_normal(contact, v);
@@ -408,7 +407,7 @@ class Solver {
     return impulse::times(basis, impulse);
   }
 
-  /// κ D of the law `rough`, which is added to (1 + ε) P_I.
+  /// κ D of the law `rough` (impulse/rough.hpp).
   [[nodiscard]] Vector friction_impulse(const Contact& contact, const Vector& frictionless_impulse,
                                         double normal_velocity) const {
     const Vector& n = contact.normal;
@@ -617,7 +616,7 @@ class Solver {
       after = pushed_apart(contact, impulse, -impulse);
     }
     if (has(Defect::spin_in_body_frame)) {
-      // The change of the angular velocity is correct. Only the spin in the approach is wrong.
+      // The change of the spin is correct; only the spin in the approach is wrong.
       after.a.angular_velocity += collision.a.angular_velocity - contact.a.angular_velocity;
       after.b.angular_velocity += collision.b.angular_velocity - contact.b.angular_velocity;
     }

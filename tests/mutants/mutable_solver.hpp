@@ -9,8 +9,7 @@
 
 namespace carom::mutants {
 
-/// One solver for the laws, in binary64, with one planted defect. With Defect::none it is sound, so a mutant fails
-/// only because of its defect.
+/// One solver for the laws, in binary64, with one planted defect. With Defect::none it is sound.
 [[nodiscard]] Subject make_subject(std::string name, Law law, Defect defect);
 
 }  // namespace carom::mutants

@@ -16,8 +16,7 @@
 #include "rejection.hpp"
 #include "support/selected.hpp"
 
-/// Tests the gate: the invariants that a planted defect breaks reject the solver. The same solver without the defect
-/// passes.
+/// The invariants that a planted defect breaks reject the solver. Without the defect, the solver passes.
 namespace carom::mutants {
 namespace {
 
@@ -35,7 +34,7 @@ std::string joined(const Rejecting& names) {
 /// One pass over the families judges all subjects of a test suite.
 class OnePass {
  public:
-  /// `subject_of_parameter` maps the name of each test's parameter to its subject.
+  /// Arguments: each test's parameter and its subject.
   explicit OnePass(const std::map<std::string, Subject>& subject_of_parameter) {
     std::vector<Subject> subjects;
     for (const auto& [name, subject] : subject_of_parameter) {
@@ -123,9 +122,8 @@ TEST(MutantCatalogue, NamesInvariantsThatTheSubjectClaims) {
   }
 }
 
-/// Only a mutant that loses digits is rejected by the comparison with the truth (the exact outcome) alone. A mutant
-/// that breaks a law is also rejected by that law. For `rough`, only the truth determines the share of friction that
-/// acts.
+/// The comparison with the truth (the exact outcome) alone rejects only mutants that lose digits. For `rough`, only the
+/// truth determines the share of friction.
 TEST(MutantCatalogue, NeedsTheTruthOnlyForALossOfDigits) {
   for (const Mutant& mutant : all_mutants()) {
     const bool loses_digits =
@@ -139,7 +137,7 @@ TEST(MutantCatalogue, NeedsTheTruthOnlyForALossOfDigits) {
   }
 }
 
-/// Together with Mutants.AreRejected… this shows that no invariant is vacuous.
+/// Together with Mutants.AreRejected…, this shows that no invariant is vacuous.
 TEST(MutantCatalogue, HasAMutantForEveryInvariant) {
   std::set<std::string_view> rejecting;
   for (const Mutant& mutant : all_mutants()) {

@@ -20,7 +20,6 @@ using Contact = impulse::Contact<double>;
 using ContactBody = impulse::ContactBody<double>;
 using Solved = SolvedOutcome<double>;
 
-/// A solver of contacts as a subject that claims `any`.
 Subject claiming_any(std::string name, bool shows_matrix, Solved (*solve)(const Contact&)) {
   Subject subject;
   subject.name = std::move(name);
@@ -35,7 +34,7 @@ Subject claiming_any(std::string name, bool shows_matrix, Solved (*solve)(const 
   return subject;
 }
 
-/// The subject without the claim of Newton's ε, because its bodies rebound differently.
+/// The subject without the claim of Newton's ε.
 Subject without_restitution(Subject subject) {
   subject.deviates.emplace_back("restitution");
   return subject;
@@ -78,7 +77,7 @@ Solved ground_taken_as_at_rest(const Contact& contact) {
 
 // Momentum.
 
-/// The heavier body gets nine tenths of the lighter one's impulse. The impulse is scaled so that ε still holds.
+/// The heavier body gets nine tenths of the lighter body's impulse, scaled so that ε still holds.
 Solved heavier_gets_less(const Contact& contact) {
   constexpr double share = 0.9;
   const double approach = impulse::normal_velocity(contact);
@@ -102,7 +101,7 @@ Solved heavier_gets_less(const Contact& contact) {
                          impulse::apply_impulse<double>(contact.b, Vector(-impulse * of_b), slender)};
 }
 
-/// The contact halves each body's spin about the normal, and the other body does not receive the lost spin.
+/// Halves each body's spin about the normal, without a reaction on the other body.
 Solved spin_about_normal_halved(const Contact& contact) {
   if (!impulse::is_colliding(contact, impulse::normal_velocity(contact))) {
     return unchanged(contact);
@@ -141,7 +140,7 @@ Solved solve_reflection(const Contact& contact) {
   return {answer.outcome, answer.matrix};
 }
 
-/// Reports the part of C that one impulse determines: (C F)(C F)ᵀ / (F·C F), of rank one.
+/// Reports (K F)(K F)ᵀ / (F·K F), the part of K that one impulse determines.
 Solved guessed_from_one_impulse(const Contact& contact) {
   Reflected answer = reflected(contact);
   if (answer.matrix) {
@@ -175,7 +174,7 @@ Solved matrix_of_masses_alone(const Contact& contact) {
   return {answer.outcome, answer.matrix};
 }
 
-/// The impulse does not see the error: [F]× F = 0.
+/// Reports K + [F]×, whose error the impulse does not see.
 Solved not_symmetric(const Contact& contact) {
   Reflected answer = reflected(contact);
   if (answer.matrix) {

@@ -10,8 +10,8 @@
 
 namespace carom::mutants {
 
-/// A defect that breaks exactly one of the three properties. Its subject claims `any`, so it has no truth and no
-/// backward error.
+/// A defect that breaks exactly one of the three properties. The subject claims the law `any`, so it has no truth
+/// (exact outcome) and no backward error.
 struct BrokenProperty {
   std::string_view name;
   std::string_view property;               // the key in properties/three_properties.hpp
@@ -20,7 +20,6 @@ struct BrokenProperty {
   Subject (*subject)();
 };
 
-/// Prints the defect in GoogleTest's output.
 inline void PrintTo(const BrokenProperty& defect, std::ostream* out) { *out << defect.name << ": " << defect.sentence; }
 
 [[nodiscard]] std::span<const BrokenProperty> broken_properties();

@@ -26,7 +26,7 @@ std::string names(const std::vector<std::string_view>& all) {
   return all.empty() ? "–" : text;
 }
 
-/// The names. If there are too many, only their number, because the matrix shows the names.
+/// The names, or their number if they are many.
 std::string names_of_few(const std::vector<std::string_view>& all) {
   constexpr std::size_t few = 8;
   return all.size() > few ? std::to_string(all.size()) : names(all);

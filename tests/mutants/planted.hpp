@@ -11,13 +11,12 @@
 
 namespace carom::mutants {
 
-/// A planted mutant, and the invariants that reject it on the gate's cases.
 struct Rejected {
   const Mutant* mutant;
   Rejecting by;
 };
 
-/// Every planted mutant in the order of the catalogue. It runs `cases` cases of each family, times its weight.
+/// Every planted mutant, judged on `cases` cases of each family, times its weight.
 [[nodiscard]] std::vector<Rejected> rejected_mutants(std::uint64_t seed, std::uint64_t cases, unsigned jobs);
 
 /// The contribution of an invariant to the verdicts on planted mutants.
@@ -26,17 +25,16 @@ struct Share {
   std::uint64_t rejects = 0;
   std::vector<std::string_view> misses;               // mutants that claim the invariant but are not rejected by it
   std::vector<std::string_view> alone;                // mutants that no other invariant rejects
-  std::vector<std::string_view> alone_without_truth;  // mutants that only this one and perhaps `backward_error` reject
+  std::vector<std::string_view> alone_without_truth;  // mutants that no other except `backward_error` rejects
 };
 
-/// In the order of the catalogue of invariants.
+/// The shares in the order of the catalogue of invariants.
 [[nodiscard]] std::vector<Share> shares_of(const std::vector<Rejected>& rejected);
 
-/// Invariants that together reject every mutant that any invariant rejects. The choice is greedy: each next invariant
-/// rejects most of the remaining mutants.
+/// Invariants that together reject every rejected mutant, by a greedy choice.
 [[nodiscard]] std::vector<std::string_view> sufficient_invariants(std::vector<Rejected> rejected);
 
-/// The same mutants without the rejections by comparison with the truth.
+/// The same mutants without the rejections by `backward_error`.
 [[nodiscard]] std::vector<Rejected> without_truth(std::vector<Rejected> rejected);
 
 /// The matrix of mutants and invariants, and the contribution of each invariant, in Markdown.

@@ -6,7 +6,6 @@
 namespace carom::mutants {
 namespace {
 
-/// A subject under trial.
 struct Accused {
   properties::Claim claim;
   properties::Sameness sameness;

@@ -14,10 +14,9 @@ namespace carom::mutants {
 /// The names of the invariants that reject a subject.
 using Rejecting = std::set<std::string_view>;
 
-/// The invariants that reject each subject, on `cases` cases of each family, times its weight. These are the cases that
-/// the gate draws from `seed`; at the end it asks a tenth of them again. Each case is drawn once and put to all
-/// subjects. After an invariant rejects a subject, it is not evaluated again for that subject. Rigorous bounds decide
-/// most passes; exact arithmetic decides every violation.
+/// The invariants that reject each subject, on `cases` cases of each family, times its weight, as the gate draws them
+/// from `seed`. Each invariant is evaluated until it rejects the subject. Rigorous bounds decide most passes; exact
+/// arithmetic decides every violation.
 [[nodiscard]] std::vector<Rejecting> rejecting_invariants(std::span<const Subject> subjects,
                                                           std::span<const properties::Family> families,
                                                           std::uint64_t seed, std::uint64_t cases);

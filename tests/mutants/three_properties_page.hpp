@@ -10,8 +10,7 @@
 
 #include <carom/properties/three_properties.hpp>
 
-/// The generated parts of docs/reference/three-properties.md: the text between `<!-- begin NAME -->` and `<!-- end
-/// NAME -->`.
+/// The generated parts of docs/reference/three-properties.md, between `<!-- begin NAME -->` and `<!-- end NAME -->`.
 namespace carom::mutants {
 
 struct PlantedRun {
@@ -20,13 +19,13 @@ struct PlantedRun {
   unsigned jobs = 1;
 };
 
-/// The property's statement, its theorems, its random test, and its invariants in the gate.
+/// The statement of the property, its theorems, its random test, and its invariants in the gate.
 [[nodiscard]] std::string facts_section(const properties::Property& property);
 
 /// The defects that break only this property, and the number of cases in which they do.
 [[nodiscard]] std::string planted_section(const properties::Property& property, const PlantedRun& run);
 
-/// For each engine of a report.json, the number of judged cases in which each invariant is violated. Throws
+/// For each engine of a report.json, the number of judged cases that violate each invariant. Throws
 /// nlohmann::json::exception if the report is malformed.
 [[nodiscard]] std::string engines_section(const properties::Property& property, const nlohmann::json& report);
 

@@ -35,7 +35,6 @@ TEST(ThreePropertiesPage, HasEachPropertyAsTheProgramPrintsIt) {
   }
 }
 
-/// Does not depend on which engines are installed.
 TEST(ThreePropertiesPage, HasARowForEachEngineAndProperty) {
   for (const Property& property : properties::three_properties()) {
     std::istringstream table(section_of(page(), "engines " + std::string(property.name)));

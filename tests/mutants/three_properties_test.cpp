@@ -36,7 +36,6 @@ const Property& property_named(std::string_view name) {
 
 class OnePropertyBroken : public testing::TestWithParam<BrokenProperty> {};
 
-/// Exactly these invariants reject the subject, out of all that it claims.
 TEST_P(OnePropertyBroken, ViolatesTheseInvariantsAlone) {
   constexpr std::uint64_t fixed_seed = 1;
   constexpr std::uint64_t cases_of_each_family = 60;
@@ -59,7 +58,7 @@ INSTANTIATE_TEST_SUITE_P(Each, OnePropertyBroken,
                          testing::ValuesIn(broken_properties().begin(), broken_properties().end()),
                          [](const auto& test) { return std::string(test.param.name); });
 
-/// Only `linear_momentum` finds this defect: an impulse that is lost at the world's origin has no moment about it.
+/// An impulse that is lost at the world's origin has no moment about the origin.
 TEST(LinearMomentum, IsViolatedAloneByAnImpulseLostAtTheOrigin) {
   const auto all = broken_properties();
   const auto defect =
@@ -88,7 +87,6 @@ TEST(LinearMomentum, IsViolatedAloneByAnImpulseLostAtTheOrigin) {
   EXPECT_GT(violated, 50);
 }
 
-/// The solvers are sound without the planted defects.
 TEST(UnbrokenSolvers, AreRejectedByNothing) {
   for (const Rejecting& rejecting : rejecting_invariants(unbroken_subjects(), properties::all_families(), 1, 60)) {
     EXPECT_EQ(joined(rejecting), "");

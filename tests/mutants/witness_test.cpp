@@ -12,8 +12,7 @@
 
 #include "catalogue.hpp"
 
-/// The gate reports a witness of a mutant that is simpler than the case in which it was found, and is still a
-/// violation.
+/// The gate reports a witness (recorded violation) that is simpler than the case in which it was found.
 namespace carom::mutants {
 namespace {
 
@@ -69,15 +68,15 @@ TEST_P(Witnesses, AreSimplerAndStillViolateTheirInvariant) {
 INSTANTIATE_TEST_SUITE_P(Of, Witnesses, testing::Values("separating_pulled", "wrong_mass_in_reaction"),
                          [](const auto& test) { return std::string(test.param); });
 
-/// The smallest witness of a pull is as small as a textbook example: every number has few bits.
+/// The smallest witness is as small as a textbook example: every number has few bits.
 TEST(Witness, OfAPullIsSmall) {
   const GateReport report = run_gate({subject_of(mutant_named("separating_pulled"))}, options_with({"separating"}));
   const auto& witnesses = report.results.at(0).witnesses;
   const auto push =
       std::find_if(witnesses.begin(), witnesses.end(), [](const Witness& w) { return w.invariant == "push"; });
   ASSERT_NE(push, witnesses.end());
-  // The simplest collisions have a complexity below this: at the origin with r_A = r_B = 0, unit masses and one
-  // velocity. A general collision has thousands.
+  // The simplest collisions have a lower complexity: at the origin with r_A = r_B = 0, unit masses and one velocity. A
+  // general collision has thousands.
   constexpr long textbook = 40;
   EXPECT_LT(properties::complexity(push->shrunk.collision), textbook);
 }

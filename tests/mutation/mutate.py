@@ -222,7 +222,7 @@ def main():
     parser.add_argument("--count", type=int, default=150, help="how many changes to draw (default 150)")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="how many changes are tried at a time")
     parser.add_argument("--list", action="store_true", help="print what is drawn, and stop")
-    parser.add_argument("--only", type=int, metavar="ID", help="try this one of the sample")
+    parser.add_argument("--only", type=int, nargs="+", metavar="ID", help="try these of the sample")
     parser.add_argument("--share-alone", action="store_true", help="for a new sample: a survivor need not be named")
     options = parser.parse_args()
     found, places = drawn(options.seed, options.count)
@@ -234,7 +234,7 @@ def main():
         sys.exit(f"mutate: without a change, {failed} fails")
     print(f"built; without a change the tests take {time.monotonic() - start:.0f} s",
           *(f"{n:4} dropped: {reason}: {places[n].name}" for n, reason in dropped.items()), sep="\n", flush=True)
-    tried, survivors = [n for n in places if n not in dropped and options.only in (None, n)], []
+    tried, survivors = [n for n in places if n not in dropped and n in (options.only or places)], []
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         for number, by in zip(tried, pool.map(noticed_by, tried)):
             print(f"{number:4} {by or 'SURVIVES'}: {places[number].name}", flush=True)

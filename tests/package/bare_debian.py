@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSL-1.0
-"""A bare Debian 12 (debootstrap's minbase). Commands run in it as on a machine with nothing else installed."""
+"""A bare Debian 12 (debootstrap's minbase), in which commands run as if nothing else were installed."""
 
 import os
 import pathlib
@@ -9,17 +9,17 @@ import subprocess
 
 SUITE = "bookworm"
 PATH = "/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin"
-# The certificates of this machine, for a network with its own certificate authority.
+# Some networks have their own certificate authority.
 CERTIFICATES = pathlib.Path("/etc/ssl/certs/ca-certificates.crt")
 SKIPPED = 77  # the exit status of a test that cannot run here
 
 
 class Unavailable(Exception):
-    """This machine cannot make a bare Debian; the text says why."""
+    """The reason why this machine cannot make a bare Debian."""
 
 
 def mirror():
-    """The source of this machine's packages of Debian 12."""
+    """The mirror from which this machine gets Debian 12."""
     found = subprocess.run(
         ["apt-get", "indextargets", "--format", "$(REPO_URI)", "Created-By: Packages", f"Codename: {SUITE}",
          "Component: main"], capture_output=True, text=True, check=False)
@@ -30,7 +30,7 @@ def mirror():
 
 
 def make_base(folder):
-    """The bare system that others are copied from, made once."""
+    """Makes the bare system that others are copied from, once."""
     if os.geteuid() != 0:
         raise Unavailable("making a chroot needs root")
     for program in ("debootstrap", "unshare", "chroot", "apt-get"):
@@ -70,7 +70,7 @@ class BareDebian:
         self.binds = {}
 
     def run(self, command, environment=None, folder="/", log=None):
-        """Runs a command, a list of words, and ends its remaining processes. Returns its exit status."""
+        """Runs a command (a list of words), ends its remaining processes, and returns its exit status."""
         words = ["env", "-i", *(f"{name}={value}" for name, value in (self.environment | (environment or {})).items())]
         root = shlex.quote(str(self.root))
         mounts = [f"mount --rbind /dev {root}/dev", f"mount -t proc proc {root}/proc", f"mount -t sysfs sysfs {root}/sys"]

@@ -39,7 +39,6 @@ class Page(unittest.TestCase):
         return [github_steps.read_yaml(block) for block in ci_test.blocks_of(PAGE, "yaml") if "jobs:" in block]
 
     def all_steps(self):
-        """The steps of each workflow, and those of the action."""
         return [*(step for workflow in self.workflows() for step in self.steps_of(workflow)), *ACTION_FILE["runs"]["steps"]]
 
     def steps_of(self, workflow):

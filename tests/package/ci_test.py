@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSL-1.0
-"""ci_test.py SOURCE WORK [NAME…]: runs the scripts of docs/guide/ci.md unchanged in a bare Debian. Each job runs
-twice. The first run tests a solver with a defect: the job must fail and leave a report. The second run tests a
-sound solver, and must build nothing. NAME is one of action, github, gitlab, script, container; without it all run.
-It uses the last commit of Carom. The exit status is 77 if this machine cannot make a bare Debian.
+"""ci_test.py SOURCE WORK [NAME…]: runs the scripts of docs/guide/ci.md unchanged in a bare Debian, with the last
+commit of Carom. Each job runs twice. The first run tests a solver with a defect: the job must fail and leave a
+report. The second run tests a sound solver, and must build nothing. NAME is one of action, github, gitlab, script,
+container; without it all run. The exit status is 77 if this machine cannot make a bare Debian.
 """
 
 import os
@@ -25,7 +25,7 @@ PAGE = "docs/guide/ci.md"
 
 
 class Failure(Exception):
-    """An expectation of the test is not met."""
+    """The test's result is not as expected."""
 
 
 def blocks_of(page, language):
@@ -33,8 +33,7 @@ def blocks_of(page, language):
 
 
 class Playground:
-    """The folders that the runs share: Carom's git repository, and the user's project with a sound and a defective
-    solver.
+    """The folders that the runs share: Carom's repository, and a user's project with a sound and a defective solver.
     """
 
     def __init__(self, source, work):
@@ -72,7 +71,7 @@ class Playground:
     def debian(self, name):
         debian = BareDebian(self.base, self.work / "roots" / name)
         debian.binds["/origin"] = self.work / "origin"
-        # Packages are downloaded once, and each system installs them itself.
+        # All systems share the downloaded packages.
         debian.binds["/var/cache/apt/archives"] = self.work / "archives"
         return debian
 
@@ -82,8 +81,6 @@ class Playground:
 
 
 class Run:
-    """One run of a job: its output, its result and its duration."""
-
     def __init__(self, playground, name, play):
         self.log = playground.work / f"{name}.log"
         began = time.monotonic()
@@ -100,8 +97,7 @@ class Run:
 
 
 def judge_twice(playground, name, play, keeps):
-    """Judges a defective and then a sound solver. `play` runs the job on a project and writes a log. `keeps` checks
-    the artefacts of a run.
+    """Judges a defective and then a sound solver. `play` runs the job and writes a log. `keeps` checks the artefacts.
     """
     first = Run(playground, f"{name}-1", lambda log: play(playground.work / "defective", log))
     first.expect(not first.ended_well, "a solver with a defect passed")
@@ -121,8 +117,7 @@ def expect_report(run, folder, verdict):
 
 
 def play_steps(playground, name, steps, report, environment):
-    """The scripts of a job for GitHub. The folder that its cache would keep is copied from the first run to the
-    second.
+    """Runs the scripts of a job for GitHub. The cached folder is copied from the first run to the second.
     """
     package = github_steps.cached_folder(steps)
     kept = playground.work / name / "package"
@@ -157,7 +152,7 @@ def play_steps(playground, name, steps, report, environment):
 
 
 def workflow_steps(playground, has_action):
-    """The steps of the workflow that uses Carom's action, or of the other one."""
+    """The steps of the workflow that uses Carom's action, or of the other workflow."""
     block = playground.yaml_block(lambda text: "jobs:" in text and (github_steps.ACTION in text) == has_action)
     (job,) = github_steps.read_yaml(block)["jobs"].values()
     return job["steps"]
@@ -194,7 +189,7 @@ def play_gitlab(playground):
 
 
 def play_script(playground):
-    """Runs on a persistent machine: the second run finds what the first run built."""
+    """Runs on a persistent machine, where the second run finds the files of the first."""
     (script,) = blocks_of(playground.page, "sh")
     debian = playground.debian("script")
     debian.binds["/carom"] = playground.tree("carom-of-the-script")
@@ -214,7 +209,7 @@ def play_script(playground):
 
 
 def play_container(playground):
-    """Keeps an image: it is built once and run twice."""
+    """Builds an image once and runs it twice."""
     text = (playground.source / "docs/examples/Containerfile").read_text(encoding="utf-8")
     image = None
     entry_point = None
@@ -224,7 +219,7 @@ def play_container(playground):
         if image is None:
             stage = containerfile.build(text, playground.work / "carom", lambda name: playground.debian(f"container-{name}"), log)
             image, entry_point = stage.debian, stage.entry_point
-            # The example's own dependency, which an image FROM this one would install.
+            # The example needs python3, which a user's image would install.
             image.run(["sh", "-c", "apt-get update -qq && apt-get install -y -qq --no-install-recommends python3"], log=log)
         image.binds["/work"] = project
         shutil.rmtree(project / "report", ignore_errors=True)

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSL-1.0
-"""components_test.py WORK SOURCE [COMPONENT…]: builds and installs each component in a separate bare Debian that has
-only the packages of src/package/needs.txt. Then it uses the component from an outside project. It tests all
-components if none is named. The exit status is 77 if this machine cannot make a bare Debian.
+"""components_test.py WORK SOURCE [COMPONENT…]: builds and installs each component, or only those named, in a separate
+bare Debian that has only the packages of src/package/needs.txt. Then an outside project uses the component. The exit
+status is 77 if this machine cannot make a bare Debian.
 """
 
 import pathlib
@@ -12,7 +12,7 @@ import time
 
 from bare_debian import SKIPPED, BareDebian, Unavailable
 
-# The use of each component, from /consumer: the arguments of cmake, and the programs that must exit with 0.
+# For each component: the arguments of cmake, and the programs of /consumer that must exit with 0.
 USES = {
     "impulse": ("-DCOMPONENTS=impulse", ["/tmp/consumer/solve", "/tmp/consumer/batch"]),
     "judge": ("-DCOMPONENTS=judge", ["/tmp/consumer/judge"]),
@@ -26,7 +26,7 @@ USES = {
 
 
 def needs(source, component):
-    """The Debian packages of the component and of its dependencies, which src/cmake/components.cmake names."""
+    """The Debian packages of the component and of the components that it needs (src/cmake/components.cmake)."""
     packages = set()
     rows = (source / "src/cmake/components.cmake").read_text(encoding="utf-8")
     below = re.search(rf"set\(carom_{component}_needs (.*)\)", rows)
@@ -39,7 +39,7 @@ def needs(source, component):
 
 
 def try_component(work, source, component):
-    """The error; nothing if there is none."""
+    """The error as a text, or None."""
     debian = BareDebian(work / "base", work / component)
     debian.binds |= {"/source": source, "/consumer": source / "tests/consumer"}
     consumer = "/consumer/conformance" if component == "kit" else "/consumer"

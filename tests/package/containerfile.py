@@ -11,8 +11,6 @@ IMAGES = ("debian:12", "debian:12-slim")
 
 
 class Stage:
-    """The result of building one stage."""
-
     def __init__(self, debian):
         self.debian = debian
         self.folder = "/"
@@ -22,7 +20,7 @@ class Stage:
         return self.debian.root / str(pathlib.PurePosixPath(self.folder, path)).lstrip("/")
 
     def copy(self, sources, target):
-        """Implements COPY. For a folder it copies the content."""
+        """COPY, which copies the content of a folder."""
         into = self.outside(target)
         for source in sources:
             if source.is_dir():
@@ -40,7 +38,7 @@ def instructions_of(text):
 
 
 def build(text, context, new_debian, log):
-    """The last stage. `new_debian` makes a bare Debian with a given name."""
+    """Returns the last stage. `new_debian` makes a bare Debian with a given name."""
     stages = {}
     stage = None
     for word, rest in instructions_of(text):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSL-1.0
-"""The shell scripts of a job for GitHub, and the annotations in their output. Nothing here evaluates an expression.
+"""The shell scripts of a job for GitHub, and the annotations in their output. No expression is evaluated:
 ci_parts_test.py requires that no script contains one, and that each condition is one of the two below.
 """
 
@@ -21,7 +21,6 @@ def read_yaml(text):
 
 
 def is_action(step):
-    """Whether the step uses Carom's own action."""
     return step.get("uses", "").split("@")[0].endswith(ACTION)
 
 
@@ -32,7 +31,7 @@ def cached_folder(steps):
 
 
 def commands_of(steps, has_package):
-    """The command of each script, in order. A step for a cache miss is omitted if the package exists."""
+    """The commands of the scripts, in order, without steps for a cache miss if the package exists."""
     shells = {None: ["sh", "-e"], "bash": ["bash", "--noprofile", "--norc", "-eo", "pipefail"]}
     return [[*shells[step.get("shell")], "-c", step["run"]] for step in steps
             if "run" in step and not (has_package and step.get("if") == CACHE_MISS)]

@@ -9,7 +9,7 @@ KNOWN = {"image", "cache", "script", "artifacts"}
 
 
 class Job:
-    """One run. `store` survives it, with the cache and the artefacts."""
+    """One run. `store` keeps the cache and the artefacts."""
 
     def __init__(self, job, debian, project, store, variables):
         if set(job) - KNOWN or job["image"] != "debian:12":
@@ -24,7 +24,6 @@ class Job:
         self.cache = store / "cache" / key
 
     def play(self, log):
-        """Whether every line succeeded."""
         (cached,) = self.job["cache"]["paths"]
         if self.cache.exists():
             shutil.copytree(self.cache, self.folder / cached)

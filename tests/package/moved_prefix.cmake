@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSL-1.0
-# cmake -DBUILD=… -DSOURCE=… -DWORK=… -P moved_prefix.cmake: the program is installed into WORK and moved. It must
-# find the files that it reads.
+# cmake -DBUILD=… -DSOURCE=… -DWORK=… -P moved_prefix.cmake: installs the program into WORK and moves it. The program
+# must find the files that it reads.
 
 include(${CMAKE_CURRENT_LIST_DIR}/../consumer/commands.cmake)
 
@@ -11,7 +11,7 @@ file(MAKE_DIRECTORY "${WORK}/moved to")
 file(RENAME ${WORK}/installed "${prefix}")
 set(carom "${prefix}/bin/carom")
 
-# Without carom-scene beside it, the program refuses scenes and says what is missing. It still plans collisions.
+# Without carom-scene beside it, the program refuses scenes, but still plans collisions.
 run_expecting(2 "${carom}" scene "${prefix}/share/carom/examples/scenes/cradle.json")
 expect_output("the program carom-scene is not in the directory of this program")
 run_expecting(2 "${carom}" plan "${prefix}/share/carom/examples/scenes/cradle.json")
@@ -19,17 +19,16 @@ expect_output("this file is a scene; to plan it, install carom-scene")
 run("${carom}" plan "${prefix}/share/carom/examples/contacts.jsonl" --repetitions 0)
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix "${prefix}" --component carom-scene)
 
-# The program contains no path of the tree or of the build.
 file(STRINGS "${carom}" paths REGEX "${SOURCE}/|${BUILD}/")
 if(paths)
   message(FATAL_ERROR "${carom} names the tree that it was built from: ${paths}")
 endif()
 
-# Uses the adapters of its own prefix. The printed command works as it is.
+# The program uses the adapters of its own prefix, and prints a command that works.
 run(${CMAKE_COMMAND} -E env --unset=CAROM_ENGINES "${carom}" subjects)
 expect_output("cannon-es is not installed: npm ci --prefix '${prefix}/share/carom/npm'")
 
-# Uses the adapters of another folder with an installed engine. Here the example replaces the engine.
+# It also uses the adapters of another folder. The example solver stands for an installed engine.
 set(engines "${WORK}/my engines")
 file(COPY "${prefix}/share/carom/npm/" DESTINATION "${engines}")
 file(MAKE_DIRECTORY "${engines}/node_modules/cannon-es")
@@ -45,7 +44,7 @@ file(REMOVE "${engines}/cannon.mjs")
 run(${CMAKE_COMMAND} -E env "CAROM_ENGINES=${engines}" "${carom}" subjects)
 expect_output("${engines}/cannon.mjs does not exist; check CAROM_ENGINES")
 
-# If the folder is not writable, the user must copy it. The superuser can write to any folder.
+# If the folder is not writable, the command copies it first. The superuser can write to any folder.
 execute_process(COMMAND id -u OUTPUT_VARIABLE user OUTPUT_STRIP_TRAILING_WHITESPACE)
 if(NOT user STREQUAL "0")
   file(CHMOD "${prefix}/share/carom/npm" PERMISSIONS OWNER_READ OWNER_EXECUTE)
@@ -54,6 +53,6 @@ if(NOT user STREQUAL "0")
   expect_output("cp -r '${prefix}/share/carom/npm' ~/carom-engines && npm ci --prefix ~/carom-engines && ")
 endif()
 
-# The page of replays is part of the program. Scenes and pages are installed at the documented places.
+# The page of replays is part of the program.
 set(scene "${prefix}/share/doc/carom/docs/examples/scenes/cradle.json")
 run("${carom}" scene "${scene}" --out "${WORK}/scene")

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSL-1.0
-"""package_test.py FOLDER-OF-PACKAGES WORK SOURCE: installs the packages into a bare Debian by apt, and uses their
-content. The exit status is 77 if this machine cannot make a bare Debian.
+"""package_test.py FOLDER-OF-PACKAGES WORK SOURCE: installs the packages into a bare Debian, and uses them. The exit
+status is 77 if this machine cannot make a bare Debian.
 """
 
 import pathlib
@@ -14,7 +14,7 @@ PAGES = "/usr/share/doc/carom"
 
 
 class Failure(Exception):
-    """An expectation of the test is not met."""
+    """The test's result is not as expected."""
 
 
 class System:
@@ -26,7 +26,7 @@ class System:
         self.debian.binds["/packages"] = packages
 
     def expect(self, command, *texts, status=0):
-        """Runs a line of shell. Its output must contain every one of the texts."""
+        """Runs a line of shell, whose output must contain all texts."""
         began = time.monotonic()
         with open(self.log_file, "w", encoding="utf-8") as log:
             ended = self.debian.run(["/bin/sh", "-ec", command], log=log)
@@ -42,7 +42,7 @@ def check_program(system):
     system.expect("carom --version", "0.1.0")
     system.expect("ldd /usr/bin/carom | grep -c 'not found'", status=1)
     system.expect("carom gate frictionless-double --cases 50", "sound")
-    # The output names what an engine lacks on this system. The test runs the printed command below.
+    # The output names what an engine lacks. The printed command is run below.
     system.expect("carom gate --engines --cases 2 --families generic || test $? -lt 3", "bullet-double", "bullet-float ",
                   "jolt-physics is not installed: npm ci --prefix /usr/share/carom/npm")
     system.expect("su nobody -s /bin/sh -c 'carom subjects'",

@@ -5,8 +5,8 @@ numbers.
 
 usage: bridge_test.py CAROM PROVED COLLISIONS [FILE…]
 
-PROVED is the program of properties/proofs/bridge. COLLISIONS is the number of collisions to draw, from all
-families in turn. Each FILE adds collisions: JSON Lines of collisions, or a witness.
+PROVED is the program of properties/proofs/bridge. COLLISIONS collisions are drawn from all families in turn. Each
+FILE adds collisions: JSON Lines, or a witness.
 """
 
 import concurrent.futures
@@ -19,7 +19,7 @@ import sys
 import tempfile
 from fractions import Fraction
 
-# opposite_cone of friction.v: the divisor of p + q √s is 0, and κ is 1/2.
+# opposite_cone of friction.v: the general formula of κ, the factor of `rough`, divides by 0, but κ exists.
 ON_OPPOSITE_CONE = {
     "a": {"mass": 1, "principal_inertia": [0.25, 0.25, 0.25], "position": [0, 0, 0], "velocity": [-4, -2, 0],
           "angular_velocity": [0, 0, 0]},
@@ -30,7 +30,7 @@ RADICAL = re.compile(r"(\S+) \+ (\S+) √\((\S+)\)")
 
 
 def drawn(carom):
-    """The first case of each seed, for each family that draws valid collisions."""
+    """The first case of each seed and family of valid collisions."""
     for seed in itertools.count(1):
         said = subprocess.run([carom, "families", "--format", "json", "--seed", str(seed)], capture_output=True, check=True)
         for family in json.loads(said.stdout):
@@ -49,13 +49,13 @@ def collisions_of(name):
 
 
 def root(number):
-    """The rational root; None if there is none."""
+    """The rational root, or None."""
     over, under = math.isqrt(number.numerator), math.isqrt(number.denominator)
     return Fraction(over, under) if over * over == number.numerator and under * under == number.denominator else None
 
 
 def parts(text):
-    """(p, signed square of q √s) of "p + q √(s)". Two such numbers are equal if both parts are equal."""
+    """(p, signed square of q √s) of "p + q √(s)". Numbers are equal if and only if these parts are equal."""
     if match := RADICAL.fullmatch(text):
         rational, coefficient, under_root = (Fraction(part) for part in match.groups())
         whole = root(under_root)
@@ -77,7 +77,7 @@ def lines_of(command, collisions):
 
 
 def differences(carom, proved, collisions):
-    """The number of compared components, the number of those that are irrational, and the differences."""
+    """The number of compared components, how many are irrational, and the differences."""
     truths = lines_of(lambda name: [carom, "replay", name, "--format", "json"], collisions)
     answers = lines_of(lambda name: [proved], collisions)
     if not len(truths) == len(answers) == len(collisions):

@@ -9,7 +9,7 @@ import subprocess
 
 
 def copied(proofs, build):
-    """Copies the sources to `build`. They replace the previous ones; files compiled from the same text are kept."""
+    """Copies the sources to `build`. Files compiled from the same text are kept."""
     build.mkdir(parents=True, exist_ok=True)
     for source in sorted(proofs.glob("*.v")):
         target = build / source.name
@@ -30,7 +30,7 @@ def compiled(build, targets=(), jobs=None):
 
 
 def assumptions(build, groups):
-    """The axioms that each group of theorems depends on, sorted. A theorem is given as (file, name). A group takes
+    """The sorted axioms that each group of theorems depends on. A theorem is given as (file, name). A group takes
     half a second.
     """
     lines = [f"Require Carom.{file}." for file in dict.fromkeys(file for group in groups for file, _ in group)]
@@ -58,8 +58,8 @@ def assumptions(build, groups):
 
 
 def rechecked(build):
-    """The axioms that Coq's separate checker finds in everything compiled there, including lemmas, sorted. Also
-    returns its other assumptions. Takes a minute.
+    """The sorted axioms that Coq's separate checker finds in all compiled files, and its other assumptions. Takes a
+    minute.
     """
     files = sorted(path.stem for path in build.glob("*.vo"))
     said = subprocess.run(["coqchk", "-silent", "-o", "-Q", ".", "Carom", *(f"Carom.{file}" for file in files)], cwd=build,

@@ -53,8 +53,7 @@ TRUE_LAW = ("laws", "inverse_mass (body_a c) + inverse_mass (body_b c)", "invers
 
 class FalseLaws(unittest.TestCase):
     def compiled_with(self, file, right, wrong, *targets):
-        """Checks the proofs of the targets after replacing one text in a file. Returns the exit status and the
-        output.
+        """The exit status and output of checking the proofs of the targets after replacing one text in a file.
         """
         changed = coq.copied(proofs, build)
         text = (changed / f"{file}.v").read_text()

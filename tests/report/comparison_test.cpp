@@ -12,7 +12,6 @@ namespace {
 
 using properties::Count;
 
-/// A report of one subject on the families x and y.
 report::Run report_with(std::map<std::string, Count> in_x, std::map<std::string, Count> in_y) {
   report::Run run;
   run.settings.cases = 100;

@@ -6,7 +6,7 @@
 
 #include <carom/report/document/document.hpp>
 
-/// Text of third parties is safe in every format, and each format has its required parts.
+/// Text of third parties is safe in every format.
 namespace carom::report {
 namespace {
 

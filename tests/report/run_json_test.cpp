@@ -10,13 +10,11 @@
 #include <carom/report/model/merged_run.hpp>
 #include <carom/report/model/run_json.hpp>
 
-/// The same functions write a run as report.json and read it back.
 namespace carom::report {
 namespace {
 
 using nlohmann::json;
 
-/// A subject that never changes a velocity.
 Subject idle_subject() {
   Subject subject;
   subject.name = "idle";
@@ -97,7 +95,7 @@ TEST(RunJson, KeepsWhatAComparisonNeeds) {
   EXPECT_EQ(read.exit_status(), run.exit_status());
 }
 
-/// The baseline (an earlier report) contains every violation, so only the error makes the run fail.
+/// The baseline (an earlier report) has every violation, so only the error makes the run fail.
 TEST(RunJson, KeepsTheErrorOfAShardThatAlsoViolatesSomething) {
   properties::GateReport report = judged_report();
   const report::Run baseline = run_with(report, false);

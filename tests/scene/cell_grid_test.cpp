@@ -31,7 +31,7 @@ CellGrid grid_of(const std::vector<Path>& paths) {
   return grid;
 }
 
-/// The number of pairs in contact at a time. Fails for pairs in contact that are not neighbours in the grid.
+/// The number of pairs in contact at a time. Checks that they are neighbours in the grid.
 int count_touching(const CellGrid& grid, const std::vector<Path>& paths, double time) {
   int touching = 0;
   for (std::size_t i = 0; i < paths.size(); ++i) {
@@ -68,8 +68,7 @@ TEST(CellGrid, NeighboursAreFewWhereSpheresAreApart) {
   for (std::size_t i = 0; i < paths.size(); ++i) {
     grid.for_neighbours(static_cast<CellGrid::Index>(i), [&](CellGrid::Index) { ++neighbours; });
   }
-  // A cell has 0.75³ of the volume per sphere, so 27 cells hold about 12 spheres. Lists that they share with other
-  // cells add about as many again.
+  // A cell has 0.75³ of the volume per sphere, so 27 cells hold about 12 spheres. Shared lists add about as many.
   EXPECT_LT(neighbours, 40 * paths.size());
 }
 
@@ -111,7 +110,7 @@ TEST(CellGrid, WhatRestsNeverLeaves) {
   const std::vector<Path> paths{unit::resting({0.25, 0.25, 0.25}, 0.5)};
   CellGrid grid = grid_of(paths);
   EXPECT_EQ(grid.leaving(0, paths[0], 3).time, never);
-  // A ball thrown up along one axis leaves the cell upwards, or downwards on its way back.
+  // A ball thrown up may leave the cell upwards, or downwards on its way back.
   const Path thrown = path_of({0.25, 0.25, 0.25}, {0, 0, 1}, {0, 0, -2}, 0.5);
   const double width = grid.width();
   const CellGrid::Leaving leaving = grid.leaving(0, thrown, 0);

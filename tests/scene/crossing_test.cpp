@@ -28,13 +28,13 @@ struct ExactQuadratic {
     return -c1 / (Rational(2) * c2);
   }
 
-  /// Whether it is negative anywhere in [0, end].
+  /// Whether the quadratic is negative anywhere in [0, end].
   [[nodiscard]] bool falls_before(const Rational& end) const {
     const auto vertex = bottom();
     return at(Rational(0)) < 0 || at(end) < 0 || (vertex && *vertex > 0 && *vertex < end && at(*vertex) < 0);
   }
 
-  /// Whether it is negative anywhere from 0 on.
+  /// Whether the quadratic is negative anywhere from 0 on.
   [[nodiscard]] bool ever_falls() const {
     const auto vertex = bottom();
     if (vertex) {
@@ -44,7 +44,7 @@ struct ExactQuadratic {
   }
 };
 
-/// The defect of a computed crossing of a quadratic that is not negative at 0; empty if it is right or undecided.
+/// What is wrong with the crossing of a quadratic that is not negative at 0; empty if it is right or undecided.
 std::string wrong_with(const Crossing& found, const ExactQuadratic& truth) {
   switch (found.decision) {
     case Decision::none:
@@ -54,7 +54,7 @@ std::string wrong_with(const Crossing& found, const ExactQuadratic& truth) {
       if (before > 0 && truth.falls_before(before)) {
         return "it falls before";
       }
-      // A root at the end of the bounds is allowed if the quadratic is negative right after it.
+      // A root at the end of the bounds is allowed if the quadratic falls there.
       const Rational after = Rational(found.s) + Rational(found.error);
       const Rational instant = Rational(1).times_power_of_two(-1060);
       return truth.falls_before(after + instant) ? "" : "it falls after, or never";
@@ -88,7 +88,6 @@ TEST(Crossing, BoundsThatOfEveryQuadraticWithinTheRadii) {
     q.c1 = stream.chance(8) ? 0 : stream.signed_unit() * stream.power_of_ten(-6, 3);
     q.c2 = stream.chance(8) ? 0 : stream.signed_unit() * stream.power_of_ten(-6, 3);
     if (stream.chance(3) && q.c0 > 0) {
-      // Close to a double root.
       q.c2 = q.c1 * q.c1 / (4 * q.c0) * (1 + stream.signed_unit() * stream.power_of_ten(-16, -1));
     }
     q.e0 = relative * std::abs(q.c0);
@@ -104,7 +103,7 @@ TEST(Crossing, BoundsThatOfEveryQuadraticWithinTheRadii) {
       }
     }
   }
-  // Most quadratics are decided, although a third is close to a double root and radii go up to a hundredth.
+  // A third of the quadratics is close to a double root, and radii go up to a hundredth.
   EXPECT_GT(decided, 1200);
   EXPECT_GT(crossed, 400);
 }
@@ -112,8 +111,8 @@ TEST(Crossing, BoundsThatOfEveryQuadraticWithinTheRadii) {
 TEST(Crossing, OfCoefficientsWithoutRadiiIsKnownToSomeUlps) {
   properties::Stream stream = properties::stream_from(2);
   for (int i = 0; i < 1000; ++i) {
-    // The discriminant D is at least c₁²/2, so the residual is a few u of its terms. The error is a few u of s, times
-    // c₁/√D.
+    // The discriminant D is at least c₁²/2, so the residual is a few unit roundoffs u of its terms, and the error a few
+    // u of s, times c₁/√D.
     const double c1 = -stream.between(0.5, 2);
     const double c0 = stream.between(0.1, 1);
     const double c2 = stream.signed_unit() * c1 * c1 / (8 * c0);
@@ -144,7 +143,7 @@ TEST(Crossing, OfSpheresThatTouchIsWhetherTheyRecede) {
 TEST(Crossing, OfWhatRecedesIsNone) {
   EXPECT_EQ(first_crossing({1, 1, 3, 0x1p-50, 0x1p-50, 0x1p-50}).decision, Decision::none);
   EXPECT_EQ(first_crossing({1, 1, 0, 0x1p-50, 0x1p-50, 0}).decision, Decision::none);
-  // The radii do not decide whether the quadratic falls at first.
+  // The radii leave open whether the quadratic falls at first.
   EXPECT_EQ(first_crossing({0, 0x1p-51, 1, 0x1p-50, 0x1p-50, 0}).decision, Decision::undecided);
 }
 
@@ -157,12 +156,12 @@ TEST(Crossing, OfALineIsItsRoot) {
 }
 
 TEST(Crossing, OfABallThatHasBouncedIsWhereItComesDownAgain) {
-  // The ball starts on the plane, so 3 s − s² has a root at s = 0. The function finds the other root.
+  // The ball starts on the plane, a root at s = 0. The crossing is the other root of 3 s − s².
   const Crossing found = first_crossing({0, 3, -1, 0, 0, 0});
   ASSERT_EQ(found.decision, Decision::bounded);
   EXPECT_NEAR(found.s, 3, found.error);
   EXPECT_LE(found.error, 64 * roundoff * 3);
-  // With a radius of c₀, the function finds the same root, not the one at 0.
+  // The same quadratic with a radius of c₀ has the same crossing.
   const Crossing state_at = first_crossing({0, 3, -1, 0x1p-50, 0, 0});
   ASSERT_EQ(state_at.decision, Decision::bounded);
   EXPECT_NEAR(state_at.s, 3, state_at.error);
@@ -181,7 +180,7 @@ TEST(Crossing, AsBoundsOfTimeContainsTheSum) {
     EXPECT_TRUE(Rational(bounds.earliest) <= earliest || bounds.earliest == now);
     EXPECT_TRUE(Rational(bounds.latest) >= latest);
     EXPECT_GE(bounds.earliest, now);
-    // The width is at most the error and the rounding of three sums of this size.
+    // The width is at most the error, and the rounding of three sums of this size.
     EXPECT_LE(bounds.latest - bounds.earliest, 2 * crossing.error + 16 * roundoff * (now + crossing.s));
   }
 }

@@ -21,7 +21,7 @@ using unit::Vector;
 const Vector at_rest = Vector::Zero();
 
 TEST(ExactTime, OfMirroredPairsIsEqual) {
-  // Contacts related by a mirror, by exchange and by halving. Their times are irrational, so no double equals them.
+  // Contacts related by a mirror and by exchange. Their times are irrational.
   const Path middle = path_of({0, 0, 0}, {0, 0, 1}, at_rest, 0.3);
   const Path right = path_of({2, 0.25, 0.1}, {-1, 0, 1.125}, {0, 0, -0.5}, 0.7);
   const Path left = path_of({-2, 0.25, 0.1}, {1, 0, 1.125}, {0, 0, -0.5}, 0.7);
@@ -32,7 +32,7 @@ TEST(ExactTime, OfMirroredPairsIsEqual) {
   EXPECT_EQ(*time_right, *time_left);
   EXPECT_EQ(*time_right, *exchanged);
   const TimeBounds bounds = time_right->bounds();
-  EXPECT_EQ(bounds.latest, std::nextafter(bounds.earliest, never));  // no double
+  EXPECT_EQ(bounds.latest, std::nextafter(bounds.earliest, never));  // adjacent doubles
 }
 
 TEST(ExactTime, OrdersWhatDiffersByLessThanAnUlp) {
@@ -43,7 +43,6 @@ TEST(ExactTime, OrdersWhatDiffersByLessThanAnUlp) {
   const auto one = at(1, 1);
   ASSERT_TRUE(one);
   EXPECT_EQ(*one, ExactTime::at(1));
-  // The contact if the distance is larger by `delay`.
   const auto later_by = [&](double delay) {
     return exact_contact(wall, path_of({2 + delay, 0, 0}, {-1, 0, 0}, at_rest, 0.5), 0);
   };
@@ -67,7 +66,7 @@ TEST(ExactTime, BoundsAreTheDoublesBeside) {
   for (int i = 0; i < 200; ++i) {
     const Path a = path_of(stream.vector(), stream.vector(), stream.vector(), 0.1, stream.unit());
     const Vector aside = 3 * stream.vector();
-    // Aimed at the other body's position at time 1.
+    // Aimed at the other body.
     const Path b = path_of(aside, position_at(a, 1) - aside, 0.25 * stream.vector(), 0.6);
     if (sign_of_gap(a, b, 0) <= 0) {
       continue;
@@ -86,8 +85,7 @@ TEST(ExactTime, BoundsAreTheDoublesBeside) {
   EXPECT_GT(found, 100);
 }
 
-/// The slowest speed that keep_apart can leave is the smallest double. At this speed the contact is later than any
-/// double.
+/// The slowest speed that keep_apart can leave is the smallest double.
 TEST(ExactTimeDeathTest, OfWhatIsBeyondAllDoublesHasBounds) {
   const Path creeping = path_of({3, 0, 0}, {-std::numeric_limits<double>::denorm_min(), 0, 0}, at_rest, 0.5);
   const Reach wall{{1, 0, 0}, 0.5};
@@ -105,18 +103,17 @@ TEST(ExactTimeDeathTest, OfWhatIsBeyondAllDoublesHasBounds) {
 TEST(ExactTime, OfAGrazingPassIsNone) {
   const Path sphere = resting({0, 0, 0}, 0.5);
   EXPECT_FALSE(exact_contact(sphere, path_of({-3, 1, 0}, {1, 0, 0}, at_rest, 0.5), 0));
-  // A parabola whose top touches the plane has no contact. With one ulp more speed it has one.
+  // A parabola whose top touches the plane has no contact. With one ulp more speed it has a contact.
   const Reach ceiling{{0, 0, -1}, -2};
   EXPECT_FALSE(exact_contact(path_of({0, 0, 0}, {1, 0, 4}, {0, 0, -4}, 0.5), ceiling, 0));
   const auto hit = exact_contact(path_of({0, 0, 0}, {1, 0, std::nextafter(4.0, 5)}, {0, 0, -4}, 0.5), ceiling, 0);
   ASSERT_TRUE(hit);
   EXPECT_LT(*hit, ExactTime::at(1));
-  // One ulp nearer, the spheres have a contact.
   EXPECT_TRUE(exact_contact(sphere, path_of({-3, std::nextafter(1.0, 0), 0}, {1, 0, 0}, at_rest, 0.5), 0));
 }
 
 TEST(ExactTime, OfATopThatTouchesIsNone) {
-  // The path is a parabola whose top, x = −1, touches the other sphere. So (s − 1)² is a factor of the squared gap.
+  // The top of the parabola, x = −1, touches the other sphere, so (s − 1)² is a factor of the squared gap.
   const Path other = resting({0, 0, 0}, 0.5);
   const Path path = path_of({-2, 0, 0}, {2, 0, 0}, {-2, 0, 0}, 0.5);
   EXPECT_EQ(sign_of_gap(path, other, 1), 0);
@@ -131,15 +128,14 @@ TEST(ExactTime, OfContactAtPresentIsThePresent) {
   EXPECT_FALSE(exact_contact(sphere, path_of({1, 0, 0}, {1, 0, 0}, at_rest, 0.5), 0));
   EXPECT_FALSE(exact_contact(sphere, path_of({1, 0, 0}, {0, 3, 0}, at_rest, 0.5), 0));
   EXPECT_FALSE(exact_contact(sphere, resting({1, 0, 0}, 0.5), 0));
-  // The sphere is at rest but accelerated inwards, so the gap falls at once.
+  // The sphere is at rest but accelerated inwards.
   const auto pressed = exact_contact(sphere, path_of({1, 0, 0}, {0, 0, 0}, {-1, 0, 0}, 0.5), 0);
   ASSERT_TRUE(pressed);
   EXPECT_EQ(*pressed, ExactTime::at(0));
-  // The search starts later than the path.
   const auto later = exact_contact(sphere, path_of({2, 0, 0}, {-1, 0, 0}, at_rest, 0.5), 1);
   ASSERT_TRUE(later);
   EXPECT_EQ(*later, ExactTime::at(1));
-  // A sphere that has touched and recedes returns because of its acceleration.
+  // A sphere that recedes returns because of its acceleration.
   const auto back = exact_contact(sphere, path_of({1, 0, 0}, {1, 0, 0}, {-2, 0, 0}, 0.5), 0);
   ASSERT_TRUE(back);
   EXPECT_EQ(*back, ExactTime::at(1));
@@ -158,7 +154,7 @@ TEST(SignOfGap, IsThatOfRationalArithmetic) {
       return unit::sign_of(square - radii * radii);
     };
     EXPECT_EQ(sign_of_gap(a, b, time), expected());
-    // The radius is chosen so that they nearly touch, within an ulp.
+    // With this radius, the spheres nearly touch.
     b.radius = std::sqrt((position_at(a, time) - position_at(b, time)).squaredNorm()) - a.radius;
     if (b.radius > 0) {
       EXPECT_EQ(sign_of_gap(a, b, time), expected());

@@ -31,7 +31,6 @@ StruckSphere random_sphere(properties::Stream& stream, const Vector& position, d
   return sphere;
 }
 
-/// Two spheres that touch and approach.
 Collision random_collision(properties::Stream& stream) {
   const Vector normal = stream.direction().normalized();
   StruckSphere a = random_sphere(stream, 2 * stream.vector(), stream.between(0.2, 1));
@@ -74,7 +73,7 @@ TEST(Impact, AgreesWithTheGenericSolversWithinUlps) {
       for (const Precision precision : {Precision::binary32, Precision::binary64, Precision::extended}) {
         const Outcome<double> found = struck(law, precision, collision);
         // Both solvers have at most about 40 roundings. A rounding of the impulse changes an angular velocity by up to
-        // 5/(2 R) = 12.5 times its effect on the velocity. So 128 u of the greatest speed covers both effects.
+        // 5/(2 R) = 12.5 times its effect on the velocity. So 128 u of the greatest speed covers both.
         const double u = std::max(roundoff, unit_roundoff(precision));
         const double size = 16;
         const auto ours = vectors(found);
@@ -134,8 +133,7 @@ TEST(KeepApart, IsExact) {
     const Vector b = 2 * stream.vector();
     Vector va = stream.vector();
     Vector vb = stream.vector();
-    // The velocities after an impact with ε = 0: no speed along the normal, up to rounding, and the other components
-    // as drawn.
+    // After an impact with ε = 0: no speed along the normal, up to rounding.
     const Vector n = (a - b).normalized();
     va += n.dot(vb - va) * n;
     const Vector before = va;
@@ -147,7 +145,7 @@ TEST(KeepApart, IsExact) {
     }
     EXPECT_TRUE(apart >= 0);
     changed += va == before ? 0 : 1;
-    // The change is a few ulps. The approach is about 8 u of speeds up to 4, and is divided by a component of n of at
+    // The change is a few ulps: the approach is about 8 u of speeds up to 4, and is divided by a component of n of at
     // least 1/√3.
     EXPECT_LE((va - before).norm() + (vb - other).norm(), 64 * roundoff * 4);
   }

@@ -36,7 +36,7 @@ double energy(const Vector& v, const Vector& w) {
   return 0.5 * v.squaredNorm() + 0.2 * ball_radius * ball_radius * w.squaredNorm();
 }
 
-/// The rounding error of a few products and sums of numbers of size 1 to 10.
+/// The rounding error of a few operations on numbers of size 1 to 10.
 constexpr double few_roundings = 1e-14;
 
 TEST(LevelMotion, SlipEndsAndRollsWithTheTextbooksVelocity) {
@@ -58,7 +58,7 @@ TEST(LevelMotion, SlipEndsAndRollsWithTheTextbooksVelocity) {
                 8 * few_roundings);
     EXPECT_EQ(sliding.turning.ending, Ending::slip);
     const Arc rolling = next(sliding, without_resistance);
-    // The ball rolls with (5/7) v + (2/7) R w × n. Friction has no moment about the contact point.
+    // Friction has no moment about the contact point, so the ball rolls with (5/7) v + (2/7) R w × n.
     const Vector rolls = (5.0 / 7) * v + (2.0 / 7) * ball_radius * w.cross(Vector(0, 0, 1));
     EXPECT_LE((rolling.path.velocity - rolls).norm(), 8 * few_roundings);
     ASSERT_EQ(rolling.turning.phase, Phase::rolling);
@@ -73,7 +73,6 @@ TEST(LevelMotion, SlipEndsAndRollsWithTheTextbooksVelocity) {
 }
 
 TEST(LevelMotion, TopspinAccelerates) {
-  // The ball rotates faster than if it rolled.
   const Arc arc = arc_of({1, 0, 0}, {0, 10, 0}, cloth);
   ASSERT_EQ(arc.turning.phase, Phase::sliding);
   EXPECT_DOUBLE_EQ(arc.path.acceleration.x(), cloth.friction * gravity);
@@ -91,7 +90,6 @@ TEST(LevelMotion, RollingResistanceStopsIt) {
   EXPECT_NEAR(rolling.path.end, v / (cloth.rolling_resistance * gravity), few_roundings);
   EXPECT_NEAR(position_at(rolling.path, rolling.path.end).y() - 2, v * v / (2 * cloth.rolling_resistance * gravity),
               8 * few_roundings);
-  // The ball rolls during the whole arc.
   const double middle = 0.5 * rolling.path.end;
   EXPECT_LE(slip(velocity_at(rolling.path, middle), angular_velocity_at(rolling, middle)).norm(), few_roundings);
   const Arc rests = next(rolling, cloth);
@@ -118,7 +116,6 @@ TEST(LevelMotion, SpinDecays) {
 }
 
 TEST(LevelMotion, PhasesEndOneAfterTheOther) {
-  // Slip, roll and spin each end separately, in any order.
   properties::Stream stream = properties::stream_from(5);
   for (int i = 0; i < 100; ++i) {
     Arc arc = arc_of({stream.signed_unit(), stream.signed_unit(), 0}, 5 * stream.vector(), cloth);
@@ -170,7 +167,6 @@ TEST(LevelMotion, IsTheSameOnEveryAxis) {
   EXPECT_LE((other.path.acceleration - turned(arc.path.acceleration)).norm(), few_roundings);
   EXPECT_LE((other.turning.angular_acceleration - turned(arc.turning.angular_acceleration)).norm(), 8 * few_roundings);
   EXPECT_NEAR(other.path.end, arc.path.end, few_roundings);
-  // Half a turn about x exchanges up and down.
   const auto over = [](const Vector& x) { return Vector(x.x(), -x.y(), -x.z()); };
   const Arc below = level_arc({2, -1, gravity}, 3, cloth, true, ball_radius, 0, over({1, 2, ball_radius}),
                               over({1, 0.5, 0}), over({2, -3, 4}));

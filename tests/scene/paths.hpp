@@ -28,7 +28,6 @@ using Vector = Vector3<double>;
   return path_of(position, Vector::Zero(), Vector::Zero(), radius);
 }
 
-/// The exact position of the centre on a path at a time [m].
 [[nodiscard]] inline ExactVector exact_position(const scene::Path& path, double time) {
   const Rational s = Rational(time) - Rational(path.start);
   ExactVector result;

@@ -34,7 +34,6 @@ TEST(RoundedAway, IsNotNearerThanThePath) {
       } else if (away[axis] < 0) {
         EXPECT_TRUE(over <= 0);
       }
-      // The coordinate moves by at most two ulps.
       const double ulp = std::nextafter(std::abs(rounded[axis]), never) - std::abs(rounded[axis]);
       EXPECT_TRUE((over >= 0 ? over : -over) <= Rational(2) * Rational(ulp) || std::abs(rounded[axis]) < 1e-3);
       moved += away[axis] != 0 && over != 0 ? 1 : 0;
@@ -43,8 +42,7 @@ TEST(RoundedAway, IsNotNearerThanThePath) {
   EXPECT_GT(moved, 1000);
 }
 
-/// The body returns almost to its start. The remaining distance is smaller than the rounding of v + s a/2 in the widest
-/// format.
+/// The body returns almost to its start, within the rounding of v + s a/2 in long double.
 TEST(RoundedAway, IsNotNearerThanAPathThatHasAllButReturned) {
   properties::Stream stream = properties::stream_from(4);
   int returned = 0;
@@ -72,14 +70,13 @@ TEST(RoundedAway, LeavesWhatDoesNotMove) {
   EXPECT_EQ(rounded_away(starting, 7, {1, -1, 1}), starting.position);
 }
 
-/// Two bodies rounded away from each other overlap no more than their paths.
 TEST(RoundedAway, KeepsApartWhatTouches) {
   properties::Stream stream = properties::stream_from(2);
   int contacts = 0;
   for (int i = 0; i < 1000; ++i) {
     const Path a = path_of(stream.vector(), stream.vector(), {0, 0, -9.81}, 0.25);
     const Vector aside = 3 * stream.vector();
-    // Aimed at the other body, with the same gravity.
+    // Aimed at the other body.
     const Path b = path_of(aside, a.position - aside + stream.vector(), {0, 0, -9.81}, 0.5);
     if (sign_of_gap(a, b, 0) < 0) {
       continue;
@@ -94,7 +91,7 @@ TEST(RoundedAway, KeepsApartWhatTouches) {
     const Path placed_a = path_of(rounded_away(a, time, away), {0, 0, 0}, {0, 0, 0}, a.radius, time);
     const Path placed_b = path_of(rounded_away(b, time, -away), {0, 0, 0}, {0, 0, 0}, b.radius, time);
     EXPECT_GE(sign_of_gap(placed_a, placed_b, time), 0);
-    // The bodies hardly separate. The tolerance is a few ulps of coordinates up to 10.
+    // The tolerance is a few ulps of coordinates up to 10.
     EXPECT_LE((placed_a.position - placed_b.position).norm() - a.radius - b.radius, 1e-13);
   }
   EXPECT_GT(contacts, 100);

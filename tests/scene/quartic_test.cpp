@@ -15,7 +15,7 @@ namespace {
 using unit::path_of;
 using unit::Vector;
 
-/// The error of the bounds on the time of contact of two paths, up to a horizon. Empty if they are right.
+/// What is wrong with the bounds on the time of contact up to a horizon; empty if they are right.
 std::string wrong_with(const TimeBounds& found, const std::optional<ExactTime>& truth, double horizon) {
   const bool in_time = truth && *truth <= ExactTime::at(horizon);
   if (found.earliest == never) {
@@ -35,8 +35,7 @@ struct Pair {
   Path a, b;
 };
 
-/// Two spheres that do not overlap at 0, each with its own acceleration. Often the second one is thrown so that it
-/// hits the first, or nearly does.
+/// Two spheres that do not overlap at 0, with different accelerations. Often the second sphere is thrown at the first.
 Pair random_pair(properties::Stream& stream) {
   const double size = stream.power_of_ten(-1, 1);
   const Path a = path_of(stream.vector() * size, stream.vector(), stream.vector(), stream.between(0.05, 0.5),
@@ -72,18 +71,16 @@ TEST(Quartic, BoundsContainTheExactTime) {
       FAIL() << wrong << ", seed " << seed;
     }
     wide += found.earliest < never && found.latest - found.earliest > 1e-6 ? 1 : 0;
-    // `stay_apart` does not miss a contact either.
     const bool is_apart = stay_apart(pair.a, pair.b, relative, 0, horizon);
     ASSERT_TRUE(!is_apart || found.earliest == never) << seed;
   }
   EXPECT_GT(contacts, 100);
   EXPECT_GT(misses, 50);
-  // Speeds are near 1 and distances near 3, so contacts are much more accurate than a millionth.
+  // Speeds are near 1 and distances near 3, so all bounds are narrower than a millionth.
   EXPECT_EQ(wide, 0);
   EXPECT_LT(counts.predictions, 40U);  // bounds decide nearly all
 }
 
-/// With equal accelerations the gap is a quadratic. Its bounds contain the exact time too.
 TEST(Quadratic, BoundsContainTheExactTime) {
   int contacts = 0;
   ExactCounts counts;
@@ -118,7 +115,6 @@ TEST(Plane, BoundsContainTheExactTime) {
     const Path path = path_of(3 * stream.vector(), stream.vector(), stream.vector(), 0.25, -stream.unit());
     Reach reach{normal, reach_of(normal, stream.vector(), path.radius)};
     if (sign_of_gap(path, reach, 0) < 0) {
-      // Takes the other side of the plane.
       reach = {-normal, reach_of(-normal, stream.vector(), path.radius)};
       if (sign_of_gap(path, reach, 0) < 0) {
         continue;
@@ -145,7 +141,7 @@ TEST(Quartic, ThatTouchesZeroIsUndecided) {
   EXPECT_EQ(first_crossing(above).decision, Decision::none);
 }
 
-/// (x² − 1/64)(x² − 9/64) with x = t − 1/2, on the interval of length 1 from t = `begin`. Its roots are t = 1/8, 3/8,
+/// (x² − 1/64)(x² − 9/64) with x = t − 1/2, on the interval of length 1 from t = `begin`. The roots are t = 1/8, 3/8,
 /// 5/8 and 7/8.
 UncertainQuartic with_four_roots(double begin) {
   const double x = begin - 0.5;
@@ -162,13 +158,12 @@ TEST(Quartic, FindsTheFirstOfFourRoots) {
   const Crossing found = first_crossing(with_four_roots(0.03));
   ASSERT_EQ(found.decision, Decision::bounded);
   EXPECT_NEAR(found.s, 0.125 - 0.03, found.error);
-  // The slope at the root is −3/32, so an error of 2⁻⁴⁸ in height is 11 · 2⁻⁴⁸ in time. Bisection reaches this error
-  // within a factor of 8.
+  // The slope at the root is −3/32, so an error of 2⁻⁴⁸ in height is 11 · 2⁻⁴⁸ in time. Bisection reaches this within a
+  // factor of 8.
   EXPECT_LE(found.error, 128 * 0x1p-48);
 }
 
-/// If a point of subdivision is the root itself, the bounds are as narrow as for other roots. An event takes place at
-/// the earlier bound.
+/// A point of subdivision is the root itself. An event takes place at the earlier bound, so the bounds must be narrow.
 TEST(Quartic, FindsARootInTheMiddle) {
   const Crossing found = first_crossing(with_four_roots(0));
   ASSERT_EQ(found.decision, Decision::bounded);

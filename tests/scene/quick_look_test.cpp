@@ -15,8 +15,8 @@ namespace {
 
 using unit::Vector;
 
-/// Two spheres in flight, each from its own start time, that pass each other after `now`. At one time their distance is
-/// the sum of their radii, times a factor that differs from 1 by at most `closeness`.
+/// Two spheres in flight, each from its own start time, that pass each other after `now` at about the sum of their
+/// radii, times a factor that differs from 1 by at most `closeness`.
 struct Flight {
   SphereStore store;
   Vector gravity{0, 0, 0};
@@ -44,7 +44,6 @@ struct Flight {
     set(1, now - stream.unit(), place + distance * normal, velocity, ahead);
   }
 
-  /// Puts the sphere at `target` with this velocity, `ahead` after `now`.
   void set(std::size_t sphere, double start, const Vector& target, const Vector& velocity, double ahead) {
     const double s = now + ahead - start;
     Arc arc;
@@ -76,8 +75,7 @@ TEST(QuickLook, RejectsNothingThatTouches) {
       ASSERT_TRUE(!look_until(horizon, never)) << seed;
       ASSERT_TRUE(!look_until(never, horizon)) << seed;
     }
-    // Looks until a time before the horizon, possibly very close to it. `stay_apart` rejects everything that the quick
-    // look rejects, because its bounds are for these two spheres.
+    // The bounds of `stay_apart` are narrower, so it rejects everything that the quick look rejects.
     const double before = now + (horizon - now) * (1 - stream.power_of_ten(-12, 0));
     if (look_until(before, never)) {
       ++rejected;

@@ -37,7 +37,7 @@ inline void add_plane(scene::Scene& scene, const Vector3<double>& normal, const 
   scene.planes.push_back({"plane " + std::to_string(scene.planes.size()), 0, normal, point});
 }
 
-/// Adds a polyhedron by its corners, with the origin of its own frame at the position.
+/// Adds a polyhedron with the origin of its own frame at the position.
 inline void add_polyhedron(scene::Scene& scene, const std::vector<Vector3<double>>& vertices,
                            const Vector3<double>& position, const Vector3<double>& velocity = {0, 0, 0},
                            const Vector3<double>& angular_velocity = {0, 0, 0}) {
@@ -50,7 +50,7 @@ inline void add_polyhedron(scene::Scene& scene, const std::vector<Vector3<double
   scene.polyhedra.push_back(polyhedron);
 }
 
-/// The corners of a box about 0 with these edges.
+/// The corners of a box about 0 with edges of these lengths.
 [[nodiscard]] inline std::vector<Vector3<double>> centred_box(const Vector3<double>& edges) {
   std::vector<Vector3<double>> corners;
   for (const double x : {-0.5, 0.5}) {
@@ -63,7 +63,7 @@ inline void add_polyhedron(scene::Scene& scene, const std::vector<Vector3<double
   return corners;
 }
 
-/// Four of the eight corners of the cube from −size to size.
+/// Four corners of the cube from −size to size.
 [[nodiscard]] inline std::vector<Vector3<double>> centred_tetrahedron(double size) {
   return {{size, size, size}, {size, -size, -size}, {-size, size, -size}, {-size, -size, size}};
 }
@@ -99,15 +99,15 @@ inline void add_box(scene::Scene& scene, double size) {
   return scene;
 }
 
-/// side³ boxes and tetrahedra, and optionally balls, in a cube of as many cells with edge 1. Each has a random
-/// orientation within its own cell.
+/// side³ boxes and tetrahedra, and optionally balls, in a cube of as many cells with edge 1. Each body has a random
+/// orientation in its own cell.
 [[nodiscard]] inline scene::Scene box_of_bodies(Law law, const scene::MaterialPair& pair, int side, double duration,
                                                 std::uint64_t gas_seed, bool has_balls) {
   properties::Stream stream = properties::stream_from(gas_seed);
   scene::Scene scene = empty_scene(law, pair, duration);
   add_box(scene, side);
   for (int cell = 0; cell < side * side * side; ++cell) {
-    // Bodies reach at most 0.4 from their centres, which are within 0.09 of the cells' centres.
+    // Bodies reach 0.4 from their centres, which are within 0.09 of the cells' centres.
     const Vector3<double> aside = 0.09 * stream.vector();
     const Vector3<double> centre =
         Vector3<double>(cell % side + 0.5, cell / side % side + 0.5, cell / (side * side) + 0.5) + aside;
@@ -129,7 +129,7 @@ inline void add_box(scene::Scene& scene, double size) {
   return scene;
 }
 
-/// Copies of the first events of a scene, at most `most`.
+/// Copies of the first events of a scene, at most `most`, without renewals.
 template <class Loop = scene::SphereSimulation>
 [[nodiscard]] inline std::vector<scene::Event> events_of(scene::Scene scene, std::size_t most) {
   Loop simulation(std::move(scene));

@@ -41,8 +41,8 @@ TEST(SphereSimulation, OfNothingHasNoEvents) {
   EXPECT_TRUE(unit::events_of(unit::empty_scene(Law::frictionless, elastic, 5), 10).empty());
 }
 
-/// Planes outside the reach of a cell are skipped, and planes from the eighth on are tested together. So a box behind
-/// ten planes that nothing touches has the same events as the box alone.
+/// Planes outside the reach of a cell are skipped, and planes from the eighth on are tested together. So ten planes
+/// that nothing touches must change nothing.
 TEST(SphereSimulation, PlanesFarAwayChangeNothing) {
   const Scene box = unit::box_of_spheres(Law::frictionless, elastic, 4, 5, 11);
   Scene more = box;
@@ -79,16 +79,15 @@ TEST(SphereSimulation, BouncesAtTheTimesOfTheClosedForm) {
   double speed = g * time;
   for (std::size_t bounce = 0; bounce < 10; ++bounce) {
     EXPECT_EQ(events[bounce].kind, EventKind::plane_impact);
-    // The bounds of a time differ by about 2 · 28 u of the height's terms, divided by the speed. This is less than 128
-    // u of a time below 1. An event is early by up to this amount, and its speed is smaller by g times this amount.
+    // The bounds of a time differ by about 2 · 28 u of the height's terms, over the speed (u = `roundoff`): less than
+    // 128 u of a time below 1. An event may be early by so much, and its speed is then smaller by g times this amount.
     EXPECT_NEAR(events[bounce].time, time, static_cast<double>(bounce + 1) * 0x1p-46) << bounce;
     speed *= restitution;
     EXPECT_NEAR(events[bounce].a.after.path.velocity.z(), speed, static_cast<double>(bounce + 1) * g * 0x1p-46);
     EXPECT_EQ(events[bounce].a.after.path.velocity.x(), 0);
     time += 2 * speed / g;
   }
-  // The ball bounces until it would rise no higher than 10⁻⁶ R. ε²ⁿ h = 10⁻⁶ R at n = 25.2…, so the 26th event is no
-  // bounce.
+  // The ball bounces until it would rise no higher than 10⁻⁶ R: ε²ⁿ h at n = 25.2….
   const Event& last = events.back();
   EXPECT_EQ(events.size(), 26U);
   EXPECT_EQ(last.kind, EventKind::capture);
@@ -178,7 +177,7 @@ TEST(SphereSimulation, PassesTheBlowOnThroughACradle) {
 }
 
 TEST(SphereSimulation, TakesOfEqualTimesTheLowerSpheresFirst) {
-  // One ball hits two at once. In any order of the list, the pair with the lower numbers comes first.
+  // One ball hits two balls at once.
   std::vector<std::size_t> order{0, 1, 2};
   do {
     Scene scene = unit::empty_scene(Law::frictionless, elastic, 4);
@@ -199,14 +198,14 @@ TEST(SphereSimulation, TakesOfEqualTimesTheLowerSpheresFirst) {
     EXPECT_EQ(events[1].a.body, std::min(high, order[0]));
     EXPECT_EQ(events[1].b->body, std::max(high, order[0]));
     // The contact is at √(1 − 0.75²) from the centre. The three terms of the squared gap are up to 14, each accurate to
-    // about 28 u. The root of the discriminant D is 1.3, so the time is accurate to 2 · 3 · 14 · 28 u/1.3.
+    // about 28 u. The root of the discriminant is 1.3, so the time is accurate to 2 · 3 · 14 · 28 u/1.3.
     EXPECT_NEAR(events[0].time, 3 - std::sqrt(0.4375), 2048 * roundoff);
     EXPECT_NEAR(events[1].time, events[0].time, 2048 * roundoff);
   } while (std::next_permutation(order.begin(), order.end()));
 }
 
 TEST(SphereSimulation, CountsExactTies) {
-  // Pairs that are mirror images, and two balls that reach one plane at the same time.
+  // Pairs that are mirror images, so that two balls are hit at the same time.
   Scene scene = unit::empty_scene(Law::frictionless, elastic, 3);
   for (const double side : {1.0, -1.0}) {
     unit::add_sphere(scene, 0.3, {3 * side, 0.1, 0}, {0, 0, 0});
@@ -241,7 +240,7 @@ TEST(SphereSimulation, IsDeterministic) {
 }
 
 /// The tolerance for two runs that round differently. An impact at the angle θ, after a path of length l, enlarges a
-/// difference by 1 + 2 l/(R cos θ). This factor is less than 32 for l < 2 and R > 0.2, except for grazing impacts. In
+/// difference by 1 + 2 l/(R cos θ). Except for grazing impacts, this factor is less than 32 for l < 2 and R > 0.2. In
 /// 24 events of 8 spheres, a sphere has up to 6 impacts in a row, and 32⁶ · 2⁻⁵² is 2⁻²².
 constexpr std::size_t early_events = 24;
 constexpr double early_tolerance = 0x1p-22;
@@ -291,7 +290,7 @@ TEST(SphereSimulation, TurnsWithTheScene) {
 
 using Wide = long double;
 
-/// The first time from `now` on at which the quadratic falls below 0; never if it does not.
+/// The first time from `now` on at which the quadratic falls below 0.
 Wide first_fall(Wide c0, Wide c1, Wide c2) {
   const Wide discriminant = c1 * c1 - 4 * c0 * c2;
   if (c1 >= 0 && c2 >= 0) {
@@ -303,8 +302,7 @@ Wide first_fall(Wide c0, Wide c1, Wide c2) {
   return (c1 + std::sqrt(discriminant)) / (-2 * c2);
 }
 
-/// The next event and its time, computed from the current state over all pairs and planes. It uses no grid, queue or
-/// bounds.
+/// The next event and its time over all pairs and planes, without grid, queue or bounds.
 struct Next {
   Wide time = never;
   std::uint32_t sphere = 0;
@@ -364,14 +362,14 @@ TEST(SphereSimulation, LosesNoEvent) {
       } else {
         ASSERT_EQ(event->plane, expected.plane);
       }
-      // The event is not later, and earlier only by rounding: 2⁻⁵⁰ of coordinates up to 2, at speeds of at least 10⁻³.
+      // The event is early only by rounding: 2⁻⁵⁰ of coordinates up to 2, at speeds of at least 10⁻³.
       EXPECT_LE(static_cast<Wide>(event->time), expected.time + 1e-15L * (1 + expected.time));
       EXPECT_NEAR(event->time, static_cast<double>(expected.time), 1e-11);
     }
   }
 }
 
-/// The sphere has a speed that `keep_apart` can leave. It hardly moves within the scene's duration.
+/// `keep_apart` can leave this speed.
 TEST(SimulationDeathTest, EndsWhereASphereCreepsByTheLeastOfAllSpeeds) {
   Scene scene = unit::empty_scene(Law::frictionless, elastic, 10);
   unit::add_plane(scene, {1, 0, 0}, {0, 0, 0});
@@ -379,7 +377,7 @@ TEST(SimulationDeathTest, EndsWhereASphereCreepsByTheLeastOfAllSpeeds) {
   EXPECT_EXIT(std::exit(unit::events_of(scene, 10).empty() ? 0 : 1), testing::ExitedWithCode(0), "");
 }
 
-/// A ball rolls to another. They touch when they meet, for any span of time that the search covers.
+/// A ball rolls to another ball. They must touch when they meet, for any span of the search.
 TEST(SphereSimulation, LetsRollingBallsMeetWhereTheyTouch) {
   for (const double duration : {1.0, 1.1, 2.0, 3.0}) {
     Scene scene = unit::empty_scene(Law::coulomb, {1, 0.25, 0, 0.125, 0}, duration);

@@ -10,8 +10,7 @@
 
 #include <carom/properties/families/family.hpp>
 
-/// The collisions of the tests. A family is a named random generator, and a case is a collision that it drew. The seeds
-/// are fixed, so a failure is reproducible.
+/// The collisions of the tests. The seeds are fixed, so a failure is reproducible.
 namespace carom::unit {
 
 inline constexpr std::uint64_t seed = 20240607;
@@ -21,8 +20,8 @@ inline constexpr std::uint64_t seed = 20240607;
   return properties::drawn_case(*properties::family_named(family), seed, index);
 }
 
-/// Cases of each family of valid collisions, with the family's name. Throws std::logic_error if there are none,
-/// because a loop over nothing tests nothing.
+/// The first cases of each family of valid collisions, with the family's name. Throws std::logic_error if there are
+/// none, because a loop over nothing tests nothing.
 [[nodiscard]] inline std::vector<std::pair<std::string_view, properties::Case>> valid_cases(std::uint64_t of_each) {
   std::vector<std::pair<std::string_view, properties::Case>> cases;
   for (const properties::Family& family : properties::all_families()) {
@@ -36,8 +35,8 @@ inline constexpr std::uint64_t seed = 20240607;
   return cases;
 }
 
-/// A ball of mass 1, radius 1 and three equal moments falls with (−3, −4, 0) on a fixed plane, ε = 1/2. With moments of
-/// 1/2 its collision matrix is diag(3, 1, 3).
+/// A ball of mass 1, radius 1 and three equal moments hits a fixed plane with velocity (−3, −4, 0), ε = 1/2. With
+/// moments of 1/2 its collision matrix is diag(3, 1, 3).
 [[nodiscard]] inline Collision ball_on_a_plane(double moment, double friction) {
   Collision c;
   c.a.principal_inertia.setConstant(moment);
@@ -49,8 +48,7 @@ inline constexpr std::uint64_t seed = 20240607;
   return c;
 }
 
-/// With a general collision matrix and large friction, the law `coulomb` has three answers here: one sticks and two
-/// slip (docs/findings/friction.md).
+/// Under the law `coulomb`, this collision has three answers: one sticks and two slip (docs/findings/friction.md).
 [[nodiscard]] inline Collision case_with_three_answers() {
   properties::Stream stream = properties::case_stream(1, "structured", 181);
   Collision c = properties::family_named("structured")->generate(stream).collision;
@@ -68,8 +66,8 @@ inline constexpr std::uint64_t seed = 20240607;
   return {x, y, z};
 }
 
-/// A valid collision of small dyadic numbers k/8, with frequent zeros and equal numbers. A is movable, and B usually
-/// is. The normal is chosen so that the contact collides or, rarely, rests.
+/// A valid collision of small numbers k/8, with frequent zeros and equal numbers. A is movable, and B usually is. The
+/// normal is chosen so that the contact collides or, rarely, rests.
 [[nodiscard]] inline Collision small_collision(properties::Stream& stream) {
   Collision c;
   for (Body* body : {&c.a, &c.b}) {

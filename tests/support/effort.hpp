@@ -6,8 +6,8 @@
 
 namespace carom::unit {
 
-/// The number of cases of a heavy test: the share of `full` in the environment variable CAROM_EFFORT, rounded up. It
-/// is `full` if the variable is not set. CTest sets it if the test is only sampled (tests/CMakeLists.txt).
+/// The number of cases of a heavy test: `full` times the environment variable CAROM_EFFORT, rounded up, or `full` if
+/// the variable is not set. CTest sets it for a test that is only sampled (tests/CMakeLists.txt).
 [[nodiscard]] inline int effort(int full) {
   const char* const share = std::getenv("CAROM_EFFORT");
   return share == nullptr ? full : static_cast<int>(std::ceil(full * std::strtod(share, nullptr)));

@@ -19,7 +19,6 @@ using ExactMatrix = Matrix3<Rational>;
 
 using oracles::sign_of;
 
-/// p/q.
 [[nodiscard]] inline Rational ratio(int p, int q) { return Rational(p, q); }
 
 /// 2^exponent, by multiplication alone.
@@ -67,7 +66,7 @@ template <class Derived, class OtherDerived>
   return impulse::make_contact<Rational>(oracles::lift(collision));
 }
 
-/// The relative velocity V⁻ of the contact points, exactly.
+/// The relative velocity V⁻ of the contact points.
 [[nodiscard]] inline ExactVector velocity_before(const BasicCollision<Rational>& c) {
   return oracles::relative_velocity<Rational>(c, unchanged(c));
 }

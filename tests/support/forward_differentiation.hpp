@@ -6,7 +6,7 @@
 #include <carom/oracles/numbers/enclosure.hpp>
 #include <carom/oracles/numbers/inputs.hpp>
 
-/// Differentiates a law as a whole, in enclosures (intervals). Tests compare implicit differentiation with it.
+/// Differentiates a law by dual numbers over enclosures (intervals), to check the judge's implicit differentiation.
 namespace carom::unit {
 
 using EnclosedDual = oracles::Dual<oracles::Enclosure, oracles::collision_inputs>;
@@ -17,7 +17,7 @@ using EnclosedDual = oracles::Dual<oracles::Enclosure, oracles::collision_inputs
       collision, [](double x) { return oracles::Enclosure(x); });
 }
 
-/// An upper bound of Σ_q ‖∂y/∂q‖ ‖q‖ for the components of y, over the quantities q.
+/// An upper bound of Σ_q ‖∂y/∂q‖ ‖q‖ for a vector y with these components.
 [[nodiscard]] inline double sensitivity_above(std::initializer_list<const EnclosedDual*> components,
                                               const std::vector<oracles::Quantity>& quantities) {
   return oracles::sum_over_quantities(quantities, components.size(), [&](std::size_t i, std::size_t j) {

@@ -16,7 +16,7 @@ struct KnownCollision {
   Collision collision;
 };
 
-/// A collision without special features: two rotated bodies that spin and collide, with some friction.
+/// Two rotated bodies that spin and collide, with some friction, and no special feature.
 [[nodiscard]] inline Collision plain_collision() {
   Collision c;
   c.a = {false, 2, {0.5, 0.75, 1}, {1, 0.5, -0.25, 0.125}, {0.25, 1.5, -0.5}, {1.5, -3, 0.75}, {0.5, -1.25, 2}};

@@ -13,7 +13,7 @@
 namespace carom::unit {
 namespace {
 
-/// Reads lines "name: 1 2.5 inf".
+/// Reads lines such as "name: 1 2.5 inf".
 std::vector<KnownLine> read(const std::string& file) {
   std::vector<KnownLine> lines;
   std::ifstream stream(file);

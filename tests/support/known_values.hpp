@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-/// Numbers recorded in a file beside a test.
 namespace carom::unit {
 
 /// A name without a line break, and numbers.
@@ -13,8 +12,8 @@ struct KnownLine {
   std::vector<double> numbers;
 };
 
-/// Expects the lines of the file: the same names, and numbers that agree to five digits. If one differs, writes the
-/// actual lines to the directory of temporary files, and the failure names the file.
+/// Expects the names of the file, and its numbers to five digits. Otherwise writes the actual lines to a temporary file
+/// that the failure names.
 void expect_known_lines(const std::string& file, const std::vector<KnownLine>& lines);
 
 }  // namespace carom::unit

@@ -21,11 +21,10 @@ namespace carom::bounds {
 class Magnitude {
  public:
   Magnitude() = default;
-  /// An exact constant.
   Magnitude(int exact) : Magnitude(static_cast<double>(exact)) {  // NOLINT(google-explicit-constructor)
     unit_ = exact == 0 ? infinity : 0;
   }
-  /// Any number of this size, of either sign, with all its bits.
+  /// All numbers of this size, of either sign and with any bits.
   explicit Magnitude(double size) {
     if (size != 0) {
       above_ = std::log2(std::abs(size));
@@ -35,13 +34,13 @@ class Magnitude {
     }
   }
 
-  /// Any number of at most this size. Its unit is that of a number of exactly this size.
+  /// All numbers of at most this size that are multiples of the unit of a double of this size.
   [[nodiscard]] static Magnitude at_most(double size) {
     Magnitude x(size);
     x.below_ = unknown;
     return x;
   }
-  /// Any number of at most 2^above.
+  /// All numbers of at most 2^above.
   [[nodiscard]] static Magnitude of_exponent(double above) {
     Magnitude x;
     x.above_ = above;
@@ -54,8 +53,8 @@ class Magnitude {
   [[nodiscard]] double unit() const { return unit_; }
   [[nodiscard]] bool is_zero() const { return above_ == -infinity; }
 
-  /// A lower bound of divisors from a theorem, if the code alone gives none. During the lifetime of this object, each
-  /// divisor is at least 2^below.
+  /// While this object exists, divisors without a bound of their own count as at least 2^below. A theorem must justify
+  /// this.
   class DivisorsAtLeast {
    public:
     explicit DivisorsAtLeast(double below) : outer_(divisors_below()) { divisors_below() = below; }
@@ -102,7 +101,7 @@ class Magnitude {
     product.unit_ = x.unit_ + y.unit_;
     return product.noted();
   }
-  /// Precondition: a lower bound of the divisor is known, by itself or by a theorem.
+  /// Precondition: a lower bound of the divisor is known, of its own or by DivisorsAtLeast.
   friend Magnitude operator/(const Magnitude& x, const Magnitude& y) {
     const double below = std::isnan(y.below_) ? divisors_below() : y.below_;
     if (std::isnan(below)) {
@@ -129,8 +128,7 @@ class Magnitude {
   }
   friend Magnitude hypot(const Magnitude& x, const Magnitude& y) { return sqrt(x * x + y * y); }
 
-  // Compares upper bounds, for code that checks whether a number has an ordinary size. A number that is too large
-  // fails.
+  // Compares upper bounds, for code that checks whether a number is too large.
   friend bool operator==(const Magnitude& x, int zero) { return zero == 0 && x.is_zero(); }
   friend bool operator<=(const Magnitude& x, const Magnitude& y) { return x.above_ <= y.above_; }
   friend bool operator>=(const Magnitude& x, const Magnitude& y) { return y <= x; }
@@ -151,7 +149,6 @@ class Magnitude {
     static double highest = -infinity;
     return highest;
   }
-  /// log₂(2^x + 2^y).
   static double log_of_sum(double x, double y) {
     const double larger = std::max(x, y);
     return larger + std::log2(1 + std::exp2(std::min(x, y) - larger));

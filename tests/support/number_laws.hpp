@@ -8,11 +8,11 @@
 
 #include "support/cases.hpp"
 
-/// The laws of a field, written once for every type of number. Each type provides a specialisation of NumberType, in
-/// a small file that instantiates the suite.
+/// Tests of the laws of a field for any type of number. A small file for each type specialises NumberType and
+/// instantiates the suite.
 namespace carom::unit {
 
-/// The members for a type T:
+/// The members of NumberType<T>:
 ///
 ///  static T draw(properties::Stream&)   a random number, sometimes zero
 ///  static bool is_zero(x)               whether x is or may be zero, so that it must not be a divisor
@@ -48,7 +48,7 @@ class NumberLaws : public testing::Test {
 
 TYPED_TEST_SUITE_P(NumberLaws);
 
-/// Holds for rounded numbers too: x + y and y + x have the same bits. Their bounds may round differently.
+/// Even if they are rounded, x + y and y + x have the same bits. Their bounds may differ.
 TYPED_TEST_P(NumberLaws, CommuteBitForBit) {
   this->for_each_triple([&](const TypeParam& x, const TypeParam& y, const TypeParam&) {
     EXPECT_TRUE(NumberType<TypeParam>::same_value(x + y, y + x));
@@ -99,7 +99,6 @@ TYPED_TEST_P(NumberLaws, HaveInverses) {
   });
 }
 
-/// Sums and products of small integers equal those of int, without rounding, in any type.
 TYPED_TEST_P(NumberLaws, ContainTheIntegers) {
   for (int i = -9; i <= 9; ++i) {
     for (int j = -9; j <= 9; ++j) {
@@ -129,7 +128,6 @@ TYPED_TEST_P(NumberLaws, AssignAsTheyCompute) {
   });
 }
 
-/// An operand may be the number that is assigned to.
 TYPED_TEST_P(NumberLaws, SurviveBeingTheirOwnOperand) {
   // Avoids a compiler warning.
   const auto itself = [](const TypeParam& x) -> const TypeParam& { return x; };

@@ -10,8 +10,8 @@ namespace carom::unit {
 [[nodiscard]] inline const oracles::Rational& nearly(const oracles::Rational& x) { return x; }
 [[nodiscard]] inline oracles::Rational nearly(const oracles::Radical& x) { return oracles::approximately(x); }
 
-/// The outcome of the law. An irrational square root is rounded far beyond any judged precision. For `coulomb` the
-/// function takes the first answer.
+/// The exact outcome of the law; for `coulomb` the first answer. Irrational square roots are rounded far beyond any
+/// judged precision.
 [[nodiscard]] inline Outcome<oracles::Rational> outcome_of_law(const oracles::ExactCase& exact_case, Law law) {
   const auto rational = []<class T>(const oracles::Truth<T>& truth) {
     return map_outcome<oracles::Rational>(truth.outcome, [](const T& x) { return nearly(x); });

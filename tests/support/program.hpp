@@ -20,16 +20,15 @@ struct RunResult {
 
 [[nodiscard]] std::string carom_program();
 
-/// Runs any other program, given by its path.
 [[nodiscard]] RunResult run_program(const std::string& program, const std::vector<std::string>& arguments);
 
-/// Starts `carom ARG…` and returns at once. The output is discarded.
+/// Starts `carom ARG…` and discards its output.
 [[nodiscard]] pid_t start_carom(const std::vector<std::string>& arguments);
 
 /// Waits for a started process. Returns its exit status, or -1 if a signal ended it.
 [[nodiscard]] int wait_for(pid_t process);
 
-/// A new directory that is removed at the end.
+/// A new directory, which the destructor removes.
 class TemporaryDirectory {
  public:
   TemporaryDirectory();
@@ -39,7 +38,6 @@ class TemporaryDirectory {
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
-  /// Writes a file into it and returns its path.
   [[nodiscard]] std::string write(const std::string& name, const std::string& text) const;
 
  private:

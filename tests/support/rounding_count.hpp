@@ -9,22 +9,21 @@
 
 namespace carom::bounds {
 
-/// Bounds the rounding error of a number by running the code that computes it. The computed number is Σ t Π (1 + δ)
-/// over the terms t of the exact number, with |δ| ≤ u, the unit roundoff. The type tracks the largest number n of
-/// roundings of a term, and Σ|t|. So the error is at most γ_n Σ|t|, γ_n = n u / (1 − n u) (J. Wilkinson; N. Higham,
-/// Accuracy and Stability of Numerical Algorithms, §3.1). Operations with 0, and products and quotients with powers of
-/// two, are exact. Any other divisor must be at least 1, and a sum of positive terms, so that its relative error is
-/// that of its roundings.
+/// Bounds the rounding error of a number by running the code that computes it. Let u be the unit roundoff. The computed
+/// number is Σ t Π (1 + δ) over the terms t of the exact number, with |δ| ≤ u. The type tracks Σ|t|, and the largest
+/// number n of factors 1 + δ (roundings) of a term. The error is at most γ_n Σ|t|, with γ_n = n u / (1 − n u) (N.
+/// Higham, Accuracy and Stability of Numerical Algorithms, §3.1). Operations with 0, and products and quotients with
+/// powers of two, are exact. Any other divisor must be at least 1, and a sum of positive terms, so that its relative
+/// error is that of its roundings.
 class RoundingCount {
  public:
   RoundingCount() = default;
   RoundingCount(int exact) : RoundingCount(static_cast<double>(exact)) {}  // NOLINT(google-explicit-constructor)
-  /// An exact constant.
   explicit RoundingCount(double exact) : terms_(std::abs(exact)), is_power_of_two_(is_power_of_two(exact)) {}
   explicit RoundingCount(long double exact)
       : terms_(static_cast<double>(std::abs(exact))), is_power_of_two_(is_power_of_two(exact)) {}
 
-  /// An input: any number of at most this size, with this many earlier roundings.
+  /// An input of at most this size, with this many earlier roundings.
   [[nodiscard]] static RoundingCount input(double size = 1, int roundings = 0) { return {roundings, size}; }
 
   [[nodiscard]] int roundings() const { return roundings_; }
@@ -67,7 +66,7 @@ class RoundingCount {
   /// For a sum of positive terms: half of its roundings, plus one.
   friend RoundingCount sqrt(const RoundingCount& x) { return {(x.roundings_ + 1) / 2 + 1, std::sqrt(x.terms_)}; }
 
-  // Compares Σ|t|, for code that checks whether a number has an ordinary size.
+  // Compares Σ|t|, for code that checks whether a number is too large.
   friend bool operator==(const RoundingCount& x, const RoundingCount& y) { return x.terms_ == y.terms_; }
   friend bool operator<=(const RoundingCount& x, const RoundingCount& y) { return x.terms_ <= y.terms_; }
   friend bool operator>=(const RoundingCount& x, const RoundingCount& y) { return y <= x; }

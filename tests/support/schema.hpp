@@ -10,8 +10,8 @@
 
 namespace carom::tests {
 
-/// The files that the JSON schema accepts, in order. One process of python3-jsonschema reads all of them, because its
-/// start takes a second. A file without a result is a failure.
+/// The files that the JSON schema accepts, in order. One process of python3-jsonschema reads all files, because its
+/// start takes a second.
 [[nodiscard]] inline std::vector<std::string> accepted_by(const std::string& schema, std::vector<std::string> files) {
   std::vector<std::string> arguments{"-W", "ignore", "-m", "jsonschema", "--output", "pretty"};
   for (const std::string& file : files) {

@@ -7,9 +7,8 @@
 
 namespace carom::unit {
 
-/// Whether this process runs a test of the current suite with a parameter of this name. GoogleTest's filter and shard
-/// may exclude such a test. Call this function in SetUpTestSuite, to compute only the shared results that the selected
-/// tests need.
+/// Whether GoogleTest's filter and shard select a test of the current suite with this parameter's name. Call it in
+/// SetUpTestSuite, to compute only the shared results that the selected tests need.
 [[nodiscard]] inline bool is_selected(std::string_view parameter) {
   const testing::TestSuite& suite = *testing::UnitTest::GetInstance()->current_test_suite();
   for (int i = 0; i < suite.total_test_count(); ++i) {

@@ -48,7 +48,6 @@ TEST(ChartParts, NoMethodOnTheParetoLineIsBeaten) {
   EXPECT_EQ(line, (std::vector<std::size_t>{0, 1, 5}));
 }
 
-/// Moments of 10³⁷ kg m² are near the end of the range of binary32.
 TEST(ChartParts, LeaveOutWhatLeavesTheRangeOfAPrecision) {
   std::vector<subjects::Method> methods = subjects::methods();
   std::erase_if(methods, [](const subjects::Method& one) {

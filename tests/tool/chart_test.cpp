@@ -18,7 +18,6 @@ using nlohmann::json;
 
 const std::vector<std::string> methods{"frictionless-double", "reflection-double", "reflection-in-basis-double"};
 
-/// One run for all tests.
 class Chart : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -124,7 +123,7 @@ TEST_F(Chart, EveryPictureIsSvgWithoutScripts) {
     EXPECT_FALSE(document.select_nodes("//*[local-name()='path']").empty()) << entry.path();
     EXPECT_TRUE(std::filesystem::exists(out() / "gnuplot" / entry.path().stem().concat(".gp")));
   }
-  // The pictures of each law: two of time against accuracy, one of deadlines, and one for each sweep.
+  // For each law: two pictures of time against accuracy, one of deadlines, and one for each sweep.
   EXPECT_EQ(pictures, 2 * (3 + record().at("sweeps").size()));
 }
 
@@ -203,7 +202,6 @@ TEST(ChartUsage, AMethodThatIsNotThereIsNamed) {
   EXPECT_NE(run.errors.find("reflection-double"), std::string::npos) << run.errors;
 }
 
-/// If gnuplot is missing, the measurements are not lost.
 TEST(ChartUsage, WithoutGnuplotTheDataAreThereAndTheErrorSaysWhatIsMissing) {
   const TemporaryDirectory directory;
   const RunResult run =

@@ -24,7 +24,6 @@
 
 #include "support/cases.hpp"
 
-/// This file compiles the calls that a plan prints, with the same text. Each call gives the same answer as its subject.
 namespace carom::tests {
 namespace {
 
@@ -56,7 +55,7 @@ struct Call {
   }
 // NOLINTEND(cppcoreguidelines-macro-usage)
 
-/// A call of every kind, most of them only in double.
+/// Calls of every kind, most of them only in double.
 const std::vector<Call>& calls() {
   // clang-format off
   static const std::vector<Call> all{
@@ -96,7 +95,6 @@ const std::vector<Call>& calls() {
   return all;
 }
 
-/// The text with every scalar type replaced by double.
 std::string in_double(std::string text) {
   for (const char* scalar : {"long double", "carom::impulse::DoubleDouble", "float"}) {
     const std::string as_argument = std::string("<") + scalar;

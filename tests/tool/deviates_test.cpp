@@ -72,8 +72,7 @@ TEST(Deviates, IsShownInEveryReport) {
   EXPECT_NE(content_of(out.path() / "report.json").find("energy@head_on"), std::string::npos);
 }
 
-/// A method that forms no collision matrix claims no invariant of the matrix. A method that forms a matrix is judged on
-/// it.
+/// A method claims the invariants of the collision matrix only if it forms the matrix.
 TEST(NotClaimed, IsWhatIsSaidOfAMatrixThatIsNotShown) {
   const TemporaryDirectory out;
   const RunResult result = run_carom({"gate", "frictionless-double", "reflection-double", "reflection-batch-double",

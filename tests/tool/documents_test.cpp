@@ -23,7 +23,6 @@ namespace {
 const std::string pages = std::string(CAROM_SOURCE_DIR) + "/docs/";
 const std::string proofs = std::string(CAROM_SOURCE_DIR) + "/properties/proofs/";
 
-/// Whether a line of the proofs begins with a statement that has this name.
 bool states(const std::string& text, std::string_view name) {
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
@@ -68,7 +67,7 @@ TEST(Documents, FindStatementsByTheirWholeName) {
 }
 
 TEST(Documents, TheoremsThatInvariantsNameAreProved) {
-  // theorems.txt lists the theorems whose axioms another test compares with the permitted axioms.
+  // Another test compares the axioms of the theorems in theorems.txt with the permitted axioms.
   const std::string listed = content_of(proofs + "theorems.txt");
   std::size_t count = 0;
   for (const properties::Invariant& invariant : properties::all_invariants()) {
@@ -82,13 +81,11 @@ TEST(Documents, TheoremsThatInvariantsNameAreProved) {
   EXPECT_GT(count, properties::all_invariants().size());
 }
 
-/// The text from the first `begin` to the next `end`.
 std::string section(const std::string& text, const std::string& begin, const std::string& end) {
   const std::size_t at = text.find(begin);
   return at == std::string::npos ? "" : text.substr(at, text.find(end, at + begin.size()) - at);
 }
 
-/// The laws for which an invariant is proved, if it is claimed for more laws. Otherwise empty.
 std::string proved_of(std::string_view invariant) {
   static const std::map<std::string_view, std::string> some{
       {"restitution", " of frictionless, reflection, sticking, rough"},
@@ -100,7 +97,6 @@ std::string proved_of(std::string_view invariant) {
   return found == some.end() ? "" : found->second;
 }
 
-/// Compares the page with the program's list as text and as JSON.
 TEST(Documents, SayOfEveryInvariantWhetherItIsProved) {
   const std::string page = content_of(pages + "reference/invariants.md");
   std::istringstream text(run_carom({"invariants"}).output);

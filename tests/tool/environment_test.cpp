@@ -17,7 +17,6 @@
 #include "io/this_environment.hpp"
 #include "support/program.hpp"
 
-/// Compares the compiler flags in the report with the compile lines of this build.
 namespace carom::tool {
 namespace {
 
@@ -39,7 +38,6 @@ std::ostream& operator<<(std::ostream& stream, const Flags& flags) {
   return stream;
 }
 
-/// The compile options, without headers and files.
 Flags flags_of(const std::vector<std::string>& words) {
   static const std::set<std::string> followed_by_a_name{"-o", "-c", "-isystem", "-include"};
   Flags flags;
@@ -85,7 +83,7 @@ std::map<std::string, Flags> compiled_flags() {
   for (const nlohmann::json& entry : nlohmann::json::parse(tests::content_of(CAROM_COMPILE_COMMANDS))) {
     std::vector<std::string> words = subjects::protocol::split_words(entry.at("command").get<std::string>());
     const std::string target = target_of(words);
-    // The compile line of the precompiled header itself differs.
+    // The compile line of a precompiled header has other flags.
     if (words.back().ends_with("cmake_pch.hxx.cxx")) {
       continue;
     }

@@ -39,7 +39,7 @@ TEST(GateCommand, NoteMethodViolatesRestitutionNearHeadOnAndItsWitnessReplays) {
   const json witness = json::parse(content_of(file));
   EXPECT_EQ(witness.at("family"), "near_head_on");
 
-  // Every number of the collision has at most five bits, so that a reader can compute it by hand.
+  // Every number of the shrunk collision is a multiple of 1/32.
   for (const char* body : {"a", "b"}) {
     for (const char* field : {"position", "velocity", "angular_velocity"}) {
       for (const json& number : witness.at("collision").at(body).at(field)) {
@@ -72,7 +72,6 @@ TEST(GateCommand, SameSeedGivesTheSameReportOnAnyNumberOfThreads) {
   EXPECT_NE(report("5", "1").at("subjects"), report("6", "1").at("subjects"));
 }
 
-/// A report.json that lists these witnesses.
 std::string report_listing(const std::vector<std::string>& witnesses) {
   json violations = json::array();
   for (const std::string& witness : witnesses) {
@@ -83,7 +82,6 @@ std::string report_listing(const std::vector<std::string>& witnesses) {
   return json{{"carom", "0.1.0"}, {"subjects", {judged, absent}}}.dump();
 }
 
-/// A quick run without violations.
 RunResult quick_gate(const std::filesystem::path& out) {
   return run_carom({"gate", "frictionless-double", "--families", "generic", "--cases", "5", "--out", out.string()});
 }

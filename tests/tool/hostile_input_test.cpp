@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSL-1.0
-// Files that stress a reader by their size, by their text, or because they never end.
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -22,7 +21,7 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-/// ESC, C1 and characters that reverse the writing direction. Each may hide neighbouring text.
+/// ESC, C1 and characters that reverse the direction of writing may hide text.
 constexpr const char* controls = "\x1b[31m\u009b31m\u202e\u2066\u200f";
 
 void expect_harmless(const RunResult& run) {
@@ -106,7 +105,7 @@ TEST(HostileInput, NothingFromAFileDrivesTheTerminal) {
 
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // those sanitizers reserve the whole address space
 
-/// Limits the memory to the need of a gate, which is far less than the size of the file.
+/// Runs the script with much less memory than the size of the file.
 RunResult in_bounded_memory(const std::string& script) {
   return run_program("/bin/sh", {"-c", "ulimit -v 1000000; exec 2>&1; " + script, carom_program()});
 }
@@ -131,7 +130,8 @@ TEST(HostileInput, WhereMemoryEndsWhatWasJudgedUntilThenIsReported) {
   const TemporaryDirectory directory;
   const std::string out = (directory.path() / "report").string();
   int reports = 0;
-  // The limits go from too little memory to start to more than enough. Between these, memory runs out during the run.
+  // The least limit is too little to start, and the greatest is more than enough. Between them, memory runs out during
+  // the run.
   for (int kilobytes = 40'000; kilobytes < 120'000 && reports < 3; kilobytes += 2'000) {
     fs::remove_all(out);
     const RunResult run =
@@ -161,7 +161,7 @@ TEST(HostileInput, JsonLinesAreReadAsTheyCome) {
   const TemporaryDirectory directory;
   const std::string line = directory.write("line.json", ball().dump() + '\n');
   const std::string invalid = directory.write("invalid.json", "{}\n");
-  // An error is reported at once, even if the file does not end. Results before it are printed.
+  // An error is reported, and earlier results are printed, even if the file does not end.
   const RunResult bad = run_program(
       "/bin/sh",
       {"-c",
@@ -185,7 +185,7 @@ TEST(HostileInput, ALongFileOfOneLineIsReadAsAWhole) {
 
 class WaitingForInput : public testing::TestWithParam<const char*> {};
 
-/// Each command waits for a pipe that no process has opened for writing, and for a pipe that no process writes to.
+/// Each command waits for a pipe without a writer, and for a pipe whose writer is silent.
 TEST_P(WaitingForInput, EndsOnOneSignal) {
   const TemporaryDirectory directory;
   const std::string pipe = (directory.path() / "pipe").string();

@@ -12,7 +12,7 @@
 namespace carom::tests {
 namespace {
 
-/// All elements that a generated page may contain. None of them loads or runs anything.
+/// The elements that a generated page may contain. They load and run nothing.
 const std::set<std::string> elements{
     "html",    "head",    "meta",       "title",   "style",   "body",   "header", "main",  "footer",  "nav",
     "section", "article", "h1",         "h2",      "h3",      "h4",     "p",      "a",     "ul",      "li",
@@ -32,7 +32,7 @@ struct Page {
   [[nodiscard]] std::string text_of(const char* path) const { return document.select_node(path).node().text().get(); }
 };
 
-/// The page of a run. It is also XML, so a strict parser can read it.
+/// The page of a run, read by a strict parser of XML.
 std::unique_ptr<Page> page_of(std::vector<std::string> arguments) {
   auto page = std::make_unique<Page>();
   arguments.insert(arguments.end(), {"--out", page->directory.path().string()});
@@ -43,7 +43,6 @@ std::unique_ptr<Page> page_of(std::vector<std::string> arguments) {
   return page;
 }
 
-/// Checks that the page contains nothing harmful, for any text of a subject.
 void expect_harmless(const Page& page) {
   std::set<std::string> names;
   for (const pugi::xpath_node& found : page.document.select_nodes("//*")) {
@@ -64,7 +63,7 @@ void expect_harmless(const Page& page) {
   }
 }
 
-/// Checks that geometric attributes of drawings contain only numbers and path commands. Each picture has a title, a
+/// The geometric attributes of drawings contain only numbers and path commands. Each picture has a title, a
 /// description, and sides of 100 to 700 pixels.
 void expect_sane_drawings(const Page& page) {
   std::size_t drawings = 0;
@@ -125,7 +124,7 @@ TEST(HtmlReport, HoldsEveryPart) {
   EXPECT_TRUE(witness.select_node(".//tr[th='velocity of A']/td[2]")) << "what is exact beside what was computed";
 }
 
-/// If the friction impulse lies on the friction cone, the exact velocities contain square roots.
+/// If the impulse lies on the friction cone, the exact velocities contain square roots.
 TEST(HtmlReport, ShowsExactVelocitiesThatAreIrrational) {
   const auto page =
       page_of({"gate", "rough-double", "--families", "sliding,generic", "--cases", "60", "--limit-ulps", "0.001"});
@@ -189,7 +188,7 @@ TEST_F(Markup, AddsNothingToThePageInABrowser) {
                             "--user-data-dir=" + profile.path().string(), "--dump-dom", "file://" + page->file()});
   const std::string& seen = result.output;
   ASSERT_NE(seen.find("Generated cases"), std::string::npos) << result.errors;
-  // The browser's output escapes "<" in texts, so each of these strings would be an element.
+  // The browser's output escapes "<" in texts, so these strings would be elements.
   for (const char* injected : {"<script", "<img", "<b ", "<b>", "<parsererror"}) {
     EXPECT_EQ(seen.find(injected), std::string::npos) << injected;
   }

@@ -21,7 +21,6 @@ struct Junit {
   }
 };
 
-/// Uses a strict parser.
 void expect_well_formed(const std::filesystem::path& file) {
   constexpr const char* python = "/usr/bin/python3";
   if (!std::filesystem::exists(python)) {
@@ -40,7 +39,6 @@ int sum_of(pugi::xml_node root, const char* attribute) {
   return sum;
 }
 
-// Checks the parts that GitLab and Jenkins read.
 TEST(Junit, HasWhatReadersOfItLookFor) {
   const Junit junit({"gate", "frictionless-double", "reflection-in-basis-double", "exec:/no/such", "--families",
                      "head_on", "--cases", "30"});

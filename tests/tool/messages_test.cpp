@@ -8,7 +8,6 @@
 
 #include "support/program.hpp"
 
-/// Each message about an error of the user says what is wrong, where, and what to do. The exit status is 2.
 namespace carom::tests {
 namespace {
 
@@ -32,7 +31,6 @@ void expect_messages(const std::vector<UserError>& table) {
   }
 }
 
-/// A valid collision, after this change of its JSON.
 template <class Change>
 std::string collision_with(const Change& change) {
   json collision = json::parse(content_of(std::string(CAROM_SOURCE_DIR) + "/docs/examples/head_on.json"));

@@ -13,7 +13,7 @@ TOP = pathlib.Path(__file__).resolve().parents[2]
 CAROM = sys.argv[1]
 PAGES = {str(file.relative_to(TOP)): file.read_text(encoding="utf-8")
          for file in [TOP / "README.md", *sorted((TOP / "docs").rglob("*.md"))]}
-# These pages describe the current version. Other pages may describe an earlier run.
+# These pages describe the current version; others may describe an earlier run.
 OF_TODAY = [page for page in PAGES if re.match("README|docs/(guide|reference)/|docs/[A-Za-z]*.md", page)
             and page != "docs/CHANGELOG.md"]
 WORDS = ["none", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"]
@@ -34,7 +34,7 @@ OPTIONS = {command: set(OPTION.findall(printed(command, "--help"))) for command 
 
 
 def paragraph(page, begin):
-    """The page's text from `begin` to the end of the item or paragraph."""
+    """The text from `begin` to the end of its item or paragraph."""
     text = PAGES[page]
     return re.split(r"\n\n|\n[-\d|]", text[text.index(begin):])[0]
 
@@ -43,7 +43,7 @@ class Pages(unittest.TestCase):
     maxDiff = None
 
     def said(self, pattern, pages, least=1):
-        """The matches of a pattern, each with its page and text."""
+        """The matches of a pattern, each with its page."""
         found = [(match, f"{page}: {match[0]}") for page in pages for match in re.finditer(pattern, PAGES[page], re.M)]
         self.assertGreaterEqual(len(found), least, f"nothing says {pattern}")
         return found

@@ -15,7 +15,6 @@ namespace {
 
 using nlohmann::json;
 
-/// A crate's corner on the floor.
 json crate(double x) {
   return {
       {"a",
@@ -40,7 +39,7 @@ std::string lines_of(const std::vector<json>& records) {
   return text;
 }
 
-/// Crates with a class of their own, and spheres that have none.
+/// Crates that name their class, and spheres that do not.
 std::string crates_and_spheres() {
   std::vector<json> records;
   for (int i = 0; i < 5; ++i) {
@@ -53,7 +52,7 @@ std::string crates_and_spheres() {
   return lines_of(records);
 }
 
-/// Runs a plan without timings, so that no test depends on a clock.
+/// Plans without timings, so that no test depends on a clock.
 RunResult plan(const std::string& file, std::vector<std::string> more = {}) {
   more.insert(more.begin(), {"plan", file, "--repetitions", "0"});
   return run_carom(more);
@@ -132,7 +131,7 @@ TEST(Plan, RefusesFloatForOneContactFarFromTheOriginAndNamesItsLine) {
 
 TEST(Plan, FailsWhereNothingServes) {
   const TemporaryDirectory directory;
-  // The change of the velocity is a small part of a velocity that both bodies share. An outcome in binary64 cannot hold
+  // The change of the velocity is small beside the velocity that both bodies share. An outcome in binary64 cannot hold
   // that many digits of the change.
   json fast = crate(0);
   fast["a"]["velocity"] = {1e9 + 0.5, -1.25, 0};
@@ -200,7 +199,6 @@ TEST(Plan, SaysWhichPlaceAndWhichField) {
   EXPECT_EQ(plan(file, {"--limit-ulps", "nan"}).exit_status, 2);
 }
 
-/// Compares the output with docs/guide/plan.md, except for times.
 TEST(Plan, IsOfTheExampleWhatItsPageSays) {
   const std::string file = std::string(CAROM_SOURCE_DIR) + "/docs/examples/contacts.jsonl";
   const RunResult result = plan(file, {"--law", "reflection", "--format", "json"});
@@ -240,7 +238,6 @@ TEST(PlanSchema, DescribesEveryPlan) {
     const RunResult valid = validate(directory.write("plan.json", plan(file, all).output));
     EXPECT_EQ(valid.exit_status, 0) << valid.output << valid.errors;
   }
-  // The schema also accepts a plan with times.
   const RunResult timed = run_carom({"plan", file, "--law", "frictionless", "--repetitions", "1", "--format", "json"});
   const RunResult valid = validate(directory.write("plan.json", timed.output));
   EXPECT_EQ(valid.exit_status, 0) << valid.output << valid.errors;

@@ -29,7 +29,8 @@ TEST(Replay, ShowsTheExactTruthOfEachLaw) {
   const RunResult result = run_carom({"replay", file, "--format", "json"});
   EXPECT_EQ(result.exit_status, 0) << result.errors;
   const json record = json::parse(result.output);
-  // r = (1/2, −1/2, 0), J = I/2: K's normal entry is 1 + 1/2, so f = 2/(3/2) = 4/3 and v⁺ = −1 + 4/3.
+  // With r = (1/2, −1/2, 0) and J = I/2, the normal entry of the collision matrix is 1 + 1/2. So the impulse is 2/(3/2)
+  // = 4/3, and v⁺ = −1 + 4/3.
   EXPECT_EQ(record.at("truth").at("frictionless").at("a").at("velocity"), json({"-1", "1/3", "0"}));
   EXPECT_EQ(record.at("truth").at("frictionless").at("impulse"), json({"0", "4/3", "0"}));
   EXPECT_EQ(record.at("truth").at("frictionless").at("nearest").at("a").at("velocity"), json({-1.0, 1.0 / 3, 0.0}));
@@ -216,8 +217,7 @@ TEST(Replay, AcceptsAnInvalidCollisionAsAWitnessThatItWasAnswered) {
   EXPECT_NE(result.output.find("refused"), std::string::npos) << result.output;
 }
 
-/// A file may name a program in any of its fields. The command does not start it, because only the user may start
-/// programs.
+/// A file may name a program in any of its fields, but only the user may start programs.
 TEST(Replay, StartsNoProgramThatAFileNames) {
   const TemporaryDirectory directory;
   const std::string touched = (directory.path() / "touched").string();
@@ -268,10 +268,10 @@ TEST(Replay, ShowsEveryAnswerOfCoulomb) {
   EXPECT_NE(replay(parting, {}).find("answer 1 of 1, untouched"), std::string::npos);
 }
 
-/// An engine that carom knows by name, but must start as a program, is not started either.
+/// A file cannot start an engine either, although carom knows engines by name.
 TEST(Replay, StartsNoEngineThatAFileNames) {
   const TemporaryDirectory directory;
-  // A fake `node` replaces every program that an adapter could need.
+  // This fake `node` is started if any adapter is.
   const std::string started = (directory.path() / "started").string();
   const std::string node = directory.write("node", "#!/bin/sh\necho started >> " + started + '\n');
   std::filesystem::permissions(node, std::filesystem::perms::owner_all);
@@ -288,7 +288,7 @@ TEST(Replay, StartsNoEngineThatAFileNames) {
   EXPECT_FALSE(std::filesystem::exists(started));
 }
 
-/// The drawn case from which a witness was shrunk is replayed from the witness's file, and by its number.
+/// Replays the drawn case of a witness, from the witness's file and by the number of the case.
 TEST(Replay, ShowsTheDrawnCaseOfAWitnessAndAnyCaseByItsNumber) {
   const TemporaryDirectory out;
   const RunResult gate = run_carom({"gate", "reflection-in-basis-double", "--families", "near_head_on", "--cases",

@@ -22,7 +22,7 @@ RunResult validate(const std::string& report) {
   return run_program(python, {"-W", "ignore", "-m", "jsonschema", "-i", report, schema});
 }
 
-/// A subject that is not installed here, if there is one.
+/// The name of a subject that is not installed, or nothing.
 std::vector<std::string> absent_subject() {
   for (const json& subject : json::parse(run_carom({"subjects", "--format", "json"}).output)) {
     if (!subject.at("absent").get<std::string>().empty()) {
@@ -32,7 +32,6 @@ std::vector<std::string> absent_subject() {
   return {};
 }
 
-/// A report with a subject of each kind.
 json varied_report() {
   std::vector<std::string> arguments{"gate",
                                      "frictionless-double",

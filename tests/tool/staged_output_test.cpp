@@ -22,13 +22,11 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// A gate that finds a violation within a second.
 std::vector<std::string> finding_gate(const fs::path& out) {
   return {"gate",      "reflection-in-basis-double", "--families", "head_on,near_head_on", "--cases", "40", "--out",
           out.string()};
 }
 
-/// Names of files and folders that begin with a dot.
 std::vector<std::string> hidden(const fs::path& directory) {
   std::vector<std::string> names;
   for (const fs::directory_entry& entry : fs::directory_iterator(directory)) {
@@ -56,7 +54,7 @@ void expect_all_listed_witnesses_stand(const fs::path& out) {
   }
 }
 
-/// Runs `carom ARG…` in a shell script, which refers to it as "$@".
+/// Runs a shell script that refers to `carom ARG…` as "$@".
 RunResult in_shell(const std::string& script, const std::vector<std::string>& arguments) {
   std::vector<std::string> words{"-c", script, "sh", carom_program()};
   words.insert(words.end(), arguments.begin(), arguments.end());
@@ -138,7 +136,7 @@ TEST(StagedOutput, AReportStandsWithItsWitnessesWheneverTheRunIsKilled) {
   const auto whole = std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - start);
   std::mt19937 random(7);
   for (int round = 0; round < 12; ++round) {
-    // Most signals come while files are written, towards the end.
+    // Most signals come towards the end, while files are written.
     const auto earliest = round % 3 == 0 ? 0 : 7 * whole.count() / 10;
     std::uniform_int_distribution<std::int64_t> moment(earliest, 11 * whole.count() / 10);
     const pid_t gate = start_carom(finding_gate(out.path()));

@@ -7,7 +7,7 @@
 namespace carom::tests {
 namespace {
 
-/// The text that `carom gate ARG… --summary FILE` adds to a file that already has a line.
+/// The text that `carom gate ARG… --summary FILE` appends to a file.
 std::string summary_of(std::vector<std::string> arguments, int expected_status) {
   const TemporaryDirectory directory;
   const std::string file = directory.write("summary.md", "what was there\n");
@@ -57,7 +57,7 @@ TEST(Summary, LeavesOutWhatIsExpectedToFail) {
   EXPECT_EQ(text.find("reflection-in-basis-double"), std::string::npos) << text;
 }
 
-// A subject's text must not end a cell by |, end code by `, or begin a line with a heading or a tag.
+// A subject's text ends no cell by |, ends no code by `, and begins no line with a heading or a tag.
 TEST(Summary, IsNotWhatASubjectWrites) {
   const std::string text =
       summary_of({"gate", "exec:/no/such '|`<b>@who\n## planted\x1b[31m'", "--families", "head_on", "--cases", "2"}, 2);

@@ -29,16 +29,14 @@ json numbers_to_json(const Vector& vector) {
   return array;
 }
 
-/// The text of a number as binary64, rounded once. `wide` is the same number as a long double.
+/// The number in the text as binary64, rounded once. `wide` is the same number as a long double.
 double rounded_once(const std::string& text, long double wide) {
   double number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  // from_chars gives no number beyond the range of binary64. For such a number, the first rounding, to long double,
-  // cannot change the result.
+  // Beyond the range of binary64, the first rounding, to long double, cannot change the result.
   return error == std::errc() ? number : static_cast<double>(wide);
 }
 
-/// Reads numbers for nlohmann::json, whose numbers are binary64. A number beyond their range is an error.
 struct AsBinary64 {
   double operator()(const std::string& text, long double wide) const {
     const double number = rounded_once(text, wide);
@@ -49,7 +47,6 @@ struct AsBinary64 {
   }
 };
 
-/// Reads numbers for WideJson. Rounds them to binary64, unless the subject computes in extended precision.
 struct AsReported {
   Precision precision;
   long double operator()(const std::string& text, long double wide) const {
@@ -57,8 +54,8 @@ struct AsReported {
   }
 };
 
-/// Builds a value of type Json from the events of the WideJson parser. Throws FormatError if the text is not JSON, if a
-/// field occurs twice in an object, or if values nest too deep. `number` reads a number that is not an integer.
+/// Builds a Json value from the events of the parser. Throws FormatError as parse_json does. `number` reads a number
+/// that is not an integer.
 template <class Json, class Number>
 class Builder : public nlohmann::json_sax<WideJson> {
  public:
@@ -89,7 +86,7 @@ class Builder : public nlohmann::json_sax<WideJson> {
 
   bool parse_error(std::size_t /*at*/, const std::string& /*token*/,
                    const nlohmann::detail::exception& error) override {
-    // The library's message ends with the expected token, and begins with a prefix that tells a reader nothing.
+    // The prefix of the library's message tells nothing.
     const std::string what = error.what();
     const std::size_t prefix = what.find("] ");
     throw FormatError("not JSON: " + (prefix == std::string::npos ? what : what.substr(prefix + 2)));
@@ -132,7 +129,7 @@ class Builder : public nlohmann::json_sax<WideJson> {
 
   Number number_;
   Json root_;
-  std::vector<Json*> open_;  // each is inside the one before; no container grows while a value inside it is open
+  std::vector<Json*> open_;  // each is inside the one before; none grows while a value in it is open
   Json* next_ = nullptr;     // the value of the last key
 };
 

@@ -24,20 +24,20 @@ class FormatError : public std::runtime_error {
   explicit FormatError(const std::string& what) : std::runtime_error(what) {}
 };
 
-/// JSON with numbers of type long double, for the replies of a subject that computes in extended precision.
+/// JSON whose numbers are long double, for the replies of a subject in extended precision.
 using WideJson =
     nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t, std::uint64_t, long double>;
 
-/// Parses JSON. Throws FormatError if the text is not JSON or if a number leaves the range of binary64. Also throws if
-/// a field occurs twice in one object, or if values nest deeper than 64 levels.
+/// Parses JSON. Throws FormatError if the text is not JSON, if a number overflows binary64, if a field occurs twice in
+/// one object, or if values nest deeper than 64 levels.
 [[nodiscard]] nlohmann::json parse_json(std::string_view text);
 
-/// Parses a reply of a subject that computes in `precision`. If this is `extended`, a number is read as a long double.
-/// Otherwise a number is rounded once to binary64, and is infinite beyond the range of binary64. An integer within 64
-/// bits stays an integer. Throws FormatError as parse_json does, except for a number out of range.
+/// Parses a reply of a subject that computes in `precision`. An integer within 64 bits stays an integer. Another number
+/// is read as a long double if `precision` is `extended`. Otherwise it is rounded once to binary64, and is infinite
+/// beyond the range. Throws FormatError as parse_json does, except for overflow.
 [[nodiscard]] WideJson parse_reply(std::string_view text, Precision precision);
 
-/// A finite number as itself; other values as "nan", "inf" or "-inf", because JSON has no numbers for them.
+/// A finite number as itself; otherwise "nan", "inf" or "-inf".
 [[nodiscard]] nlohmann::json number_to_json(double number);
 
 /// Reads a number as number_to_json writes it. `place` is a JSON pointer for the error message. Throws FormatError.
@@ -50,14 +50,15 @@ using WideJson =
 /// `friction` and `tangential_restitution` if they are +0.
 [[nodiscard]] nlohmann::json collision_to_json(const Collision& collision);
 
-/// Throws FormatError if a field is missing, unknown, or of another type. Does not validate the numbers.
+/// Reads a collision record, and does not validate its numbers. Throws FormatError if a field is missing, unknown, or
+/// of another type.
 [[nodiscard]] Collision collision_from_json(const nlohmann::json& json, const std::string& place = {});
 
-/// The outcome in a reply of the line protocol: its objects `a` and `b`. The reply may have further fields. Reads
-/// numbers as number_from_json does. Throws FormatError.
+/// Reads the objects `a` and `b` of a reply, and ignores further fields. Reads numbers as number_from_json does. Throws
+/// FormatError.
 [[nodiscard]] Outcome<long double> outcome_from_json(const WideJson& json);
 
-/// The field C of a reply: three rows of three numbers. Throws FormatError if it is missing or has another form.
+/// Reads the field C of a reply: three rows of three numbers. Throws FormatError if it is missing or has another form.
 [[nodiscard]] Matrix3<long double> collision_matrix_from_json(const WideJson& json);
 
 }  // namespace carom

@@ -13,11 +13,10 @@
 
 #include <carom/collision/json/json.hpp>
 
-/// Shared code of the JSON readers. They read fields by name, and every error names its place. This header is not
-/// installed.
+/// Shared code of the JSON readers. It is not installed.
 namespace carom::detail {
 
-/// The value as text, cut to at most one line.
+/// The value as JSON text, cut to one line.
 template <class Json>
 [[nodiscard]] std::string shortened(const Json& value) {
   constexpr std::size_t most = 60;
@@ -26,13 +25,13 @@ template <class Json>
   return text.size() > most ? text.substr(0, most) + "…" : text;
 }
 
-/// The end of an error message, such as ", found true".
+/// The end of an error message: ", found true".
 template <class Json>
 [[nodiscard]] std::string found(const Json& value) {
   return ", found " + shortened(value);
 }
 
-/// Calls `place` only if the value is not a number.
+/// Reads a number as number_to_json writes it. Calls `place`, the place for an error message, only on an error.
 template <class Number, class Json, class Place>
 [[nodiscard]] Number read_number(const Json& value, const Place& place) {
   using Limits = std::numeric_limits<Number>;
@@ -51,7 +50,7 @@ template <class Number, class Json, class Place>
   throw FormatError(place(), "expected a number" + found(value));
 }
 
-/// Reads as many numbers as the vector has. Calls `place` only if the array has another form.
+/// Reads as many numbers as the vector has.
 template <class Json, class Vector, class Place>
 void read_numbers(const Json& array, Vector& into, const Place& place) {
   if (!array.is_array() || array.size() != static_cast<std::size_t>(into.size())) {
@@ -63,7 +62,7 @@ void read_numbers(const Json& array, Vector& into, const Place& place) {
   }
 }
 
-/// Reads the fields of one JSON object, and remembers the names of the fields that were requested.
+/// Reads the fields of one JSON object. Remembers the requested names, so that reject_others can find unknown fields.
 template <class Json>
 class ObjectReader {
  public:

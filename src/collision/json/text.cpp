@@ -16,9 +16,9 @@ std::string valid_utf8(const std::string& text) {
   return json::parse(json(text).dump(-1, ' ', false, json::error_handler_t::replace)).get<std::string>();
 }
 
-/// The length in bytes of the control character at the start of the text, if UTF-8 writes it in several bytes;
-/// otherwise 0. C1 controls (U+0080 to U+009F) drive terminals as ESC does. U+061C, U+200E, U+200F, U+202A to U+202E
-/// and U+2066 to U+2069 change the direction of writing. U+2028 and U+2029 end lines.
+/// The length in bytes of a control character of several bytes at the start of the text; otherwise 0. C1 controls
+/// (U+0080 to U+009F) drive terminals as ESC does. U+061C, U+200E, U+200F, U+202A to U+202E and U+2066 to U+2069 change
+/// the direction of writing. U+2028 and U+2029 end lines.
 std::size_t long_control(std::string_view text) {
   const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
   if ((byte(0) == 0xc2 && byte(1) >= 0x80 && byte(1) <= 0x9f) || (byte(0) == 0xd8 && byte(1) == 0x9c)) {

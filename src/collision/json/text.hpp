@@ -6,15 +6,15 @@
 
 namespace carom {
 
-/// The output of a foreign program, safe to print: valid UTF-8. It has no control characters except line ends and tabs,
-/// and none that change the direction of writing. Longer text is cut to `longest` bytes and ends with an ellipsis. A
-/// replacement character, which has three bytes, replaces each byte that is not UTF-8.
+/// Makes the text of a foreign program safe to print: valid UTF-8 without control characters (except line ends and
+/// tabs) and without marks that change the direction of writing. Text of more than `longest` bytes is cut, and ends
+/// with an ellipsis. Each byte that is not UTF-8 becomes a replacement character (three bytes).
 [[nodiscard]] std::string printable(std::string text, std::size_t longest);
 
 /// The text of `printable`, with spaces in place of line ends and tabs.
 [[nodiscard]] std::string printable_line(std::string text, std::size_t longest);
 
-/// The word quoted for a POSIX shell. split_words gives the word back.
+/// The word quoted for a POSIX shell, as split_words reads it.
 [[nodiscard]] std::string quoted(const std::string& word);
 
 }  // namespace carom

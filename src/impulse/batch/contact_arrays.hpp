@@ -7,8 +7,7 @@
 #include <type_traits>
 
 /// Contacts and outcomes as structures of arrays, one array for each scalar component. The caller owns the memory. The
-/// arrays need no alignment. All arrays of one structure have the same length, with one number for each contact. T is S
-/// or const S.
+/// arrays of one structure have the same length, and need no alignment. T is S or const S.
 namespace carom::impulse {
 
 template <class T>
@@ -53,7 +52,7 @@ struct OutcomeArrays {
   [[nodiscard]] std::size_t size() const { return a.velocity[0].size(); }
 };
 
-/// The number of scalar components, and so of arrays, of a contact and of an outcome.
+/// The number of arrays of a contact and of an outcome.
 inline constexpr std::size_t contact_number_count = 50;
 inline constexpr std::size_t outcome_number_count = 12;
 
@@ -99,7 +98,6 @@ void for_each_array(OutcomeArrays<T>& outcomes, F&& f) {
   }
 }
 
-/// The same arrays, read-only.
 template <class S>
 [[nodiscard]] ContactArrays<const S> read_only(ContactArrays<S> contacts) {
   std::array<std::span<const S>, contact_number_count> spans;

@@ -32,9 +32,9 @@ struct PageAllocator {
   friend bool operator==(const PageAllocator&, const PageAllocator&) { return true; }
 };
 
-/// Arrays of one length in one piece of memory. Each array begins at a cache line. The arrays begin at the same offset
-/// in a page as if `before` further arrays preceded them. This offset keeps contacts and outcomes at different places
-/// in a page. Otherwise a load would wait for a recent store to the same place in another page.
+/// Arrays of one length in one piece of memory. Each array begins at a cache line. The first array has the offset in
+/// its page that array number `before` would have. So contacts and outcomes differ in the offset; otherwise a load
+/// would wait for a recent store to the same offset in another page.
 template <class S>
 class ArraysInOnePiece {
  public:
@@ -74,8 +74,7 @@ template <class Arrays, class Memory>
 
 }  // namespace detail
 
-/// Contacts as a structure of arrays that owns its memory. Initially all numbers are zero, so every contact is between
-/// immovable bodies.
+/// Contacts as a structure of arrays that owns its memory. Initially all numbers are zero.
 template <class S>
 class ContactBatch {
  public:

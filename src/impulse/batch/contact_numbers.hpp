@@ -11,7 +11,7 @@ namespace carom::impulse {
 
 namespace detail {
 
-/// The index of the first number of each body in a contact, and of its first velocity in an outcome.
+/// The index of the first number of each body in a contact, and in an outcome.
 inline constexpr std::size_t first_number_of_a = 0;
 inline constexpr std::size_t first_number_of_b = 22;
 inline constexpr std::size_t first_outcome_of_a = 0;

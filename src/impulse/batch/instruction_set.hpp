@@ -6,7 +6,7 @@
 
 namespace carom::impulse {
 
-/// The instruction sets that the batch solvers are compiled for. Packs of double have 2, 4, 8 lanes.
+/// The instruction sets that the batch solvers are compiled for. A pack of double has 2, 4 or 8 lanes.
 enum class InstructionSet {
   baseline,  // available on every machine of the architecture: SSE2 on x86-64, NEON on AArch64
   avx2,      // only on x86-64

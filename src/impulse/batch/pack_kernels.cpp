@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Compiled once for each instruction set, which CAROM_INSTRUCTION_SET names.
 
-// A check would leave a function that is not inlined (see below). solve.cpp checks the preconditions instead.
+// A check would leave a function that is not inlined. solve.cpp checks the preconditions.
 #undef CAROM_CHECK_PRECONDITIONS
 #define CAROM_CHECK_PRECONDITIONS 0
 
@@ -19,8 +19,7 @@ void solve_by_law(const PackTask<S>& task, Law law) {
 
 }  // namespace
 
-// Everything is inlined. Otherwise the linker could use a function of this unit in a unit of a narrower instruction
-// set.
+// Everything is inlined. Otherwise the linker could use a function of this unit in a unit of a narrower set.
 [[gnu::flatten]] void solve_packs(const PackTask<float>& task, Law law) { solve_by_law(task, law); }
 [[gnu::flatten]] void solve_packs(const PackTask<double>& task, Law law) { solve_by_law(task, law); }
 

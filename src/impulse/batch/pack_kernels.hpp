@@ -4,9 +4,8 @@
 #include <carom/collision/law.hpp>
 #include <carom/impulse/batch/pack_task.hpp>
 
-/// The units that pack_kernels.cpp compiles to, with one namespace for each instruction set. These declarations take
-/// only pointers and enumerators. A unit of a wide instruction set must not define anything that the linker could use
-/// in another unit (tests/impulse/batch/isolation.cmake).
+/// The units that pack_kernels.cpp compiles to, one namespace for each instruction set. A unit of a wide instruction
+/// set must not define anything that the linker could use in another unit (tests/impulse/batch/isolation.cmake).
 #define CAROM_DECLARE_PACK_KERNELS(SET)                    \
   namespace carom::impulse::SET {                          \
   void solve_packs(const PackTask<float>& task, Law law);  \

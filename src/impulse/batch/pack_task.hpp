@@ -7,8 +7,8 @@
 
 namespace carom::impulse {
 
-/// The beginnings of the arrays, in the order of for_each_array. Units that are compiled for different instruction sets
-/// can exchange this plain structure.
+/// The beginnings of the arrays, in the order of for_each_array, for exchange between units of different instruction
+/// sets.
 template <class S>
 struct PackTask {
   const S* contacts[contact_number_count];

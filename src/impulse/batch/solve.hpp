@@ -10,27 +10,25 @@
 #include <carom/impulse/batch/instruction_set.hpp>
 #include <carom/impulse/batch/pack_task.hpp>
 
-/// Solves many contacts at once with the laws of laws.hpp in packs, one contact in each lane. Every instruction set
-/// gives the same bits as the scalar solvers compiled without contraction of a·b + c. The library carom::batch holds
-/// the code.
+/// Solves many contacts with the laws of laws.hpp, one contact in each lane of a pack. Every instruction set gives the
+/// same bits as the scalar solvers compiled without contraction of a·b + c. The library is carom::batch.
 namespace carom::impulse {
 
-/// Solves every contact. The contacts do not affect each other. An array of outcomes may be the array of the velocities
-/// that it replaces; otherwise no two arrays overlap. Preconditions: each contact was made from a valid collision; the
-/// law is one of `laws_with_truth`. Throws std::invalid_argument for any other law, for arrays of different lengths,
-/// and for an instruction set that is not available.
+/// Solves every contact. An array of outcomes may be the array of the velocities that it replaces; otherwise no two
+/// arrays overlap. Preconditions: each contact was made from a valid collision; the law is one of `laws_with_truth`.
+/// Throws std::invalid_argument for any other law, for arrays of different lengths, and for an instruction set that is
+/// not available.
 void solve(const ContactArrays<const float>& contacts, Law law, const OutcomeArrays<float>& outcomes,
            InstructionSet set = best_instruction_set());
 void solve(const ContactArrays<const double>& contacts, Law law, const OutcomeArrays<double>& outcomes,
            InstructionSet set = best_instruction_set());
 
-/// Solves arrays that are known to have one length, `task.count`. Conditions and errors are those of the functions for
-/// arrays, except for the lengths.
+/// Solves arrays of the length `task.count`. Conditions and other errors are those of the functions above.
 void solve(const PackTask<float>& task, Law law, InstructionSet set = best_instruction_set());
 void solve(const PackTask<double>& task, Law law, InstructionSet set = best_instruction_set());
 
-/// Solves a batch. Its arrays need no check of their lengths. So a call for few contacts takes a quarter of the time of
-/// a call with ContactArrays. Throws std::invalid_argument if the sizes of the batches differ.
+/// Solves a batch. For few contacts, this takes a quarter of the time of a call with ContactArrays, because no lengths
+/// are checked. Throws std::invalid_argument if the sizes of the batches differ.
 template <class S>
 void solve(const ContactBatch<S>& contacts, Law law, OutcomeBatch<S>& outcomes,
            InstructionSet set = best_instruction_set()) {

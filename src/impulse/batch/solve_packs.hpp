@@ -17,9 +17,8 @@ namespace carom::impulse {
 
 namespace detail {
 
-/// Prefetches the next block of every array into the second-level cache while the current block is solved, one array
-/// after the other. The prefetcher of the processor cannot follow so many arrays side by side. Without this class a
-/// third of the bandwidth is lost.
+/// Prefetches the next block of every array into the second-level cache. The processor's prefetcher cannot follow so
+/// many arrays, and would lose a third of the bandwidth.
 template <class S>
 class BlockPrefetch {
  public:
@@ -30,8 +29,8 @@ class BlockPrefetch {
     return task_.count * (contact_number_count + outcome_number_count) * sizeof(S) > std::size_t{1} << 20;
   }
 
-  /// Prefetches the share of the next block that belongs to the contacts from i to i + width. Inlining is forced
-  /// because gcc considers a function that only prefetches to have no effect, and drops the call.
+  /// Prefetches the share of the next block for the contacts from i to i + width. Inlining is forced because gcc drops
+  /// a call that only prefetches.
   [[gnu::always_inline]] void ask(std::size_t i, std::size_t width) const {
     const std::size_t next = (i / block + 1) * block;
     if (next >= task_.count) {
@@ -44,7 +43,7 @@ class BlockPrefetch {
       const void* begin = array < contact_number_count
                               ? static_cast<const void*>(task_.contacts[array])
                               : static_cast<const void*>(task_.outcomes[array - contact_number_count]);
-      // The address is an integer, because the last block may end beyond the array. Prefetching there does no harm.
+      // The address is an integer, because the last block may end beyond the array.
       const std::uintptr_t address = reinterpret_cast<std::uintptr_t>(begin) + next * sizeof(S) + k % lines * line;
       __builtin_prefetch(reinterpret_cast<const void*>(address), 0, 2);
     }
@@ -82,7 +81,7 @@ template <class P>
   return [&task, i](std::size_t k, const P& number) { number.copy_to(task.outcomes[k] + i, unaligned); };
 }
 
-/// Reads each body again to apply the impulse, because reading it again is faster than keeping it.
+/// Writes the outcome of a pack. Reading each body again is faster than keeping it.
 template <class P, class Inertia>
 void write_outcome_of(const PackTask<typename P::value_type>& task, std::size_t i, const ContactImpulse<P>& impulse) {
   const auto is_any_slender = has_slender(read_contact<P, Inertia>(task, i));
@@ -110,8 +109,8 @@ void write_outcome_of(const PackTask<typename P::value_type>& task, std::size_t 
   write_outcome(outcome, writer<P>(task, i));
 }
 
-/// Solves `Packs` packs of contacts from i on, and finds all impulses first. Each impulse is a long chain of dependent
-/// operations. A processor that runs ahead into the next chain uses the waiting time.
+/// Solves `Packs` packs of contacts from i on. Each impulse is a long chain of dependent operations, so all impulses
+/// are found first, and the processor interleaves their chains.
 template <class P, class Inertia, std::size_t Packs, class Solver>
 void solve_as(const PackTask<typename P::value_type>& task, std::size_t i, const Solver& solver) {
   std::array<std::invoke_result_t<const Solver&, const Contact<P, Inertia>&>, Packs> answers;
@@ -125,15 +124,15 @@ void solve_as(const PackTask<typename P::value_type>& task, std::size_t i, const
   }
 }
 
-/// Not inlined, so that it takes no registers from the usual case. Other functions of this unit must be inlined
-/// (pack_kernels.cpp says why). This one need not be, because its type P names the instruction set.
+/// Solves one pack with slender bodies. Not inlined, so that it takes no registers from the usual case. Its type P
+/// names the instruction set, so no other unit uses it.
 template <class P, class Solver>
 [[gnu::noinline, gnu::flatten]] void solve_slender(const PackTask<typename P::value_type>& task, std::size_t i,
                                                    const Solver& solver) {
   solve_as<P, PrincipalInertia<P>, 1>(task, i, solver);
 }
 
-/// If no body is slender and the solver accepts the type PrincipalInertia<P, false>, reads the contacts with this type.
+/// Solves contacts with the faster type PrincipalInertia<P, false> if no body is slender and the solver accepts it.
 template <class P, std::size_t Packs, class Solver>
 void solve_from(const PackTask<typename P::value_type>& task, std::size_t i, const Solver& solver) {
   using NotSlender = PrincipalInertia<P, false>;
@@ -153,7 +152,6 @@ void solve_from(const PackTask<typename P::value_type>& task, std::size_t i, con
   }
 }
 
-/// Arrays that hold one pack.
 template <class P>
 struct OnePack {
   using S = typename P::value_type;
@@ -191,17 +189,16 @@ struct OnePack {
 
 }  // namespace detail
 
-/// Applies `solver` to all contacts: two packs P at a time, or one if the arrays are too large for the cache. The
-/// solver returns a ContactImpulse<P>, NormalImpulse<P> or RoughImpulse<P> for a Contact<P>; or an Outcome<P>, which
-/// takes longer. The numbers of a body are read before its outcome is written. So an array of outcomes may be the array
-/// of the velocities that it replaces; otherwise no two arrays overlap.
+/// Applies `solver` to all contacts. For a Contact<P>, it returns a ContactImpulse<P>, NormalImpulse<P>,
+/// RoughImpulse<P> or (slower) an Outcome<P>. An array of outcomes may be the array of the velocities that it replaces;
+/// otherwise no two arrays overlap.
 template <class P, class Solver>
 void solve_packs(const PackTask<typename P::value_type>& task, const Solver& solver) {
   constexpr std::size_t width = P::size();
   const detail::BlockPrefetch prefetch(task);
   const bool is_large = prefetch.pays();
   std::size_t i = 0;
-  // If the arrays are too large for the cache, two packs at a time are slower by an eighth than one.
+  // For large arrays, two packs at a time are slower by an eighth than one.
   for (; !is_large && i + 2 * width <= task.count; i += 2 * width) {
     detail::solve_from<P, 2>(task, i, solver);
   }

@@ -9,8 +9,7 @@
 
 #include <carom/impulse/numbers/products.hpp>
 
-/// Products of vectors with a small relative error in each component. The products of products.hpp have an error
-/// relative to |x| |y| instead.
+/// Products of vectors with a small relative error in each component.
 namespace carom::impulse {
 
 /// A type with fma: a floating-point number or a pack of them.
@@ -27,7 +26,7 @@ template <class S>
   if constexpr (std::is_floating_point_v<S>) {
     return std::fma(x, y, z);
   } else {
-    // The loop runs over a vector type of the compiler, which makes one instruction of it if the machine has one.
+    // The compiler makes one instruction of this loop, if the machine has one.
     using Number = typename S::value_type;
     using Numbers [[gnu::vector_size(sizeof(S))]] = Number;
     const auto xs = std::bit_cast<Numbers>(x);
@@ -42,8 +41,7 @@ template <class S>
 }
 
 /// x y − `product`, exactly, with `product` the rounded x y (T. J. Dekker, "A floating-point technique for extending
-/// the available precision", Numerische Mathematik 18, 1971). Not exact if x or y is within a factor of 2³³ of the end
-/// of the range.
+/// the available precision", Numerische Mathematik 18, 1971). Not exact within a factor of 2³³ of the end of the range.
 [[nodiscard]] inline long double error_of_product(long double x, long double y, long double product) {
   static_assert(std::numeric_limits<long double>::radix == 2);
   constexpr int half = (std::numeric_limits<long double>::digits + 1) / 2;
@@ -59,10 +57,10 @@ template <class S>
 
 /// a b − c d, with an error of at most 3/2 ulps unless a product overflows or underflows (W. Kahan; C.-P. Jeannerod, N.
 /// Louvet, J.-M. Muller, "Further analysis of Kahan's algorithm for the accurate computation of 2 × 2 determinants",
-/// Mathematics of Computation 82, 2013). Machines have no fma for long double: there the error is at most 2 u (M.
-/// Cornea, J. Harrison, P. T. P. Tang; C.-P. Jeannerod, "A radix-independent error analysis of the Cornea-Harrison-Tang
-/// method", ACM Transactions on Mathematical Software 42, 2016). Other types carry more digits than their results need,
-/// and evaluate the expression as written.
+/// Mathematics of Computation 82, 2013). For long double, without fma, the relative error is at most 2 u (M. Cornea, J.
+/// Harrison, P. T. P. Tang; C.-P. Jeannerod, "A radix-independent error analysis of the Cornea-Harrison-Tang method",
+/// ACM Transactions on Mathematical Software 42, 2016). Other types carry more digits than needed, and evaluate the
+/// expression as written.
 template <class S>
 [[nodiscard]] S difference_of_products(const S& a, const S& b, const S& c, const S& d) {
   if constexpr (std::is_same_v<S, long double>) {

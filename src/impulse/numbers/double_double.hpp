@@ -10,8 +10,8 @@
 /// Numbers of about 106 bits as unevaluated sums of two doubles. The algorithms are numbered as in M. Joldes, J.-M.
 /// Muller, V. Popescu, "Tight and rigorous error bounds for basic building blocks of double-word arithmetic", ACM
 /// Trans. Math. Softw. 44 (2017). u = 2⁻⁵³. The bounds hold if nothing overflows or underflows. The range is that of
-/// double, and below about 2⁻⁹⁶⁹ the low part loses bits. This file must be compiled without contraction of a·b + c and
-/// without -ffast-math.
+/// double, and below about 2⁻⁹⁶⁹ the low part loses bits. Compile this file without contraction of a·b + c and without
+/// -ffast-math.
 namespace carom::impulse {
 
 class DoubleDouble {

@@ -13,10 +13,9 @@
 
 namespace carom::impulse {
 
-/// An exact sum of products of up to three doubles. It never rounds, overflows or underflows, because it is a
-/// fixed-point number that is long enough for every such product (U. Kulisch, "Computer Arithmetic and Validity", 2nd
-/// ed. 2013, ch. 8, which describes a long accumulator for products of two numbers). It holds up to `most_products`
-/// products.
+/// An exact sum of up to `most_products` products of up to three doubles, as a fixed-point number that is long enough
+/// for every such product (U. Kulisch, "Computer Arithmetic and Validity", 2nd ed. 2013, ch. 8, for products of two
+/// numbers).
 class ExactSum {
  public:
   static constexpr std::int64_t most_products = std::int64_t{1} << 29;
@@ -53,8 +52,8 @@ class ExactSum {
     return carry < 0 ? -1 : (carry > 0 || !zero ? 1 : 0);
   }
 
-  /// The sum. Its relative error is at most 2⁻⁵⁰ if the sum is a normal number: two additions are rounded, and the
-  /// omitted digits are below 2⁻⁶⁴ of the sum. The result is 0 or infinite beyond the range of double.
+  /// The sum, 0 or infinite beyond the range of double. If it is normal, its relative error is at most 2⁻⁵⁰: two
+  /// additions are rounded, and the omitted digits are below 2⁻⁶⁴ of the sum.
   [[nodiscard]] double approximately() const {
     const int s = sign();
     std::int64_t carry = 0;
@@ -83,10 +82,9 @@ class ExactSum {
   static constexpr int lowest_bit = 3 * least_exponent;
   static constexpr std::size_t digit_count = (3 * (least_exponent + 1024)) / digit_bits + 3;
 
-  // A product adds to a digit the lower half of one shifted digit and the upper half of another. `sign()` adds a carry.
+  // A product adds two halves of shifted digits to a digit. `sign()` adds a carry.
   static_assert(most_products <= (std::numeric_limits<std::int64_t>::max() - digit_mask) / (2 * digit_mask));
-  // The place of a double is at most 2045. A product of three begins at this digit or below, and has six digits and a
-  // carry.
+  // The place of a double is at most 2045. A product has six digits and a carry.
   static_assert((3 * 2045) / digit_bits + 7 <= digit_count);
 
   /// x = sign · (digits[0] + 2³² digits[1]) · 2^(place − 1074).

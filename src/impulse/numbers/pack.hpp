@@ -11,13 +11,13 @@
 /// Packs of numbers as the scalar type of the solvers, with one contact in each lane.
 namespace carom::impulse {
 
-/// As many numbers as one register holds, in the instruction set that the including unit is compiled for.
+/// As many numbers as one register holds, in the instruction set of the including unit.
 template <class S>
 using Pack = std::experimental::native_simd<S>;
 
 }  // namespace carom::impulse
 
-/// Lets Eigen store packs. Eigen treats a pack as a real number, and has no instructions for it.
+/// Lets Eigen store packs, as real numbers.
 template <class S, class Abi>
 struct Eigen::NumTraits<std::experimental::simd<S, Abi>> {
   using Real = std::experimental::simd<S, Abi>;

@@ -5,9 +5,8 @@
 
 #include <carom/collision/vector.hpp>
 
-/// Products with one fixed order of addition. The order of Eigen's products depends on the scalar type and on the
-/// instruction set. With these products a solver gives the same bits for a scalar and for each lane of a pack, on every
-/// machine.
+/// Products with one fixed order of addition, so that a scalar and each lane of a pack get the same bits, on every
+/// machine. The order of Eigen's products varies.
 namespace carom::impulse {
 
 /// x·y = (x₀ y₀ + x₁ y₁) + x₂ y₂.

@@ -10,8 +10,7 @@
 #include <carom/report/chart/measurement.hpp>
 #include <carom/report/drawing/plot.hpp>
 
-/// The pictures of `carom chart`. A method has the same number in all pictures, which is its place in the list of its
-/// law.
+/// The pictures of `carom chart`. The number of a method is its place in the list of its law, in all pictures.
 namespace carom::report {
 
 /// The measurements of the methods of one law, in the order of their numbers.
@@ -28,10 +27,11 @@ namespace carom::report {
 /// law.
 [[nodiscard]] Plot stability_map(const SweepMeasurement& sweep, Law law, double limit_ulps);
 
-/// For each time, the largest share of cases that a method within that time solves to a number of digits.
+/// For each time and each of deadline_digits: the largest share of cases that one method solves to so many digits in at
+/// most this time.
 [[nodiscard]] Plot deadline(std::span<const MethodMeasurement> of_one_law);
 
-/// One step of a deadline curve: from this time on, the method solves this share of the cases.
+/// One step of a deadline curve: given at least this time, the method solves this share of the cases.
 struct DeadlineStep {
   double nanoseconds;
   double share;
@@ -43,8 +43,8 @@ inline constexpr std::array deadline_digits{3, 6, 9, 12, 15, 18};
 
 [[nodiscard]] std::vector<DeadlineStep> deadline_steps(std::span<const MethodMeasurement> of_one_law, double digits);
 
-/// The methods that no method beats in both time and digits, the quickest first. Only methods with `is_sound` are
-/// considered.
+/// The indices, below `count`, of the sound methods that no sound method beats in both time and digits, the quickest
+/// first.
 template <class Nanoseconds, class Digits, class IsSound>
 [[nodiscard]] std::vector<std::size_t> pareto(std::size_t count, const Nanoseconds& nanoseconds, const Digits& digits,
                                               const IsSound& is_sound) {

@@ -14,7 +14,7 @@
 /// The measurements of `carom chart`, before they are drawn.
 namespace carom::report {
 
-/// The median of a distribution, and the worst value among the best 99 % and among all of its cases.
+/// The median of a distribution, the worst value among its best 99 %, and the worst value of all.
 struct Quantiles {
   double median = 0;
   double of_99_percent = 0;

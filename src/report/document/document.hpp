@@ -10,14 +10,14 @@
 
 #include <pugixml.hpp>
 
-/// The content of a page. It is written as text for a terminal, as Markdown or as HTML. Texts may come from third
-/// parties; each form escapes them.
+/// The content of a page. It can be written as text for a terminal, as Markdown or as HTML. Each form escapes the
+/// texts, which may come from third parties.
 namespace carom::report {
 
 struct Block;
 using Document = std::vector<Block>;
 
-/// `look` is a class of the style sheet, here and below. Only HTML uses it.
+/// In this file, `look` is a class of the style sheet. Only HTML uses it.
 struct Paragraph {
   std::string text;
   std::string look = {};
@@ -43,8 +43,8 @@ struct Cell {
   std::string look;
   bool is_code = false;     // Markdown shows it as code, so that a third party's name is neither markup nor an @mention
   std::string link = {};    // the target of the text, "#anchor"
-  std::string sign = {};    // before the text, not for screen readers
-  std::string spoken = {};  // in place of the sign, for screen readers
+  std::string sign = {};    // a symbol before the text, not for screen readers
+  std::string spoken = {};  // replaces the sign for screen readers
   std::string before = {};  // before the link
   std::string small = {};   // below the text
 };
@@ -53,7 +53,7 @@ struct List {
   std::vector<Cell> items;
 };
 
-/// Names and values. A name without a value is left out.
+/// Names and values. Names without a value are left out.
 struct Facts {
   std::vector<std::pair<std::string, Cell>> pairs;
 };
@@ -113,16 +113,16 @@ struct Block {
 
 [[nodiscard]] Document with(Document first, Document second);
 
-/// The document for a terminal. A column of a table is as wide as its longest cell.
+/// The document for a terminal. Each column of a table is as wide as its longest cell.
 [[nodiscard]] std::string in_text(const Document& document);
 
-/// `level` is that of the headings.
+/// The document as Markdown, with headings of this level.
 [[nodiscard]] std::string in_markdown(const Document& document, int level = 2);
 
-/// Appends the document to an element. `level` is that of the headings.
+/// Appends the document to an element, with headings of this level.
 void add_html(pugi::xml_node parent, const Document& document, int level = 2);
 
-/// A page of its own, as HTML and well-formed XML, that neither loads nor runs anything.
+/// A whole page, as HTML and well-formed XML, that neither loads nor runs anything.
 struct Page {
   std::string title;
   std::string heading;

@@ -10,7 +10,6 @@
 namespace carom::report {
 namespace {
 
-/// Appends an element, with a class if `look` is not empty.
 pugi::xml_node add_with_look(pugi::xml_node parent, const char* name, const std::string& look,
                              std::string_view text = {}) {
   return look.empty() ? add(parent, name, {}, text) : add(parent, name, {{"class", look}}, text);
@@ -129,13 +128,12 @@ struct HtmlWriter {
   void operator()(const Box& box) const { add_html(add_with_look(parent, "div", box.look), box.content, level); }
 };
 
-/// Appends the title, the style, and a policy that forbids the page to load or run anything.
 void add_head(pugi::xml_node html, const std::string& title) {
   const pugi::xml_node head = add(html, "head");
   add(head, "meta", {{"charset", "utf-8"}});
   add(head, "meta", {{"name", "viewport"}, {"content", "width=device-width, initial-scale=1"}});
   add(head, "meta", {{"name", "color-scheme"}, {"content", "light dark"}});
-  // Even if the page is embedded in another page, it cannot load or run anything.
+  // This policy forbids the page to load or run anything, even if another page embeds it.
   add(head, "meta",
       {{"http-equiv", "Content-Security-Policy"},
        {"content", "default-src 'none'; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'"}});
@@ -143,7 +141,7 @@ void add_head(pugi::xml_node html, const std::string& title) {
   add(head, "style", {}, report_style);
 }
 
-/// Writes an end tag for each element without content, because HTML requires it. Only <meta/> must not have one.
+/// HTML requires an end tag for every element without content, except for <meta/>.
 std::string serialized(const pugi::xml_document& document) {
   std::ostringstream stream;
   document.save(stream, "", pugi::format_raw | pugi::format_no_declaration | pugi::format_no_empty_element_tags);

@@ -16,8 +16,8 @@ bool is_in_word(const std::string& line, std::size_t at) {
   return at > 0 && at + 1 < line.size() && is_word(line[at - 1]) && is_word(line[at + 1]);
 }
 
-/// Escapes a line, so that it has no active markup and does not end the cell of a table. Within a word, _ is no markup.
-/// A bracket is markup only if the next letter makes a link or a link definition.
+/// Escapes a line, so that it contains no markup and does not end the cell of a table. Within a word, _ is no markup. A
+/// bracket is markup only if the next letter makes a link or a link definition.
 std::string escaped(const std::string& text) {
   constexpr std::string_view markup = "\\`*|~";
   constexpr std::string_view makes_a_link = "([:";
@@ -50,7 +50,7 @@ std::string in_code(const std::string& text) {
 
 std::string cell_text(const Cell& cell) { return cell.is_code ? in_code(cell.text) : escaped(cell.text); }
 
-/// Escapes the first letter too, if it would make the paragraph a heading or a list.
+/// Also escapes a first letter that would make the paragraph a heading or a list.
 std::string paragraph_text(const std::string& text) {
   const std::string line = escaped(text);
   return (!line.empty() && std::string_view("#+-=>").find(line.front()) != std::string_view::npos ? "\\" : "") + line;
@@ -60,7 +60,7 @@ struct MarkdownWriter {
   int level;
   std::string text = {};
 
-  /// An empty line separates blocks.
+  /// Starts a block: an empty line separates blocks.
   void part() { text += text.empty() ? "" : "\n"; }
 
   void operator()(const Paragraph& paragraph) {

@@ -19,8 +19,7 @@ constexpr std::string_view replacement = "\xef\xbf\xbd";
 
 std::string printable_text(std::string_view text) {
   std::string result = carom::printable(std::string(text), std::numeric_limits<std::size_t>::max());
-  // The result is valid UTF-8. Some characters must still be replaced: the control characters U+0080 to U+009F, and the
-  // two noncharacters that XML excludes.
+  // printable() leaves the control characters U+0080 to U+009F, and the two noncharacters that XML excludes.
   for (char last = '\x80'; last != '\xa0'; ++last) {
     const char control[] = {'\xc2', last};
     replace_all(result, {control, 2}, replacement);

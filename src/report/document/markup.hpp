@@ -8,8 +8,8 @@
 
 #include <pugixml.hpp>
 
-/// Elements of XML and HTML. The library that writes them escapes their content. These functions also replace
-/// characters that XML or HTML cannot contain.
+/// Elements of XML and HTML. pugixml escapes their content. These functions also replace characters that XML or HTML
+/// cannot contain.
 namespace carom::report {
 
 /// The text without characters that XML or HTML cannot contain, even escaped: control characters except for line ends

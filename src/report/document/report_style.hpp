@@ -5,8 +5,8 @@
 
 namespace carom::report {
 
-/// The style sheet of report.html. HTML does not unescape the content of <style>, so the style sheet must not contain
-/// <, > or &.
+/// The style sheet of report.html. It must not contain <, > or &, because HTML does not unescape the content of
+/// <style>.
 extern const std::string_view report_style;
 
 }  // namespace carom::report

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t longest_cell = 4000;
 
-/// The number of characters of a UTF-8 text.
+/// The number of characters, not bytes.
 std::size_t width_of(const std::string& text) {
   return static_cast<std::size_t>(
       std::ranges::count_if(text, [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; }));

@@ -159,7 +159,7 @@ std::optional<Change> change_of(const Count& before, const Count& now) {
   return std::nullopt;
 }
 
-/// The families of the newer run, then those of the older one only. The invariants of both runs.
+/// The families of the newer run, followed by those that only the older run has, and the invariants of both runs.
 struct Names {
   std::vector<std::string> families;
   std::set<std::string> invariants;

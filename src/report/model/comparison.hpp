@@ -46,7 +46,7 @@ struct SubjectSummary {
 /// It is not judged if every case was skipped.
 enum class Change {
   newly_violated,    // judged before, and not violated
-  violated_unknown,  // violated now, and not judged before: counts as new
+  violated_unknown,  // violated now, not judged before; counts as new
   known,             // violated in both
   fixed,             // violated before; judged now, and not violated
   no_longer_judged,  // violated before, and not judged now
@@ -73,7 +73,7 @@ struct ComparedSubject {
   std::optional<SubjectSummary> now;           // none if the newer report lacks the subject
   std::vector<ComparedViolation> violations;   // by invariant, then in the order of the families
   std::vector<std::string> no_longer_claimed;  // "invariant" or "invariant@family" that was claimed before
-  bool cannot_be_judged_now = false;           // now "error" or "not judged", before neither: counts as new
+  bool cannot_be_judged_now = false;           // now "error" or "not judged", before neither; counts as new
 };
 
 /// A setting that differs between the runs, so that their numbers are not comparable.
@@ -87,7 +87,7 @@ struct Comparison {
   RunHeading before;
   RunHeading now;
   std::vector<Difference> differences;
-  std::vector<ComparedSubject> subjects;  // those of the newer report, then those of the older one only
+  std::vector<ComparedSubject> subjects;  // of the newer report, then those only in the older one
 
   /// The number of violations with this change. `count_new` also counts the subjects that can no longer be judged.
   /// `counting_alone` restricts it to the subjects that count.

@@ -60,7 +60,7 @@ struct Features {
   std::map<std::string, std::uint64_t> cases;  // by feature
 };
 
-/// An entry of report.json for a witness, which is a file of its own.
+/// A violated invariant of a subject, as report.json lists it. Its witness is a separate file.
 struct Violation {
   std::string invariant;
   std::uint64_t count = 0;  // cases that violate it

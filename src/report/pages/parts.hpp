@@ -41,7 +41,7 @@ enum class Subjects { counting, all };
 /// Empty if no such family was posed.
 [[nodiscard]] Document beyond_domain_part(const Run& run, Subjects which);
 
-/// The boundary of one subject on one of these families: "from 3.2e+07 on: 412 of 1000".
+/// The boundary of one subject on one family beyond the domain: "from 3.2e+07 on: 412 of 1000".
 [[nodiscard]] std::string boundary_in_words(const properties::FamilyResult& family);
 
 /// The diagnosis of a subject with violations, its violations, and the witness of the invariant that explains most of

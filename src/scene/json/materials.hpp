@@ -11,21 +11,19 @@
 
 namespace carom::scene {
 
-/// Reads the materials of a scene file and the properties of their pairs.
 class MaterialsReader {
  public:
-  /// `scene` is the scene that is being read. It must outlive the reader.
+  /// The scene must outlive the reader.
   explicit MaterialsReader(Scene& scene) : scene_(scene) {}
 
   /// Reads "materials" and "contacts" into the scene. Throws FormatError.
   void read(Fields& root);
 
-  /// The index of the material of a body. The field "material" may be absent if there is only one material. Throws
-  /// FormatError.
+  /// The index of a body's material. Throws FormatError.
   [[nodiscard]] std::size_t material_of(Fields& body) const;
 
-  /// Call after all bodies are read. If the file has "contacts", throws FormatError if two bodies can meet whose pair
-  /// of materials is not listed there.
+  /// Call after all bodies are read. Throws FormatError if the file has "contacts" without the materials of two bodies
+  /// that can meet.
   void check_all_listed() const;
 
   /// The place of a pair of materials in the file; "/contacts" if the pair is not listed.

@@ -20,7 +20,7 @@ namespace {
 using detail::found;
 using nlohmann::json;
 
-/// Reads one file. Remembers the place of each body, so that an error in the whole scene can name that place.
+/// Reads one file.
 class SceneReader {
  public:
   explicit SceneReader(const json& value) : json_(value), root_(value, {}), materials_(scene_) {}
@@ -219,7 +219,7 @@ class SceneReader {
     }
     std::size_t total = 1;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      // These limits keep every product within 64 bits.
+      // The limits keep every product within 64 bits.
       const std::uint64_t count = std::min<std::uint64_t>(counts[axis].get<std::uint64_t>(), most_spheres + 1);
       lattice.count[axis] = count;
       total = std::min(total * count, most_spheres + 1);
@@ -233,7 +233,6 @@ class SceneReader {
     }
   }
 
-  /// The place of the defective object in the file.
   [[nodiscard]] std::string place_of(const SceneDefect& defect) const {
     switch (defect.of) {
       case SceneDefect::Of::scene:

@@ -27,7 +27,6 @@ Plane plane_across(const Vector& normal) {
   return {normal, x, normal.cross(x)};
 }
 
-/// The part of a shape that faces the other shape.
 struct Front {
   double height;         // of the surface, along the normal [m]
   PlanePolygon polygon;  // of the core, projected onto the plane
@@ -70,7 +69,7 @@ PlanePolygon common_of(const PlanePolygon& a, const PlanePolygon& b, double flat
     return common_of_segments(a, b, flatness);
   }
   PlanePolygon common = of_b == 2 ? clipped(a, b, flatness) : clipped(b, a, flatness);
-  // The common part is empty only if the shapes are farther apart than the separation says.
+  // Empty only if the shapes are farther apart than the separation says.
   return common.empty() ? PlanePolygon{centroid(of_b == 2 ? a : b)} : common;
 }
 

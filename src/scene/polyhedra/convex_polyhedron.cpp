@@ -19,7 +19,6 @@ bool comes_before(const Vector3<double>& left, const Vector3<double>& right) {
   return std::lexicographical_compare(left.begin(), left.end(), right.begin(), right.end());
 }
 
-/// The indices in ascending order of x, then y, then z.
 Polygon in_order(const Points& points) {
   Polygon order(points.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
@@ -49,9 +48,8 @@ Sides sides_of(const Points& points, const Triangle& t) {
   return sides;
 }
 
-/// Three points of a face, counterclockwise as seen from outside. `corner` is the first point in the order of
-/// coordinates, so it is a corner of the hull. So one of the triangles at this corner lies in a face. None if all
-/// points share a plane.
+/// Three points of a face, counterclockwise as seen from outside; none if all points share a plane. `corner`, the first
+/// point in the order of coordinates, is a corner of the hull, so one of its triangles lies in a face.
 std::optional<Triangle> first_triangle(const Points& points, std::size_t corner) {
   for (std::size_t j = 0; j < points.size(); ++j) {
     for (std::size_t k = j + 1; k < points.size(); ++k) {
@@ -67,9 +65,9 @@ std::optional<Triangle> first_triangle(const Points& points, std::size_t corner)
   return std::nullopt;
 }
 
-/// The corners of the face in the plane of a triangle, in the orientation of the triangle. Uses A. Andrew's monotone
-/// chain ("Another efficient algorithm for convex hulls in two dimensions", Inf. Process. Lett. 9, 1979). The chain
-/// needs the points in order along a direction in the plane. The order of coordinates is such an order.
+/// The corners of the face in the plane of a triangle, in its orientation, by A. Andrew's monotone chain ("Another
+/// efficient algorithm for convex hulls in two dimensions", Inf. Process. Lett. 9, 1979). The chain needs an order
+/// along a direction in the plane, such as that of coordinates.
 Polygon face_through(const Points& points, const Polygon& order, const Triangle& t) {
   const Vector3<int> signs = normal_signs(points[t[0]], points[t[1]], points[t[2]]);
   int axis = 0;  // the axis along which the plane is projected
@@ -101,8 +99,8 @@ Polygon face_through(const Points& points, const Polygon& order, const Triangle&
   return corners;
 }
 
-/// A triangle of the face on the other side of the edge from a to b. The edge is a side of a face that contains the
-/// triangle (a, b, inside).
+/// A triangle of the face on the other side of the edge from a to b. The triangle (a, b, inside) is part of a face on
+/// this side.
 Triangle across(const Points& points, std::size_t a, std::size_t b, std::size_t inside) {
   std::optional<std::size_t> outermost;
   for (std::size_t i = 0; i < points.size(); ++i) {

@@ -18,16 +18,15 @@ struct ConvexPolyhedron {
   std::vector<std::array<std::size_t, 2>> edges;  // each once, with the smaller index first
 };
 
-/// The reason why points do not form a convex polyhedron, or why a polyhedron is not a body.
+/// Why points do not form a convex polyhedron, or why a polyhedron is not a body.
 struct ShapeDefect {
   std::string text;  // if the defect belongs to one vertex, names its index in the list
 };
 
-/// The convex hull of points in any frame [m], if each point is a corner of the hull. Every decision is exact. Points
-/// in one plane form one face, however many they are. A point that is not a corner is a defect: it lies inside the
-/// hull, on a face or on an edge, or is in the list twice. Fewer than four points, points in one plane, and numbers
-/// that are not finite are defects too. The algorithm is gift wrapping (D. Chand, S. Kapur, "An algorithm for convex
-/// polytopes", J. ACM 17, 1970). Its time is of the order of vertices times edges.
+/// The convex hull of points in any frame [m], decided exactly, if each point is a corner of the hull. Points in one
+/// plane form one face. Defects are: a point inside the hull, on a face or on an edge; a point twice; fewer than four
+/// points; points in one plane; numbers that are not finite. The algorithm is gift wrapping (D. Chand, S. Kapur, "An
+/// algorithm for convex polytopes", J. ACM 17, 1970), in a time of the order of vertices times edges.
 [[nodiscard]] std::variant<ConvexPolyhedron, ShapeDefect> convex_polyhedron(std::vector<Vector3<double>> vertices);
 
 }  // namespace carom::scene

@@ -25,7 +25,7 @@ struct HalfSpace {
   double offset = 0;                // [m]
 };
 
-/// The placement of a shape, with bounds of its errors.
+/// A placement of a shape, with bounds of its errors.
 struct Placement {
   Quaternion<double> orientation{1, 0, 0, 0};  // body axes to world axes, not zero
   Vector3<double> position{0, 0, 0};           // of the body frame's origin, world [m]
@@ -41,10 +41,9 @@ struct Placement {
 [[nodiscard]] double placement_error(const ConvexShape& shape, const Placement& placement);
 
 /// An upper bound of the rounding error of (x − y) · n [m], for placed vertices x and y of shapes with these core radii
-/// at this distance. The length of n is 1 within rounding. In units of 2⁻⁵³, the error of each number of the rotation
-/// matrix is at most 8. The error of a rotated vertex is at most 17 times its length. The difference of the positions
-/// and the sum add 2, the product with n adds 4, and the length of n adds 4. The total is at most 27 times distance +
-/// radii. The function uses 64 instead of 27.
+/// at this distance, and n of length 1 within rounding. In units of 2⁻⁵³, each number of the rotation matrix has an
+/// error of at most 8, and a rotated vertex at most 17 times its length. The positions add 2, the product with n adds
+/// 4, and the length of n adds 4. So 27 times distance + radii suffices; the function uses 64.
 [[nodiscard]] inline double rounding_of_gap(double distance, double radius_a, double radius_b) {
   return 0x1p-47 * (distance + radius_a + radius_b);
 }

@@ -21,28 +21,25 @@ namespace {
 using Vector = Vector3<double>;
 using Points = std::vector<Vector>;
 
-// Every constant was measured on 1000 pairs each of boxes and hulls, with gaps of 1, 10⁻², …, 10⁻¹² m and with sizes
-// from 1 : 1 to 1 : 10⁻⁶.
+// Every constant was measured on 1000 pairs each of boxes and hulls, with gaps of 1, 10⁻², …, 10⁻¹² m and sizes from 1
+// : 1 to 1 : 10⁻⁶.
 
-/// The tolerance of FCL's iteration, relative to the smaller body. With 10⁻⁶, the gap of bodies of sizes 1 : 10⁻⁴ is
-/// too small by 3 × 10⁻⁷ of the sizes. With this value, the gap is too small only by the rounding of the directions,
-/// 10⁻¹².
+/// The tolerance of FCL's iteration, relative to the smaller body. With 10⁻⁶, the gap of sizes 1 : 10⁻⁴ is too small by
+/// 3 × 10⁻⁷ of the sizes. With 10⁻¹², it is too small only by the rounding of directions, 10⁻¹².
 constexpr double fcl_tolerance = 1e-12;
 
-/// The gap along a direction never exceeds the distance of two bodies, and no two of their points are nearer than this
-/// distance. So a gap within this share of FCL's distance is the true distance, within the same share. Otherwise the
-/// search tries the features (faces and edges) at FCL's points. Without these, the gap would be too small by the
-/// rounding error of the difference of the points, 6 × 10⁻¹⁰ of the sizes at a gap of 10⁻⁶ m.
+/// A gap within this share of FCL's distance is accepted, because the true distance lies between this gap and FCL's
+/// distance. Otherwise the search tries the features (faces and edges) at FCL's points. Without features, the gap is
+/// too small by up to 6 × 10⁻¹⁰ of the sizes at a gap of 10⁻⁶ m.
 constexpr double share_that_is_distance = 1e-12;
 
-/// The distance from FCL's points up to which features are tried, relative to the sizes. The error of the points is at
-/// most 10⁻¹², except for 1 of 1000 pairs of sizes 1 : 10⁻⁶. All values from 10⁻¹² to 10⁻⁶ give the same gaps. Larger
-/// values only add directions that do not help.
+/// Features within this distance of FCL's points are tried, relative to the sizes. The error of the points is at most
+/// 10⁻¹², except for 1 of 1000 pairs of sizes 1 : 10⁻⁶. All values from 10⁻¹² to 10⁻⁶ give the same gaps.
 constexpr double feature_tolerance = 1e-9;
 
-/// If a gap is smaller than FCL's distance by more than this share of the distance, FCL has failed. The search then
-/// tries every direction. FCL fails by 0.2 of the sizes for 1 of 1000 pairs that are far apart and of sizes 1 : 100 or
-/// less. The value 10⁻¹² gives the same gaps, but tries every direction for up to 5 of 1000 pairs.
+/// If a gap is smaller than FCL's distance by more than this share, FCL has failed, and the search tries every
+/// direction. FCL fails by 0.2 of the sizes for 1 of 1000 pairs that are far apart and of sizes 1 : 100 or less. With
+/// 10⁻¹², the search tries every direction for up to 5 of 1000 pairs.
 constexpr double share_that_is_failure = 1e-6;
 
 /// A placed polyhedron, relative to the position of B.
@@ -52,7 +49,7 @@ struct PlacedPolyhedron {
 };
 
 Vector face_normal(const PlacedPolyhedron& body, const std::vector<std::size_t>& face) {
-  // Newell's sum over all corners, so that a short side cannot spoil the normal.
+  // Newell's sum, so that a short side cannot spoil the normal.
   Vector normal = Vector::Zero();
   for (std::size_t i = 1; i + 1 < face.size(); ++i) {
     normal += (body.points[face[i]] - body.points[face[0]]).cross(body.points[face[i + 1]] - body.points[face[0]]);
@@ -142,9 +139,8 @@ Features all_features(const PlacedPolyhedron& body) {
   return features;
 }
 
-/// Tries every direction between nearest points of two polyhedra of which at least one lies on a face or an edge.
-/// `between` is the direction of the nearest points. For an edge and a corner, the function makes `between`
-/// perpendicular to the edge.
+/// Tries every direction between nearest points of two polyhedra if one lies on a face or an edge. `between` is the
+/// direction of the nearest points; for an edge and a corner, it is made perpendicular to the edge.
 void try_features(Search& search, const Features& a, const Features& b, const Vector& between) {
   for (const Vector& normal : a.normals) {
     search.try_direction(-normal);
@@ -167,8 +163,8 @@ void try_features(Search& search, const Features& a, const Features& b, const Ve
   }
 }
 
-/// The point of a triangle that is nearest to p. It is the projection of p if that lies inside (C. Ericson, "Real-Time
-/// Collision Detection", 2005, §5.1.5), otherwise a point of a side.
+/// The point of a triangle that is nearest to p: its projection if inside (C. Ericson, "Real-Time Collision Detection",
+/// 2005, §5.1.5), otherwise a point of a side.
 Vector nearest_of_triangle(const Vector& p, const Vector& a, const Vector& b, const Vector& c) {
   const Vector normal = (b - a).cross(c - a);
   const auto area = [&](const Vector& start, const Vector& end) { return normal.dot((start - p).cross(end - p)); };
@@ -184,7 +180,7 @@ Vector nearest_of_triangle(const Vector& p, const Vector& a, const Vector& b, co
   return *std::ranges::min_element(sides, {}, [&](const Vector& x) { return (p - x).squaredNorm(); });
 }
 
-/// The direction to an outside point from the nearest point of a polyhedron's surface.
+/// The direction to a point outside from the nearest point of the surface.
 Vector direction_from_surface(const PlacedPolyhedron& body, const Vector& point) {
   Vector best = Vector::Zero();
   double least = std::numeric_limits<double>::infinity();
@@ -202,7 +198,7 @@ Vector direction_from_surface(const PlacedPolyhedron& body, const Vector& point)
   return best;
 }
 
-/// If the centre of the ball lies within the polyhedron, only the faces give directions.
+/// Tries the direction to the ball's centre, and the faces if the centre lies inside.
 void search_ball(Search& search, const PlacedPolyhedron& body, const Vector& point, bool ball_is_a) {
   const Vector direction = direction_from_surface(body, point);
   search.try_direction(ball_is_a ? direction : Vector(-direction));
@@ -250,8 +246,7 @@ struct ShapePair::Geometry {
                                                                         const Placement& placement_b,
                                                                         const Vector& origin) const {
     fcl::DistanceRequest<double> request(true);
-    // GST_INDEP, the other solver of FCL 0.7, has an error of a tenth of the bodies' size for some boxes that are near
-    // each other.
+    // GST_INDEP, the other solver of FCL 0.7, has an error of a tenth of the size for some boxes near each other.
     request.gjk_solver_type = fcl::GST_LIBCCD;
     request.distance_tolerance = fcl_tolerance;
     fcl::DistanceResult<double> result;

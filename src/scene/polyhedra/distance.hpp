@@ -11,27 +11,26 @@ namespace carom::scene {
 /// The distance of two shapes along a direction.
 struct Separation {
   Vector3<double> normal{0, 0, 1};  // from B to A, world, of length 1 within rounding
-  /// The least of normal · x over A minus the greatest over B, as computed [m]. Except for rounding, it is at most the
-  /// distance, and equal to it for the best direction. If the shapes overlap, the gap is negative. Its size is then the
-  /// least overlap of the directions that were tried.
+  /// The least of normal · x over A minus the greatest over B, as computed [m]. Except for rounding, the gap is at most
+  /// the distance, and equals it for the best direction. If the shapes overlap, the gap is minus the least overlap of
+  /// the directions that were tried.
   double gap = 0;
   /// The gap minus bounds of every rounding error and of the errors of both placements [m]. If it is positive, the
-  /// shapes are certain to be apart by at least this much along the normal.
+  /// shapes are certainly apart by so much along the normal.
   double certified = 0;
 };
 
 /// Two shapes whose distance is computed often.
 ///
 /// FCL (J. Pan, S. Chitta, D. Manocha, ICRA 2012) finds the nearest points of two polyhedra by libccd's GJK. The class
-/// takes only a direction from FCL's answer, so an error of FCL cannot make a gap too large. The gap is the distance of
-/// the vertices along that direction. If the gap is small, rounding spoils the direction of the difference of the
-/// nearest points. The faces and edges that contain these points then give the direction. If FCL finds no distance
-/// because of an overlap or a failure, the class tries all face normals and cross products of edges (the separating
-/// axis theorem; S. Gottschalk, M. Lin, D. Manocha, SIGGRAPH 1996). For a ball and a polyhedron, the direction is that
-/// from the nearest point of all faces to the ball's centre.
+/// takes only a direction from FCL, and computes the gap of the vertices along it, so an error of FCL cannot make a gap
+/// too large. If the gap is small, rounding spoils this direction, and the faces and edges at the nearest points give a
+/// better one. If FCL finds no distance because of an overlap or a failure, the class tries all face normals and cross
+/// products of edges (the separating axis theorem; S. Gottschalk, M. Lin, D. Manocha, SIGGRAPH 1996). For a ball and a
+/// polyhedron, the direction is that from the nearest point of all faces to the ball's centre.
 ///
-/// As measured, the gap is too small by at most 10⁻¹³ of the sizes (10⁻¹⁵ at gaps of 10⁻³ m and less), for sizes down
-/// to 1 : 10⁻⁴. At 1 : 10⁻⁶ the gap was too small by up to 10⁻³ of itself in 1 of 1000 pairs.
+/// As measured, the gap is too small by at most 10⁻¹³ of the sizes (10⁻¹⁵ at gaps of 10⁻³ m and less), for bodies of
+/// sizes down to 1 : 10⁻⁴. At 1 : 10⁻⁶, it was too small by up to 10⁻³ of itself in 1 of 1000 pairs.
 class ShapePair {
  public:
   ShapePair(ConvexShape a, ConvexShape b);
@@ -41,8 +40,8 @@ class ShapePair {
 
   [[nodiscard]] Separation separation(const Placement& a, const Placement& b) const;
 
-  /// The separation; nothing if FCL finds no distance of two polyhedra. Fast for any number of corners, and accurate
-  /// enough to suggest a direction.
+  /// The separation; nothing if FCL finds no distance of two polyhedra. It is fast, and accurate enough to suggest a
+  /// direction.
   [[nodiscard]] std::optional<Separation> quick_separation(const Placement& a, const Placement& b) const;
 
  private:

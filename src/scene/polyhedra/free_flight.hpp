@@ -6,8 +6,8 @@
 
 namespace carom::scene {
 
-/// A body in flight from `start` on. Its centre moves on a parabola, and it rotates freely. All vectors are in world
-/// axes, at the start.
+/// A body in flight from `start` on, on a parabola and in free rotation. All vectors are in world axes, at the time
+/// `start`.
 struct FreeFlight {
   Vector3<double> position{0, 0, 0};      // of the centre of mass [m]
   Vector3<double> velocity{0, 0, 0};      // [m/s]
@@ -19,8 +19,7 @@ struct FreeFlight {
   [[nodiscard]] double end() const { return start + rotation.duration(); }
 };
 
-/// The placement of a body at a time [s], with bounds of its errors. With s = time − start, the position p + s (v + s a
-/// / 2) is rounded eight times, and s is rounded once for the rotation. Precondition: start ≤ time ≤ end.
+/// The placement of a body at a time [s], with bounds of its errors. Precondition: start ≤ time ≤ end.
 [[nodiscard]] Placement placement_at(const FreeFlight& motion, double time);
 
 /// The rotation of a body at a time [s], with bounds of its errors. Precondition: start ≤ time ≤ end.

@@ -23,12 +23,12 @@ Quaternion<double> product(const Quaternion<double>& q, const Vector3<double>& w
           q[0] * w[1] + q[3] * w[0] - q[1] * w[2], q[0] * w[2] + q[1] * w[1] - q[2] * w[0]};
 }
 
-/// (x₂y₃, x₃y₁, x₁y₂). Its norm is at most ‖x‖ ‖y‖.
+/// (x₂y₃, x₃y₁, x₁y₂), whose norm is at most ‖x‖ ‖y‖.
 Vector3<double> crosswise(const Vector3<double>& x, const Vector3<double>& y) {
   return {x[1] * y[2], x[2] * y[0], x[0] * y[1]};
 }
 
-/// The derivative of ω' in Euler's equations with respect to ω.
+/// The derivative of ω' in Euler's equations with respect to ω. a holds the aᵢ of RotationPath.
 Matrix3<double> derivative(const Vector3<double>& a, const Vector3<double>& w) {
   Matrix3<double> b;
   b << 0, a[0] * w[2], a[0] * w[1],  //
@@ -37,9 +37,8 @@ Matrix3<double> derivative(const Vector3<double>& a, const Vector3<double>& w) {
   return b;
 }
 
-/// The derivative of ω at the end of a step with respect to ω at its beginning. It is the Taylor series of the
-/// variational equation, from the coefficients of ω. Nine terms suffice, because a step has |a| ‖ω‖ length ≤ 0.14, and
-/// the rest is then below 2⁻⁴⁰.
+/// The derivative of ω at the end of a step with respect to ω at its beginning: the Taylor series of the variational
+/// equation. A step has max |aᵢ| ‖ω‖ length ≤ 0.14, so the rest after nine terms is below 2⁻⁴⁰.
 template <class Coefficients>
 Matrix3<double> derivative_of_step(const Vector3<double>& a, const Coefficients& rate, double length) {
   constexpr int terms = 9;
@@ -58,25 +57,24 @@ Matrix3<double> derivative_of_step(const Vector3<double>& a, const Coefficients&
 }
 
 /// An upper bound of the greatest eigenvalue of the symmetric part of `derivative`, divided by ‖ω‖. The diagonal is
-/// zero, so the eigenvalue is at most √(2/3) of the Frobenius norm.
+/// zero, so this eigenvalue is at most √(2/3) of the Frobenius norm.
 double growth_rate(const Vector3<double>& a) {
   const double greatest =
       std::max({std::abs(a[0] + a[1]), std::abs(a[1] + a[2]), std::abs(a[2] + a[0])}) + 8 * unit_roundoff;
   return greatest * std::numbers::inv_sqrt3;
 }
 
-/// The greatest ‖v‖² of all angular velocities v with the same energy and the same size of the angular momentum as ω.
-/// It is the solution of a linear programme in the unknowns yᵢ = vᵢ²: maximise Σ y under y ≥ 0 and two equations, of
-/// energy and squared angular momentum. At each vertex of the feasible set one yₖ is 0. At this vertex Σ y = ωᵢ² + ωⱼ²
-/// + ωₖ² Iₖ (Iᵢ + Iⱼ − Iₖ)/(Iᵢ Iⱼ), with the moments I.
+/// The greatest ‖v‖² of all angular velocities v with the energy and the size of the angular momentum of ω: a linear
+/// programme in yᵢ = vᵢ². At each vertex of the feasible set, one yₖ is 0, and Σ y = ωᵢ² + ωⱼ² + ωₖ² Iₖ (Iᵢ + Iⱼ −
+/// Iₖ)/(Iᵢ Iⱼ), with the moments I.
 double greatest_squared_rate(const Vector3<double>& moments, const Vector3<double>& rate) {
   const Vector3<double> squares = rate.cwiseAbs2();
   double greatest = squares.sum();
   for (int k = 0; k < 3; ++k) {
     const int i = (k + 1) % 3;
     const int j = (k + 2) % 3;
-    // A vertex with a negative y is not feasible. If rounding leaves the sign open, the vertex is included, which can
-    // only make the bound larger.
+    // A vertex with a negative y is not feasible. If rounding leaves the sign open, including the vertex can only make
+    // the bound larger.
     const auto is_negative = [&](int p, int q) {
       const double own = moments[p] * (moments[p] - moments[q]) * squares[p];
       const double other = moments[k] * (moments[k] - moments[q]) * squares[k];
@@ -130,9 +128,8 @@ RotationPath::Bounds RotationPath::bounds_for(double a) {
   }
   bounds.scaled_length = x;
 
-  // The same recurrences once more, now for bounds of the errors of the computed coefficients, in units of the unit
-  // roundoff u. The error of a sum of k + 1 products is at most (k + 1) u Σ|terms|. Seven more roundings cover aᵢ, the
-  // length and the division.
+  // The same recurrences for bounds of the errors of the computed coefficients, in unit roundoffs u. The error of a sum
+  // of k + 1 products is at most (k + 1) u Σ|terms|. Seven more roundings cover aᵢ, the length and the division.
   std::array<double, order + 1> rate_error{};
   std::array<double, order + 1> rotation_error{};
   double rate_units = 1;      // the last addition of Horner's scheme rounds the whole value
@@ -146,10 +143,9 @@ RotationPath::Bounds RotationPath::bounds_for(double a) {
       of_rotation += rotation_error[j] * rate[k - j] + rotation[j] * rate_error[k - j];
     }
     rate_error[k + 1] = of_rate * a * x / (n + 1) + (n + 8) * rate[k + 1];
-    // A product of quaternions with absolute values as terms has a norm of at most twice the product of the
-    // quaternions' norms.
+    // Quaternions of absolute values have a product whose norm is at most twice the product of their norms.
     rotation_error[k + 1] = of_rotation * x / (2 * (n + 1)) + 2 * (n + 8) * rotation[k + 1];
-    // Horner's scheme rounds the term of the k-th power 2 k + 1 times. Its argument is rounded once, which adds k.
+    // Horner's scheme rounds the term of the k-th power 2 k + 1 times. The rounding of its argument adds k.
     rate_units += rate_error[k + 1] + (3 * (n + 1) + 1) * rate[k + 1];
     rotation_units += rotation_error[k + 1] + (3 * (n + 1) + 1) * rotation[k + 1];
   }
@@ -183,15 +179,15 @@ RotationPath::RotationPath(const Vector3<double>& principal_inertia, const Rotat
   const double growth_per_angle = growth_rate(a_);
   BoundedRotation now{start_, 4 * unit_roundoff, 0};
   double by_norms = 0;  // rate_error by Gronwall's inequality
-  // The second bound of the error of ω (R. Lohner's parallelepipeds, with orthogonal frames). The error is frame · e
-  // with |eᵢ| ≤ widths[i]. Each step multiplies the error by the derivative of the step.
+  // The second bound of the error of ω, after R. Lohner: the error is frame · e with |eᵢ| ≤ widths[i]. Each step
+  // multiplies the error by the derivative of the step.
   Matrix3<double> frame = Matrix3<double>::Identity();
   Vector3<double> widths = Vector3<double>::Zero();
   double greatest_error = 0;
   for (double time = 0; time < duration;) {
     const double rate = now.state.body_rate.norm();
-    // Each step except for the first is at most as long as the time from 0 to its start. So differences of times within
-    // a step are exact (P. Sterbenz).
+    // Each step except for the first is at most as long as its start time, so differences of times are exact (P.
+    // Sterbenz).
     const double furthest = time > 0 ? std::min(duration, 2 * time) : duration;
     const double end = std::min(furthest, time + bounds_.scaled_length / rate);
     add_step(now, time, end - time);
@@ -205,8 +201,7 @@ RotationPath::RotationPath(const Vector3<double>& principal_inertia, const Rotat
     const Matrix3<double> moved = derivative_of_step(a_, step.rate, step.length) * frame;
     const Eigen::HouseholderQR<Matrix3<double>> factors(moved);
     frame = factors.householderQ();
-    // The factor 1 + 2⁻²⁰ covers the rest of the series, rounding errors, and terms that are quadratic in an error of
-    // less than 2⁻²⁰ ‖ω‖.
+    // The factor 1 + 2⁻²⁰ covers the rest of the series, rounding errors, and terms that are quadratic in the error.
     widths = (frame.transpose() * moved).cwiseAbs() * widths * (1 + 0x1p-20) + Vector3<double>::Constant(added);
     const double by_derivatives = widths.norm();
     now.rate_error = by_derivatives < 0x1p-20 * rate ? std::min(by_norms, by_derivatives) : by_norms;
@@ -265,8 +260,8 @@ BoundedRotation RotationPath::at(double time) const {
   if (rate == 0 || time == 0) {
     return {start_, 4 * unit_roundoff, 0};  // 4 u: the constructor divided the quaternion by its norm
   }
-  // The half angle has at most four roundings. Its sine and cosine have an error of an ulp. The rest has at most ten
-  // more roundings.
+  // The half angle has at most four roundings. Sine and cosine have an error of an ulp, and the rest has at most ten
+  // roundings.
   const double half_angle = rate * time / 2;
   const Vector3<double> axis = start_.body_rate / rate;
   const Quaternion<double> turned =

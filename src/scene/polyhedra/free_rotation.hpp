@@ -16,11 +16,10 @@ struct RotationState {
 /// The angular velocity along the world axes [rad/s].
 [[nodiscard]] Vector3<double> world_rate(const RotationState& state);
 
-/// The state for an orientation and an angular velocity in world axes, as after an impact. Precondition: the
-/// orientation is not zero.
+/// The state for an orientation and an angular velocity in world axes. Precondition: the orientation is not zero.
 [[nodiscard]] RotationState rotation_state(const Quaternion<double>& orientation, const Vector3<double>& world_rate);
 
-/// A state, with bounds of its distance from the exact motion that begins with the first state of the path.
+/// A state, with bounds of its distance from the exact motion that begins with the path's first state.
 struct BoundedRotation {
   RotationState state;
   double angle_error = 0;  // upper bound of the angle of the rotation from the exact orientation to this one [rad]
@@ -29,28 +28,26 @@ struct BoundedRotation {
 
 /// The free rotation of a body over a duration. It solves Euler's equations I₁ ω₁' = (I₂ − I₃) ω₂ ω₃ (and so on) and q'
 /// = ½ q ω by Taylor series of high order, step after step. The series are stored, so the state at any time is one
-/// evaluation.
+/// evaluation. The angular velocity is stored along the body axes, because a slender body would lose its digits along
+/// other axes.
 ///
-/// The angular velocity is stored along the body axes, because a slender body would lose its digits along other axes. A
-/// division of the world angular momentum by the moments would multiply rounding errors by I_max/I_min.
+/// The bound of the error. Let aᵢ = (Iⱼ − Iₖ)/Iᵢ and α = max |aᵢ| ≤ 1 (`a` in the code), and let W = ‖ω‖ at the
+/// beginning of a step. The Taylor coefficients of ω are at most those of W/(1 − α W t), and the coefficients of q at
+/// most those of (1 − α W t)^(−1/(2α)), by induction from ‖(x₂y₃, x₃y₁, x₁y₂)‖ ≤ ‖x‖ ‖y‖. So a geometric series bounds
+/// the rest. The recurrence of the coefficients also runs for bounds of their rounding errors.
 ///
-/// The bound. Let aᵢ = (Iⱼ − Iₖ)/Iᵢ. A body has |aᵢ| ≤ 1, and a is the greatest |aᵢ|. Let W = ‖ω‖ at the beginning of a
-/// step. The Taylor coefficients of ω are at most those of W/(1 − a W t), and the coefficients of q at most those of (1
-/// − a W t)^(−1/(2a)). Both bounds follow by induction from ‖(x₂y₃, x₃y₁, x₁y₂)‖ ≤ ‖x‖ ‖y‖. So a geometric series
-/// bounds the rest of each series. The recurrence of the coefficients also runs for bounds of their rounding errors. An
-/// error of ω grows by the derivative of the equation. There are two bounds of this growth. Gronwall's bound is exp ∫Λ,
-/// with Λ the greatest eigenvalue of the symmetric part of the derivative. If the error is below 2⁻²⁰ ‖ω‖, the
-/// derivatives of the steps bound the error in orthogonal frames (R. Lohner, "Enclosing the solutions of ordinary
-/// initial and boundary value problems", 1987). The smaller bound is used. An error e of ω [rad/s] turns the
-/// orientation away by at most the angle e each second. Errors of the orientation do not grow.
+/// An error of ω grows at most by Gronwall's bound exp ∫Λ, with Λ the greatest eigenvalue of the symmetric part of the
+/// derivative of the equation. If the error is below 2⁻²⁰ ‖ω‖, the derivatives of the steps also bound its growth, in
+/// orthogonal frames (R. Lohner, "Enclosing the solutions of ordinary initial and boundary value problems", 1987). The
+/// smaller bound is used. An error e of ω [rad/s] turns the orientation away by at most the angle e each second. Errors
+/// of the orientation do not grow.
 class RotationPath {
  public:
   /// Preconditions: the moments are positive, and each is at most the sum of the others (within rounding); the duration
-  /// is finite and ≥ 0. The product ‖ω‖ × duration is at most about 10⁵, because the path stores about eight steps a
-  /// radian.
+  /// is finite and ≥ 0; ‖ω‖ × duration is at most about 10⁵ (the path stores about eight steps a radian).
   RotationPath(const Vector3<double>& principal_inertia, const RotationState& start, double duration);
 
-  /// A body that does not turn, for any duration.
+  /// The path of a body that does not turn, for any duration.
   explicit RotationPath(const Quaternion<double>& orientation);
 
   /// The state at a time [s]. Precondition: 0 ≤ time ≤ duration.
@@ -58,11 +55,11 @@ class RotationPath {
 
   [[nodiscard]] double duration() const { return duration_; }
 
-  /// An upper bound of ‖ω‖ at any time [rad/s], for the exact and the computed motion. It is the greatest ‖ω‖ with this
-  /// energy and angular momentum, by a linear programme in the squares of ω's components.
+  /// An upper bound of ‖ω‖ at any time [rad/s], for the exact and the computed motion: the greatest ‖ω‖ with the same
+  /// energy and angular momentum.
   [[nodiscard]] double greatest_rate() const { return greatest_rate_; }
 
-  /// An upper bound of ‖ω'‖/‖ω‖² at any time: a/√3. The acceleration of a point at r is at most ‖ω‖² (1 + this bound)
+  /// An upper bound of ‖ω'‖/‖ω‖² at any time: α/√3. The acceleration of a point at r is at most ‖ω‖² (1 + this bound)
   /// ‖r‖.
   [[nodiscard]] double greatest_turning() const { return greatest_turning_; }
 

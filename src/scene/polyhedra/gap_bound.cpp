@@ -46,10 +46,10 @@ double time_open(const GapBound& bound, double least, double limit) {
   if (last.gap >= least) {
     return limit;
   }
-  constexpr int most_rounds = 30;  // about five suffice, because Newton's steps approach from the other side
+  constexpr int most_rounds = 30;  // about five suffice
   for (int round = 0; round < most_rounds && closed - open > 1e-3 * open; ++round) {
-    // If h is linear, a chord down to `least` would end where h differs from `least` only by rounding. So the chord
-    // ends slightly before, and earlier still if that is not enough.
+    // If h is linear, a chord down to `least` ends within rounding of `least`. So the chord ends slightly before, and
+    // earlier still if necessary.
     const double whole = (closed - open) * (excess / (excess + (least - last.gap)));
     double chord = open + whole * (1 - 0x1p-30);
     double excess_there = value_at(bound, chord).gap - least;
@@ -62,7 +62,7 @@ double time_open(const GapBound& bound, double least, double limit) {
     }
     open = chord;
     excess = excess_there;
-    // A tangent lies above h. When the tangent has fallen to `least`, h is below `least`, or very nearly so.
+    // A tangent lies above h, so where it falls to `least`, h is below `least`, or very nearly so.
     const double tangent = closed + (last.gap - least) / -last.slope;
     if (last.slope < 0 && tangent > open && tangent < closed) {
       const Value there = value_at(bound, tangent);

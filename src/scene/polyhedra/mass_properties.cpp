@@ -18,8 +18,8 @@ using Triple = std::array<mpq_class, 3>;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// The double nearest to a number. Of two equally near doubles, it is the one with an even last digit. For a number
-/// beyond the range of normal doubles, the result is outside of that range too, or zero.
+/// The double nearest to a number, with ties to an even last digit. Beyond the range of normal doubles, the result is
+/// outside of that range too, or zero.
 double nearest(const mpq_class& number) {
   const double toward_zero = number.get_d();  // GMP truncates
   if (toward_zero == 0 || !std::isfinite(toward_zero)) {
@@ -82,7 +82,6 @@ Integrals integrals_of(const std::vector<Triple>& points, const std::vector<std:
   return integrals;
 }
 
-/// The exact mass properties, relative to the first vertex.
 struct ExactProperties {
   mpq_class volume;
   Triple centre;
@@ -167,7 +166,7 @@ std::variant<PolyhedralBody, ShapeDefect> polyhedral_body(const ConvexPolyhedron
   if (!is_in_range(size)) {
     return ShapeDefect{"its moments of inertia overflow or underflow binary64"};
   }
-  // Scaling by a power of two makes the search for the axes independent of the size of the body.
+  // A power of two makes the search for axes independent of the body's size.
   int exponent = 0;
   std::frexp(size, &exponent);
   Matrix3<DoubleDouble> scaled;
@@ -197,8 +196,7 @@ std::variant<PolyhedralBody, ShapeDefect> polyhedral_body(const ConvexPolyhedron
     }
     body.radius = std::max(body.radius, body.shape.vertices[v].norm());
   }
-  // The moments are in range, so no square overflows and stableNorm is not needed. A norm of three squares is accurate
-  // to 4 ulps.
+  // No square overflows. A norm of three squares is accurate to 4 ulps.
   body.radius *= 1 + 0x1p-50;
   body.vertex_error = 0x1p-53 * body.radius;
   if (const std::optional<ShapeDefect> defect = defect_of(properties)) {

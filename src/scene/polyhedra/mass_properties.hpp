@@ -8,7 +8,7 @@
 
 namespace carom::scene {
 
-/// The properties of a body of uniform density that determine its motion. "Rounded once" means computed exactly, then
+/// The properties of a body of uniform density that determine its motion. "Rounded once" means computed exactly and
 /// rounded to nearest.
 struct MassProperties {
   double volume = 0;                  // rounded once [m³]
@@ -19,8 +19,8 @@ struct MassProperties {
   Quaternion<double> orientation;     // body axes to the axes of that frame; of length 1 within rounding
 };
 
-/// A body in its own frame, with the centre of mass at 0 and the principal axes along x, y and z. The computation does
-/// not exchange axes. So if the axes of a box are along the given axes, they stay in place.
+/// A body in its own frame, with the centre of mass at 0 and the principal axes along x, y and z. If the given axes are
+/// principal axes, they are kept in order.
 struct PolyhedralBody {
   ConvexPolyhedron shape;  // in the body frame [m]
   MassProperties properties;
@@ -31,24 +31,23 @@ struct PolyhedralBody {
 /// A polyhedron as a body of uniform density [kg/m³].
 ///
 /// Volume, centre and inertia are integrals of polynomials over tetrahedra (F. Tonon, "Explicit exact formulas for the
-/// 3-D tetrahedron inertia tensor in terms of its vertex coordinates", J. Math. Stat. 1, 2005), computed exactly in
-/// rational numbers. Jacobi's rotations find the axes in numbers of 106 bits. Before any rounding to double, ‖J − R
-/// diag Rᵀ‖ ≤ 2⁻⁹⁰ ‖J‖ for the exact inertia J, the axes R and the moments on the diagonal. So a principal moment keeps
-/// its relative accuracy if it is above 2⁻³⁵ of the greatest. The vertices are turned into the body frame in 106 bits
-/// and rounded once. Each vertex moves by at most 2⁻⁵³ of its distance from the centre.
+/// 3-D tetrahedron inertia tensor in terms of its vertex coordinates", J. Math. Stat. 1, 2005), computed in rational
+/// numbers. Jacobi's rotations find the axes in numbers of 106 bits: ‖J − R D Rᵀ‖ ≤ 2⁻⁹⁰ ‖J‖ for the exact inertia J,
+/// the axes R and the diagonal matrix D of moments. So a principal moment keeps its relative accuracy if it is above
+/// 2⁻³⁵ of the greatest. The vertices are turned into the body frame in 106 bits and rounded once, so each vertex moves
+/// by at most 2⁻⁵³ of its distance from the centre.
 ///
-/// The body that a scene moves is the hull of the rounded vertices. `faces` and `edges` are those of the given
-/// vertices, so a face of more than three corners is plane within `vertex_error`. The mass properties are those of the
-/// given vertices. A displacement or rotation of the given frame changes only the rounding of the vertices, and the
-/// choice between axes of equal moments.
+/// The body that a scene moves is the hull of the rounded vertices. `faces`, `edges` and the mass properties are those
+/// of the given vertices, so a face of more than three corners is plane within `vertex_error`. The given frame affects
+/// only the rounding of the vertices, and the choice between axes of equal moments.
 ///
 /// Returns a defect if the density is not a positive number, or if a result would leave the range of normal doubles.
 [[nodiscard]] std::variant<PolyhedralBody, ShapeDefect> polyhedral_body(const ConvexPolyhedron& polyhedron,
                                                                         double density);
 
-/// The mass properties of a ball about 0: m = 4/3 π ρ R³ and I = 2/5 m R². They are computed in numbers of 106 bits, so
-/// their error is at most ½ + 2⁻⁴⁰ ulps. Returns a defect if the radius or the density is not a positive number, or if
-/// a result would leave the range of normal doubles.
+/// The mass properties of a ball about 0: m = 4/3 π ρ R³ and I = 2/5 m R², with an error of at most ½ + 2⁻⁴⁰ ulps.
+/// Returns a defect if the radius or the density is not a positive number, or if a result would leave the range of
+/// normal doubles.
 [[nodiscard]] std::variant<MassProperties, ShapeDefect> sphere_mass_properties(double radius, double density);
 
 }  // namespace carom::scene

@@ -46,9 +46,8 @@ int orientation(const Vector3<double>& a, const Vector3<double>& b, const Vector
                            std::abs(z[2]) * (std::abs(x[0] * y[1]) + std::abs(x[1] * y[0]));
   constexpr double unit_roundoff = 0x1p-53;
   constexpr double relative_error = (7 + 56 * unit_roundoff) * unit_roundoff;
-  // An underflow in a product of two differences costs at most 2⁻¹⁰⁷⁴ times a third difference. This is negligible
-  // against a permanent above 2⁻⁹⁰⁰, as long as no difference exceeds 2⁷⁵. If the permanent is not in this range,
-  // rational numbers decide.
+  // An underflow in a product of two differences costs at most 2⁻¹⁰⁷⁴ times a third difference. It is negligible if the
+  // permanent exceeds 2⁻⁹⁰⁰ and no difference exceeds 2⁷⁵. Otherwise rational numbers decide.
   if (permanent > 0x1p-900 && permanent < 0x1p200 && std::abs(determinant) > relative_error * permanent) {
     return determinant > 0 ? 1 : -1;
   }

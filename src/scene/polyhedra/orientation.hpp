@@ -5,15 +5,15 @@
 
 namespace carom::scene {
 
-/// The exact sign of (b − a) × (c − a) · (d − a). It is +1 if d lies on the side from which a, b, c appear
-/// counterclockwise, and 0 if the four points share a plane. A floating-point value decides if its error bound allows
-/// (J. Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric predicates", Discrete Comput.
-/// Geom. 18, 1997, `o3derrboundA`). Otherwise rational numbers decide. Precondition: every number is finite.
+/// The exact sign of (b − a) × (c − a) · (d − a): +1 if d lies on the side from which a, b, c appear counterclockwise,
+/// and 0 if the four points share a plane. The error bound is that of J. Shewchuk ("Adaptive precision floating-point
+/// arithmetic and fast robust geometric predicates", Discrete Comput. Geom. 18, 1997, `o3derrboundA`); otherwise
+/// rational numbers decide. Precondition: every number is finite.
 [[nodiscard]] int orientation(const Vector3<double>& a, const Vector3<double>& b, const Vector3<double>& c,
                               const Vector3<double>& d);
 
-/// The exact signs of the components of (b − a) × (c − a). All are 0 if the three points share a line. Precondition:
-/// every number is finite.
+/// The exact signs of the components of (b − a) × (c − a), all 0 if the three points share a line. Precondition: every
+/// number is finite.
 [[nodiscard]] Vector3<int> normal_signs(const Vector3<double>& a, const Vector3<double>& b, const Vector3<double>& c);
 
 }  // namespace carom::scene

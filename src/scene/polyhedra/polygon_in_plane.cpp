@@ -24,8 +24,8 @@ PlanePolygon without_near_ones(const PlanePolygon& polygon, double slack) {
   return kept;
 }
 
-/// The part of a polygon on the left of a line, including a strip of width `slack` on the right. The line starts at
-/// `start` and has the direction `direction`, of length 1.
+/// The part of a polygon on the left of a line through `start`, including a strip of width `slack` on the right.
+/// `direction` has length 1.
 PlanePolygon left_part(const PlanePolygon& polygon, const PlanePoint& start, const PlanePoint& direction,
                        double slack) {
   PlanePolygon part;

@@ -5,15 +5,14 @@
 
 #include <Eigen/Core>
 
-/// Points, segments and convex polygons in a plane. They are stored as their corners: one, two, or more in
-/// counterclockwise order.
+/// Convex polygons in a plane, stored as their corners: a point, a segment, or more corners in counterclockwise order.
 namespace carom::scene {
 
 using PlanePoint = Eigen::Vector2d;
 using PlanePolygon = std::vector<PlanePoint>;
 
-/// The hull of points, by A. Andrew's monotone chain. A hull narrower than `slack` becomes a segment, and a hull
-/// shorter than `slack` becomes a point.
+/// The hull of points, by A. Andrew's monotone chain: a segment if it is narrower than `slack`, and a point if it is
+/// shorter.
 [[nodiscard]] PlanePolygon hull_in_plane(std::vector<PlanePoint> points, double slack);
 
 /// The part of a polygon within `slack` of another polygon, which has at least three corners (I. Sutherland, G.
@@ -24,7 +23,7 @@ using PlanePolygon = std::vector<PlanePoint>;
 /// otherwise one point.
 [[nodiscard]] PlanePolygon common_of_segments(const PlanePolygon& first, const PlanePolygon& second, double slack);
 
-/// The centroid of the area, of the segment or of the point. Precondition: the polygon is not empty.
+/// The centroid of the polygon, the segment or the point. Precondition: the polygon is not empty.
 [[nodiscard]] PlanePoint centroid(const PlanePolygon& polygon);
 
 }  // namespace carom::scene

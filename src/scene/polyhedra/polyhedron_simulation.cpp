@@ -19,16 +19,15 @@
 namespace carom::scene {
 namespace {
 
-/// The limit of impacts at one instant. Every observed sequence that ends by itself needs fewer impacts.
+/// The limit of impacts at one instant. Every observed sequence that ends by itself needs fewer.
 constexpr unsigned long long most_at_one_instant = 10'000;
 
-/// The `flatness` of a contact patch (contact_patch.hpp), in tolerances. Corners within it belong to the patch, also
-/// corners of an edge or a face that was struck earlier at the same instant.
+/// The `flatness` of a contact patch (contact_patch.hpp), in tolerances, so that it includes corners that were struck
+/// earlier at the same instant.
 constexpr double flatness_in_tolerances = 4;
 
-/// The least speed after an impact, relative to the greatest speeds of the bodies, if gravity and rotation give no
-/// least speed. Rounding cannot reverse it, because the speed of a gap is accurate to 2⁻⁴⁷ of the bodies' speeds
-/// (time_of_contact.cpp).
+/// The least speed after an impact, relative to the greatest speeds of the bodies. Rounding cannot reverse it, because
+/// the speed of a gap is accurate to 2⁻⁴⁷ of the bodies' speeds.
 constexpr double least_speed_share = 0x1p-40;
 
 RigidBody body_of(const Scene& scene, std::size_t index) {
@@ -42,7 +41,7 @@ RigidBody body_of(const Scene& scene, std::size_t index) {
   return std::get<RigidBody>(std::move(body));
 }
 
-/// A time up to which the balls around two bodies are certain not to overlap, from the gap between the balls.
+/// A time up to which the balls around two bodies are certain not to overlap. `gap` is the gap between the balls.
 double balls_touch_from(const UncertainQuadratic& gap, double now) {
   if (!(gap.c0 > gap.e0)) {
     return now;
@@ -148,7 +147,6 @@ PolyhedronSimulation::Prediction PolyhedronSimulation::predict_from(double begin
     case ContactStatus::undecided:
       break;
   }
-  // The bodies are apart up to found.time. The next search starts at this time.
   if (found.time > begin) {
     return {found.time, false};
   }
@@ -160,7 +158,7 @@ PolyhedronSimulation::Prediction PolyhedronSimulation::predict_from(double begin
                          ? text_of(who, "with a rounding error of up to ", unknown, " m, which is too large")
                          : text_of(who, "and they approach by more than this within one ulp of the time"));
   }
-  // The gap is within the tolerance and too small to be resolved, so it counts as a contact.
+  // Too small a gap to be resolved counts as a contact.
   return {found.time, true};
 }
 
@@ -245,7 +243,7 @@ void PolyhedronSimulation::look_again(const Where& where) {
 }
 
 const Event* PolyhedronSimulation::advance() {
-  // This search is not part of the event before, so that event remains in effect even if the search fails.
+  // This search is not part of the previous event, which remains in effect even if the search fails.
   for (const std::size_t body : changed_) {
     look_around(body);
   }
@@ -309,7 +307,6 @@ Collision PolyhedronSimulation::collision_at(const Where& where, const Vector3<d
   Collision collision;
   collision.a = struck_body(where.first, point);
   collision.normal = normal;
-  // The lever arm of a ball lies exactly along the normal.
   if (is_sphere(scene_, where.first)) {
     collision.a.position = normal * (a.body().shape.margin / normal.norm());
     collision.normal = collision.a.position;
@@ -380,7 +377,7 @@ double PolyhedronSimulation::least_speed_of(const Where& where, double restituti
   if (where.kind == Kind::bodies) {
     consider(where.second);
   }
-  // A hop that stays within the tolerance would at once be the next contact.
+  // A hop that stays within the tolerance would be the next contact at once.
   const double out_of_touch = std::sqrt(2 * acceleration * flatness_in_tolerances * tolerance_of(where));
   return std::max({least_speed(scene_, acceleration, radius, restitution), out_of_touch, least_speed_share * speeds});
 }

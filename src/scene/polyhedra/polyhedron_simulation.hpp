@@ -20,23 +20,22 @@ namespace carom::scene {
 
 /// Runs a scene that has polyhedra, one event at a time. All bodies fly, also spheres: nothing slides, rolls or rests.
 /// An approach slower than the least speed (least_speed.hpp) becomes an elastic impact, after which the bodies part at
-/// that speed. So a body that would lie at rest hops instead, no higher than the least speed allows.
+/// that speed. So a body that would lie at rest hops instead.
 ///
 /// A contact is the first instant at which two bodies are within `contact_tolerance` of each other and do not draw
-/// apart. Conservative advancement finds it (time_of_contact.hpp). Up to and at the contact, the bodies are certain not
-/// to touch. When a body has turned by `longest_turn`, a renewal stores its state, and the motion continues from there.
-/// Of events at one time, renewals come first and impacts on planes last. Within one kind, the event with the lower
-/// body indices is first. If all corners of the contact patch (contact_patch.hpp) approach, the impulse acts at its
-/// middle, otherwise at the corner that approaches fastest. Other corners that approach have their own impact at the
-/// same time.
+/// apart. At the contact, the bodies are still certain not to touch (time_of_contact.hpp). If all corners of the
+/// contact patch (contact_patch.hpp) approach, the impulse acts at the middle of the patch, otherwise at the corner
+/// that approaches fastest. Other corners that approach have their own impact at the same time. When a body has turned
+/// by `longest_turn`, a renewal stores its state. Of events at one time, renewals come first and impacts on planes
+/// last; within one kind, lower body indices come first.
 class PolyhedronSimulation {
  public:
   /// Precondition: the scene is valid (valid_polyhedra.hpp). Throws SceneError if bodies are not certain to be apart.
   explicit PolyhedronSimulation(Scene scene);
 
   /// The next event, an impact or a renewal; null after the scene's duration. The pointer is valid until the next call.
-  /// Throws SceneError if impacts at one instant do not end, or if bodies are no longer certain to be apart. Also
-  /// throws SceneError if positions are no longer accurate to the tolerance. The last event remains in effect.
+  /// Throws SceneError if impacts at one instant do not end, if bodies are no longer certain to be apart, or if
+  /// positions are no longer accurate to the tolerance. The last event remains in effect.
   [[nodiscard]] const Event* advance();
 
   /// Makes `advance` end early and return null once a stop is requested.
@@ -51,11 +50,10 @@ class PolyhedronSimulation {
  private:
   /// The known future of two bodies, or of a body and a plane.
   struct Prediction {
-    double time = never;  // [s]
-    bool touches =
-        false;  // whether they touch at that time; if not, they are apart until then, and the search continues
+    double time = never;   // [s]
+    bool touches = false;  // if not, they are apart until then, and the search continues
   };
-  /// The kinds of events. Of events at one time, the kind that is listed first comes first.
+  /// The kinds of events, in the order in which they happen at one time.
   enum class Kind : std::uint8_t { renewal, bodies, plane };
   struct Where {
     Kind kind = Kind::bodies;
@@ -79,13 +77,11 @@ class PolyhedronSimulation {
                                        const Vector3<double>& point) const;
   [[nodiscard]] Collision fastest_approach(const Where& where) const;
   [[nodiscard]] double least_speed_of(const Where& where, double restitution) const;
-  /// Whether the impulse of the law is exactly along the normal. The lever arm of a ball is along the normal too, so
-  /// only rounding would change the spin of a ball.
+  /// Whether the law's impulse is exactly along the normal, so that only rounding would change the spin of a ball.
   [[nodiscard]] bool is_along_normal(const Where& where) const;
   void keep_spins_of_balls(const Where& where, const Collision& before, Outcome<double>& outcome) const;
   void begin_change(Change& change, std::size_t body) const;
-  /// Stores the state of the body at this time, with these velocities. The next call of `advance` searches for the
-  /// body's next events.
+  /// Stores the state of the body at this time, with these velocities.
   void end_change(Change& change, const BodyVelocity<double>& velocity);
   [[nodiscard]] double tolerance_of(const Where& where) const;
   [[nodiscard]] std::string description_of(const Where& where) const;
@@ -95,7 +91,7 @@ class PolyhedronSimulation {
   double now_ = 0;
   std::vector<TumblingBody> bodies_;
   std::vector<std::size_t> changed_;             // bodies whose predictions must be found again
-  std::vector<std::optional<ShapePair>> pairs_;  // of bodies i > k at i (i − 1)/2 + k; created once they have come near
+  std::vector<std::optional<ShapePair>> pairs_;  // of bodies i > k at i (i − 1)/2 + k; created once they come near
   std::vector<Prediction> predictions_;          // indexed like pairs_
   std::vector<HalfSpace> grounds_;               // one for each plane
   std::vector<Reach> reaches_;                   // of body i and plane k at i · planes + k

@@ -18,8 +18,8 @@ DoubleDouble absolute(const DoubleDouble& x) { return x < DoubleDouble(0) ? -x :
   return matrix.cast<double>().cwiseAbs().maxCoeff();
 }
 
-/// The tangent t, |t| ≤ 1, of the rotation that makes the off-diagonal number zero. It satisfies t² + 2 t θ − 1 = 0 (G.
-/// Golub, C. Van Loan, "Matrix Computations", §8.5.2).
+/// The tangent t, |t| ≤ 1, of the rotation that makes the off-diagonal number zero: t² + 2 t θ − 1 = 0 (G. Golub, C.
+/// Van Loan, "Matrix Computations", §8.5.2).
 DoubleDouble tangent_of_rotation(const DoubleDouble& on_p, const DoubleDouble& on_q, const DoubleDouble& off) {
   const DoubleDouble theta = (on_q - on_p) / (DoubleDouble(2) * off);
   if (std::abs(theta.high()) > 0x1p200) {  // the square could overflow
@@ -61,7 +61,7 @@ PrincipalAxes principal_axes(Matrix3<DoubleDouble> inertia) {
       result.axes(i, k) = DoubleDouble(i == k ? 1 : 0);
     }
   }
-  constexpr int most_sweeps = 12;  // five suffice; the loop ends once nothing is left to rotate
+  constexpr int most_sweeps = 12;  // five suffice
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     bool rotated = false;
     for (const auto& [p, q] : {std::pair{0, 1}, std::pair{0, 2}, std::pair{1, 2}}) {
@@ -81,8 +81,7 @@ PrincipalAxes principal_axes(Matrix3<DoubleDouble> inertia) {
 }
 
 Quaternion<double> quaternion_of(const Matrix3<DoubleDouble>& r) {
-  // Row i of `candidates` is 4 qᵢ times the quaternion q (K. Shoemake, "Quaternions", 1994). The row with the largest
-  // qᵢ is used.
+  // Row i of `candidates` is 4 qᵢ times the quaternion q (K. Shoemake, "Quaternions", 1994).
   const DoubleDouble one(1);
   const std::array<std::array<DoubleDouble, 4>, 4> candidates{{
       {one + r(0, 0) + r(1, 1) + r(2, 2), r(2, 1) - r(1, 2), r(0, 2) - r(2, 0), r(1, 0) - r(0, 1)},

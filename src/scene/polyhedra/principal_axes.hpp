@@ -6,19 +6,19 @@
 
 namespace carom::scene {
 
-/// The factors of an inertia J = axes diag(moments) axesᵀ. The axes are the columns, and they are right-handed.
+/// The factors of an inertia J = axes diag(moments) axesᵀ. The axes are right-handed columns.
 struct PrincipalAxes {
   Vector3<impulse::DoubleDouble> moments;
   Matrix3<impulse::DoubleDouble> axes;
 };
 
 /// The principal axes of an inertia J by Jacobi's rotations. Each rotation is at most an eighth of a turn, so axes that
-/// are almost right are not exchanged. Two or three sweeps converge, quadratically. Every rotation adds an error of at
-/// most about 2⁻¹⁰⁰ ‖J‖, so ‖J − axes diag axesᵀ‖ ≤ 2⁻⁹⁵ ‖J‖. Precondition: J is symmetric, and its entry of greatest
-/// size is between 2⁻¹⁰⁰ and 2¹⁰⁰.
+/// are almost right are not exchanged. ‖J − axes diag axesᵀ‖ ≤ 2⁻⁹⁵ ‖J‖, because few sweeps suffice, and each rotation
+/// adds at most about 2⁻¹⁰⁰ ‖J‖. Precondition: J is symmetric, and its entry of greatest size is between 2⁻¹⁰⁰ and
+/// 2¹⁰⁰.
 [[nodiscard]] PrincipalAxes principal_axes(Matrix3<impulse::DoubleDouble> inertia);
 
-/// The rotation of a right-handed frame of columns as a quaternion. Its greatest component is positive, and each
+/// The quaternion of a rotation, whose columns are a right-handed frame. Its greatest component is positive, and each
 /// component is accurate to an ulp of 1.
 [[nodiscard]] Quaternion<double> quaternion_of(const Matrix3<impulse::DoubleDouble>& rotation);
 

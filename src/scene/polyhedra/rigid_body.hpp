@@ -9,8 +9,7 @@
 
 namespace carom::scene {
 
-/// A body at the beginning of a scene. The origin of its shape is the centre of mass, and its axes are the principal
-/// axes.
+/// A body at the beginning of a scene. Its shape has the origin at the centre of mass, and the principal axes as axes.
 struct RigidBody {
   ConvexShape shape;
   double mass = 1;                             // [kg]

@@ -10,8 +10,7 @@
 
 namespace carom::scene {
 
-/// The simulation of a scene: SphereSimulation if it has only spheres, otherwise PolyhedronSimulation. Its functions
-/// are those of both classes (sphere_simulation.hpp, polyhedron_simulation.hpp).
+/// The simulation of a scene: SphereSimulation if it has only spheres, otherwise PolyhedronSimulation.
 class SceneSimulation {
  public:
   explicit SceneSimulation(Scene scene) : loop_(made_for(std::move(scene))) {}

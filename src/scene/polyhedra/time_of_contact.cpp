@@ -43,8 +43,7 @@ Moving moving(const ConvexShape& shape, const FreeFlight& motion, double time) {
   m.turning = 1 + motion.rotation.greatest_turning();
   m.radius = shape.core_radius;
   m.bending = m.radius * m.greatest_rate * m.greatest_rate * m.turning;
-  // The bound covers about 27 roundings of the terms of a speed, as in rounding_of_gap, and the errors of orientation
-  // and rate.
+  // About 27 roundings of the terms of a speed, as in rounding_of_gap, and the errors of orientation and rate.
   m.speed_error =
       0x1p-47 * (motion.velocity.norm() + elapsed * motion.acceleration.norm() + m.greatest_rate * m.radius) +
       (2 * rotation.angle_error * m.greatest_rate + rotation.rate_error) * m.radius;
@@ -55,13 +54,13 @@ Moving moving(const ConvexShape& shape, const FreeFlight& motion, double time) {
   return m;
 }
 
-/// The number of later times at which the search looks for a direction along which the shapes draw apart. Each time is
-/// a quarter as far ahead as the one before.
+/// The number of later times at which the search looks for a direction along which the shapes draw apart, each a
+/// quarter as far ahead as the previous one.
 constexpr int most_trials = 24;
 
 /// The gap along a direction n that turns at a constant rate Ω, up to a time `limit`. Speeds of vertices are relative
-/// to B's centre, in axes that turn with n. Heights are relative to each body's own centre. The function from_certified
-/// later corrects for the distance of the centres and for errors of the heights.
+/// to B's centre, in axes that turn with n. Heights are relative to each body's own centre, which from_certified
+/// corrects.
 GapBound along(const Moving& a, const Moving& b, const Vector& n, const Vector& turning, double limit) {
   const Vector between = a.placement.position - b.placement.position;
   const Vector velocity = a.velocity - b.velocity;
@@ -86,8 +85,8 @@ GapBound along(const Moving& a, const Moving& b, const Vector& n, const Vector& 
   return bound;
 }
 
-/// The edge between the two vertices that are lowest (`sign` 1) or highest (`sign` −1) along n. None unless exactly two
-/// vertices are within 2⁻²⁶ radii of the foremost one. So the edge is perpendicular to n within this distance.
+/// The edge between the two vertices that are lowest (`sign` 1) or highest (`sign` −1) along n; none unless exactly two
+/// vertices are within 2⁻²⁶ radii of the foremost one.
 std::optional<Vector> foremost_edge(const Moving& body, const Vector& n, double sign) {
   double foremost = sign * n.dot(body.vertices.front());
   for (const Vector& vertex : body.vertices) {
@@ -102,8 +101,8 @@ std::optional<Vector> foremost_edge(const Moving& body, const Vector& n, double 
   return ends.size() == 2 ? std::optional<Vector>(*ends[1] - *ends[0]) : std::nullopt;
 }
 
-/// The rate Ω = n × n' of a direction n that stays perpendicular to an edge e of each body. The condition n·e = 0 gives
-/// n'·e = −n·(ω × e) for each edge. The third equation is n'·n = 0.
+/// The rate Ω = n × n' of a direction n that stays perpendicular to an edge e of each body: n'·e = −n·(ω × e) for both
+/// edges, and n'·n = 0.
 std::optional<Vector> turning_with_edges(const Moving& a, const Moving& b, const Vector& n) {
   const std::optional<Vector> of_a = foremost_edge(a, n, 1);
   const std::optional<Vector> of_b = foremost_edge(b, n, -1);
@@ -112,7 +111,6 @@ std::optional<Vector> turning_with_edges(const Moving& a, const Moving& b, const
   }
   Matrix3<double> across;
   across << of_a->transpose(), of_b->transpose(), n.transpose();
-  // If the edges are nearly parallel, no direction stays perpendicular to both for long.
   if (std::abs(across.determinant()) < 0x1p-10 * of_a->norm() * of_b->norm()) {
     return std::nullopt;
   }
@@ -135,9 +133,9 @@ GapBound from_certified(GapBound bound, double certified) {
   return bound;
 }
 
-/// Conservative advancement. `separation_at(time)` returns a certified separation. `open_for(time, separation, least,
-/// limit)` returns how long a gap is certain to stay above `least`. `opens(time, separation)` returns whether the
-/// shapes draw apart.
+/// Conservative advancement. `separation_at(time)` returns a certified separation, `open_for(time, separation, least,
+/// limit)` how long a gap is certain to stay above `least`, and `opens(time, separation)` whether the shapes draw
+/// apart.
 template <class SeparationAt, class OpenFor, class Opens>
 TimeOfContact advance(const SeparationAt& separation_at, const OpenFor& open_for, const Opens& opens, double begin,
                       double horizon, double tolerance) {
@@ -148,8 +146,7 @@ TimeOfContact advance(const SeparationAt& separation_at, const OpenFor& open_for
     const Separation separation = separation_at(result.time);
     result.separation = separation;
     if (!(separation.certified > 0) || !std::isfinite(separation.gap)) {
-      // If this is not the first step, the step before left the gap open, and the growth of the errors since then
-      // closes it.
+      // After the first step, only the growth of the errors can close the gap.
       result.status = result.time == begin ? ContactStatus::overlaps : ContactStatus::undecided;
       return result;
     }
@@ -163,11 +160,11 @@ TimeOfContact advance(const SeparationAt& separation_at, const OpenFor& open_for
       result.status = ContactStatus::misses;
       return result;
     }
-    // A gap within the tolerance is one that opens here. It gets half the time for which it is certain to stay open. At
-    // the end of the whole time, only half the gap might be left.
+    // A gap within the tolerance opens here. The step is half the time for which the gap stays open, because at the end
+    // of the whole time only half the gap might be left.
     const double whole = open_for(result.time, separation, within ? separation.certified / 2 : tolerance / 2, limit);
     const double step = within && whole < limit ? whole / 2 : whole;
-    // Rounded down, so that the time does not advance by more than the step.
+    // Rounded down.
     const double next = step >= limit ? horizon : std::nextafter(result.time + step, begin);
     if (!(next > result.time)) {
       result.status = ContactStatus::undecided;
@@ -179,7 +176,7 @@ TimeOfContact advance(const SeparationAt& separation_at, const OpenFor& open_for
   return result;
 }
 
-/// For bodies that do not move relative to each other: their gap stays the same.
+/// The result for bodies that do not move relative to each other.
 TimeOfContact at_rest(const Separation& separation, double begin, double horizon) {
   const bool is_apart = separation.certified > 0;
   return {is_apart ? ContactStatus::misses : ContactStatus::overlaps, is_apart ? horizon : begin, separation, 1};
@@ -194,8 +191,8 @@ TimeOfContact time_of_contact(const ShapePair& pair, const FreeFlight& a, const 
   CAROM_EXPECTS(tolerance > 0, tolerance);
   const auto separation_at = [&](double time) { return pair.separation(placement_at(a, time), placement_at(b, time)); };
   std::optional<Vector> way_out;  // the rate of a direction along which the shapes draw apart
-  // Calls use(Ω) for the rates Ω of a direction that does not turn, or that turns with a face of a body or with an edge
-  // of each.
+  // Calls use(Ω) for the rates Ω of a direction that does not turn, or turns with a face of a body or with an edge of
+  // each.
   const auto for_each_turning = [&](const Moving& at_a, const Moving& at_b, const Vector& n, const auto& use) {
     use(Vector::Zero());
     if (at_b.greatest_rate > 0 && at_b.radius > 0) {
@@ -236,8 +233,8 @@ TimeOfContact time_of_contact(const ShapePair& pair, const FreeFlight& a, const 
     bool does = false;
     for_each_turning(at_a, at_b, separation.normal,
                      [&](const Vector& turning) { does = does || opens_along(turning); });
-    // If only a part of a face or an edge touches, any direction may be the one along which the shapes draw apart.
-    // Tries the directions along which they are apart soon afterwards.
+    // If only a part of a face or an edge touches, the shapes may draw apart along any direction. So the search tries
+    // the directions along which they are apart soon afterwards.
     double later = horizon - time;
     for (int trial = 0; trial < most_trials && !does; ++trial, later /= 4) {
       const double soon = std::min(time + later, horizon);  // the sum may be rounded up

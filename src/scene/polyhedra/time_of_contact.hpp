@@ -23,8 +23,7 @@ struct TimeOfContact {
 };
 
 /// The first time in [begin, horizon] at which two moving shapes are within the tolerance [m] of each other and do not
-/// draw apart. Up to and at that time, they are certain not to touch in spite of rounding. This holds for the exact
-/// motion from the given numbers, because every gap is reduced by its error bounds.
+/// draw apart. Up to and at that time, the shapes are certain not to touch, in the exact motion from the given numbers.
 ///
 /// Conservative advancement (B. Mirtich, "Impulse-based dynamic simulation of rigid body systems", 1996) starts from a
 /// certified separation along n. It advances the time as far as the gap along n is certain to stay open, and then finds
@@ -32,27 +31,26 @@ struct TimeOfContact {
 /// own velocity along n, and only the changes of velocities are bounded. So the steps are of second order:
 ///
 ///     n·(x_v(s+Δ) − y_u(s+Δ)) ≥ n·(x_v − y_u) + Δ n·(ẋ_v − ẏ_u) + ½ Δ² n·(a_A − a_B) − ½ Δ² (C_A + C_B),
-///     C = r ω² (1 + a/√3).
+///     C = r ω² (1 + α/√3).
 ///
 /// Here x_v and y_u are vertices of A and B, and a_A and a_B are the accelerations of the centres. For each body, r is
-/// the greatest distance of a vertex from the centre, ω is the greatest rate of the whole motion, and a ω²/√3 ≥ ‖ω'‖
-/// (RotationPath). The bound is also tried for directions n that turn at a constant rate. This rate Ω may be the
-/// angular velocity of A or of B. A normal n of a face of this body then remains its normal. Ω may also be the rate
-/// that keeps n perpendicular to an edge of each body. In axes that turn with n, the velocity of a point x relative to
-/// B's centre is ẋ − Ω × x. The bound of the second derivative is then C_A + C_B + ‖a_A − a_B‖ + 2 ‖Ω‖ ‖ẋ‖ + ‖Ω‖² ‖x‖.
-/// The longest of these steps is taken. The shapes draw apart if the gap opens along one of these n.
+/// the greatest distance of a vertex from the centre, ω is the greatest rate of the whole motion, and ‖ω'‖ ≤ α ω²/√3
+/// (RotationPath).
 ///
-/// A gap within the tolerance at the beginning, as after an impact, is no contact as long as the shapes draw apart. It
-/// becomes a contact when they no longer draw apart. Bodies that do not move relative to each other never meet.
-/// Preconditions: both motions start at `begin` or before, and end at the horizon or later; the tolerance is positive.
-/// The search always reaches the tolerance only if the tolerance exceeds about 2⁻⁴⁴ of sizes and distance, plus the
-/// errors of the placements. Otherwise the answer may be `undecided`, with the last time up to which the shapes are
-/// certain to be apart.
+/// The bound is also tried for directions n that turn at a constant rate Ω. Ω is the angular velocity of A or of B, so
+/// that a normal of a face remains its normal, or a rate that keeps n perpendicular to an edge of each body. In axes
+/// that turn with n, the velocity of a point x relative to B's centre is ẋ − Ω × x, and C_A + C_B + ‖a_A − a_B‖ + 2 ‖Ω‖
+/// ‖ẋ‖ + ‖Ω‖² ‖x‖ bounds the second derivative. The longest step is taken. The shapes draw apart if the gap opens along
+/// one of these n.
+///
+/// Bodies that do not move relative to each other never meet. Preconditions: both motions start at `begin` or before,
+/// and end at the horizon or later; the tolerance is positive. If the tolerance is less than about 2⁻⁴⁴ of sizes and
+/// distance, plus the errors of the placements, the answer may be `undecided`, with the last time up to which the
+/// shapes are certain to be apart.
 [[nodiscard]] TimeOfContact time_of_contact(const ShapePair& pair, const FreeFlight& a, const FreeFlight& b,
                                             double begin, double horizon, double tolerance);
 
-/// The first time of contact of a shape with a half-space, which does not move. The parameters and preconditions are
-/// those for two shapes.
+/// The first time of contact of a shape with a fixed half-space. Parameters and preconditions are those for two shapes.
 [[nodiscard]] TimeOfContact time_of_contact(const ConvexShape& a, const FreeFlight& motion, const HalfSpace& b,
                                             double begin, double horizon, double tolerance);
 

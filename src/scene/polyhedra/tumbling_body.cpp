@@ -7,8 +7,8 @@
 namespace carom::scene {
 namespace {
 
-/// The angle for which a rotation is computed at first [rad]. Each extension doubles it. A body that lies on another
-/// hops long before it turns so far.
+/// The angle for which a rotation is computed at first [rad], which each extension doubles. A body that lies on another
+/// body hops long before it turns so far.
 constexpr double first_turn = 0.25;
 
 }  // namespace
@@ -37,7 +37,7 @@ void TumblingBody::know_beyond(double time) {
   while (known_until_ <= time && known_until_ < renewal_) {
     const double first = motion_.start + first_turn / angular_velocity_.stableNorm();
     const double further = known_until_ > motion_.start ? 2 * known_until_ - motion_.start : first;
-    // If the rounding of the time leaves no progress, the rotation is computed up to the renewal at once.
+    // If rounding of the time leaves no progress, the rotation is computed up to the renewal at once.
     known_until_ = further > known_until_ ? std::min(further, renewal_) : renewal_;
     motion_.rotation = RotationPath(body_.principal_inertia, rotation_state(orientation_, angular_velocity_),
                                     known_until_ - motion_.start);

@@ -9,17 +9,17 @@
 namespace carom::scene {
 
 /// The gap at which two bodies are struck, relative to the lesser radius. Up to some thousand radii from the origin,
-/// stored positions are a hundred times more accurate than this gap.
+/// stored positions are a hundred times more accurate.
 inline constexpr double contact_tolerance = 0x1p-30;
 
-/// The angle by which a body turns before its state is stored and its motion continues from there [rad]. An error of
-/// its angular velocity grows at most by the factor e to the power of this angle, so the angle stays accurate to 2⁻⁴⁰.
+/// The angle by which a body turns before its state is stored again [rad]. An error of the angular velocity grows at
+/// most by e^angle, so the orientation stays accurate to 2⁻⁴⁰.
 inline constexpr double longest_turn = 8;
 
 /// A body in flight. Its rotation is computed only as far as it is needed.
 class TumblingBody {
  public:
-  /// The rotation of a ball is not computed: its spin is constant, and its orientation has no effect.
+  /// The rotation of a ball is not computed.
   TumblingBody(RigidBody body, bool is_ball);
 
   void set_motion(double now, const Vector3<double>& position, const Quaternion<double>& orientation,
@@ -29,14 +29,14 @@ class TumblingBody {
   void know_beyond(double time);
   /// The time up to which the rotation is known [s].
   [[nodiscard]] double known_until() const { return known_until_; }
-  /// The time at which the body has turned so far that its state must be stored again [s]; `never` if it does not turn.
+  /// The time at which the body's state must be stored again [s]; `never` if the body does not turn.
   [[nodiscard]] double renewal() const { return renewal_; }
 
   [[nodiscard]] const RigidBody& body() const { return body_; }
   [[nodiscard]] const FreeFlight& motion() const { return motion_; }
   [[nodiscard]] const Quaternion<double>& orientation_at_start() const { return orientation_; }
-  /// The path of the ball around the body. The ball is slightly too wide. So if two such balls stay apart, the bodies
-  /// in them stay apart too, in spite of rounding.
+  /// The path of the ball around the body. The ball is slightly too wide, so that rounding cannot let the bodies touch
+  /// while the balls are apart.
   [[nodiscard]] const Path& path() const { return path_; }
   [[nodiscard]] Arc arc() const;
 

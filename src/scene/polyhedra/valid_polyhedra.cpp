@@ -18,9 +18,8 @@ namespace {
 using Of = SceneDefect::Of;
 using Found = std::optional<SceneDefect>;
 
-/// The greatest distance of a centre of mass from the origin, in radii of the body. Up to this distance a position is a
-/// hundred times more accurate than the tolerance of a contact (tumbling_body.hpp, `contact_tolerance`;
-/// free_flight.cpp: 2⁻⁴⁹ of all terms).
+/// The greatest distance of a centre of mass from the origin, in radii of the body. At this distance, the rounding
+/// error of a position (free_flight.cpp: 2⁻⁴⁹ of all terms) is a hundredth of `contact_tolerance` (tumbling_body.hpp).
 constexpr double farthest = 0x1p12;
 
 /// The greatest angle by which a body may turn within the duration [rad].
@@ -44,7 +43,7 @@ Found number_defect(const Scene& scene, std::size_t i) {
       return defect(field, "expected finite numbers");
     }
   }
-  // Times are doubles. Within this limit, a corner turns by less than a contact's tolerance in one ulp of the time.
+  // Up to this limit, a corner turns by less than a contact's tolerance in one ulp of the time.
   if (!(polyhedron.angular_velocity.stableNorm() * scene.duration <= most_turn)) {
     return defect("angular_velocity",
                   text_of("expected a body that rotates by at most ", most_turn, " rad within the duration"));
@@ -55,7 +54,6 @@ Found number_defect(const Scene& scene, std::size_t i) {
   return std::nullopt;
 }
 
-/// Appends the body to `bodies` if its shape has no defect.
 Found body_defect(const Scene& scene, std::size_t i, std::vector<RigidBody>& bodies) {
   auto body = rigid_body(scene.polyhedra[i]);
   if (const auto* defect = std::get_if<ShapeDefect>(&body)) {

@@ -18,7 +18,6 @@ bool is_there(const fs::path& path) {
   return fs::exists(path, none);
 }
 
-/// Whether the search path has an executable with this name.
 bool is_on_path(const std::string& program) {
   const char* const path = std::getenv("PATH");
   std::string_view rest = path == nullptr ? std::string_view() : path;
@@ -33,7 +32,7 @@ bool is_on_path(const std::string& program) {
   return false;
 }
 
-/// The command that installs the packages of the folder. If the folder is not writable, it installs them in a copy.
+/// The command that installs the packages of the folder, or of a copy if the folder is not writable.
 std::string how_to_install(const fs::path& directory) {
   const std::string quoted = carom::quoted(directory.string());
   if (access(directory.c_str(), W_OK) == 0) {

@@ -13,8 +13,8 @@
 #include <carom/subjects/engines/unit.hpp>
 #include <carom/subjects/session.hpp>
 
-/// Poses a collision to Bullet, in the precision of btScalar (set by BT_USE_DOUBLE_PRECISION). The two builds of Bullet
-/// share their symbol names, so a program can contain only one of them.
+/// Poses a collision to Bullet, in the precision of btScalar (set by BT_USE_DOUBLE_PRECISION). A program can contain
+/// only one build of Bullet.
 namespace carom::subjects::bullet {
 
 inline std::string version() {
@@ -33,9 +33,8 @@ struct Settings {
   bool friction = false;
 };
 
-/// ERP, split impulse and warm start stay unchanged because they have no effect on a new contact of depth 0. As
-/// shipped, friction has ten iterations and one direction. One direction cannot stop a slip that the normal impulse
-/// turns.
+/// ERP, split impulse and warm start have no effect on a new contact of depth 0. As shipped, friction has ten
+/// iterations and one direction.
 inline Settings settings_of(const EngineSetting& setting) {
   Settings settings;
   settings.friction = setting.law == Law::coulomb;
@@ -50,7 +49,7 @@ inline Settings settings_of(const EngineSetting& setting) {
   return settings;
 }
 
-/// An immovable body is kinematic. Unlike a static body, it may have a velocity, which enters the contact.
+/// An immovable body is kinematic, so that its velocity enters the contact.
 inline btRigidBody make_body(const Body& body, const Settings& settings) {
   const auto mass = static_cast<btScalar>(body.immovable ? 0 : body.mass);
   btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, nullptr);
@@ -73,9 +72,9 @@ inline btRigidBody make_body(const Body& body, const Settings& settings) {
   return made;
 }
 
-/// The depth of the contact is 0, because a Collision has no depth.
+/// The contact has depth 0, because a Collision has no depth.
 inline btManifoldPoint make_contact(const Collision& collision, const Settings& settings) {
-  const btVector3 local(0, 0, 0);  // the contact point in the frame of a body; the solver does not read it
+  const btVector3 local(0, 0, 0);  // the contact point in body axes, which the solver does not read
   btManifoldPoint contact(local, local, to_bullet(unit(collision.normal)), 0);
   contact.m_positionWorldOnA = contact.m_positionWorldOnB = to_bullet(collision.point);
   contact.m_combinedRestitution = static_cast<btScalar>(collision.restitution);

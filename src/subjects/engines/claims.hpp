@@ -14,7 +14,7 @@ struct EngineSetting {
   Law law;  // frictionless, or coulomb
   bool configured;
 
-  /// The arguments of the programs that run engines.
+  /// The arguments of a program that runs the engine.
   [[nodiscard]] std::vector<std::string> words() const {
     return {configured ? "configured" : "as-shipped", std::string(name_of(law))};
   }
@@ -24,7 +24,6 @@ struct EngineSetting {
 inline constexpr std::array<EngineSetting, 4> engine_settings{
     {{Law::frictionless, true}, {Law::frictionless, false}, {Law::coulomb, true}, {Law::coulomb, false}}};
 
-/// The names and descriptions of an engine's subjects.
 struct EngineSummary {
   std::string name;        // of the configured, frictionless subject; the other names begin with it
   std::string engine;      // the engine, and the part of it that is judged
@@ -32,9 +31,8 @@ struct EngineSummary {
   std::string friction;    // the engine's friction law in place of coulomb
 };
 
-/// The subjects of an engine, before `open` or `absent` is set. They are listed even if the engine is not installed. No
-/// subject is expected to pass. The configured ones keep J⁻¹ in world coordinates, which fails on slender bodies, and
-/// their friction is not Coulomb's law.
+/// The subjects of an engine, before `open` or `absent` is set. No subject is expected to pass. The configured subjects
+/// keep J⁻¹ in world coordinates, which fails on slender bodies, and their friction is not Coulomb's law.
 [[nodiscard]] inline std::vector<Subject> engine_claims(const EngineSummary& summary, Precision precision) {
   std::vector<Subject> claims;
   for (const EngineSetting& setting : engine_settings) {
@@ -63,7 +61,7 @@ struct EngineSummary {
                        Precision::binary64);
 }
 
-/// The claims of an engine that this program was built without.
+/// The same claims, of an engine that this program was built without.
 [[nodiscard]] inline std::vector<Subject> absent(std::vector<Subject> claims, const std::string& package) {
   for (Subject& claim : claims) {
     claim.absent = package + " was not found when this program was built";

@@ -19,7 +19,7 @@ ode::World make_world(dThreadingImplementationID threading, bool configured) {
   const dWorldStepReserveInfo minimum{sizeof minimum, 1, 0};  // a failed assertion leaks this memory
   dWorldSetStepMemoryReservationPolicy(world.get(), &minimum);
   if (configured) {
-    dWorldSetCFM(world.get(), 0);  // ERP stays unchanged because it has no effect on a contact of depth 0
+    dWorldSetCFM(world.get(), 0);  // ERP has no effect on a contact of depth 0
   }
   return world;
 }
@@ -44,7 +44,7 @@ ode::RigidBody make_body(const ode::World& world, const Body& body, bool configu
   return made;
 }
 
-/// V_T⁻ = N × (V⁻ × N), the tangential relative velocity of the points in contact. Precondition: n has unit length.
+/// V_T⁻, the tangential relative velocity at the contact. Precondition: n = N has unit length.
 Vector3<double> slip(const Collision& collision, const Vector3<double>& n) {
   const auto velocity_at_point = [&](const Body& body) -> Vector3<double> {
     return body.velocity + body.angular_velocity.cross(collision.point - body.position);
@@ -67,7 +67,7 @@ void add_friction(dContact& contact, const Collision& collision, const Vector3<d
   }
 }
 
-/// The depth of the contact is 0, because a Collision has no depth. bounce_vel has no default in ODE, and is 0 here.
+/// The contact has depth 0, because a Collision has no depth. bounce_vel has no default in ODE, and is 0.
 dContact make_contact(const Collision& collision, const EngineSetting& setting) {
   const Vector3<double> n = unit(collision.normal);
   dContact contact{};

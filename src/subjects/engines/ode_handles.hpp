@@ -20,7 +20,6 @@ using World = std::unique_ptr<dxWorld, Destroy<dWorldDestroy>>;
 using RigidBody = std::unique_ptr<dxBody, Destroy<dBodyDestroy>>;
 using Joint = std::unique_ptr<dxJoint, Destroy<dJointDestroy>>;
 
-/// A failed assertion inside ODE.
 class AssertionFailed : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -33,7 +32,6 @@ class AssertionFailed : public std::runtime_error {
   throw AssertionFailed(message);
 }
 
-/// Initialises ODE once, and registers each thread that calls it.
 inline void enter_thread() {
   [[maybe_unused]] static const int library = (dSetDebugHandler(throw_assertion), dInitODE2(0));
   [[maybe_unused]] thread_local const int thread = dAllocateODEDataForThread(dAllocateFlagBasicData);

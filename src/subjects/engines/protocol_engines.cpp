@@ -22,7 +22,7 @@ std::string specification(const std::vector<std::string>& words) {
 }
 
 /// Sets the command that starts each of an engine's subjects: `program`, followed by the words of its setting.
-/// `absence` is the reason why the engine is not installed, and is empty if it is installed.
+/// `absence` says why the engine is not installed; it may be empty.
 std::vector<Subject> started_by(std::vector<Subject> claims, const std::vector<std::string>& program,
                                 const std::string& absence) {
   for (std::size_t i = 0; i < claims.size(); ++i) {

@@ -5,8 +5,7 @@
 
 namespace carom::subjects {
 
-/// v/‖v‖ for any v ≠ 0. Engines take unit normals and quaternions. v is first divided by its largest component, so that
-/// the squared length neither overflows nor underflows.
+/// v/‖v‖ for any v ≠ 0, without overflow or underflow of the squared length.
 template <int Size>
 [[nodiscard]] Eigen::Matrix<double, Size, 1> unit(const Eigen::Matrix<double, Size, 1>& v) {
   return (v / v.cwiseAbs().maxCoeff()).normalized();

@@ -15,7 +15,7 @@ impulse::ContactBatch<S> batch_of(std::span<const Collision> collisions) {
   return batch;
 }
 
-/// The answers to the collisions of one call, which are solved as one batch. Invalid collisions are refused.
+/// Answers the collisions of one call as one batch.
 template <class S>
 std::vector<Answer> answers_of(std::span<const Collision> collisions, Law law) {
   std::vector<Answer> answers(collisions.size());

@@ -5,7 +5,7 @@
 
 namespace carom::subjects {
 
-// The outcome is rounded to long double, with an error of at most half a unit in the last place of `extended`.
+// Rounding the outcome to long double costs at most half an ulp of `extended`.
 std::vector<Method> double_double_methods() { return law_methods<impulse::DoubleDouble>(); }
 
 }  // namespace carom::subjects

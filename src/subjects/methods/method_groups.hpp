@@ -23,7 +23,6 @@ namespace carom::subjects {
 /// Methods whose exact N·V⁺ is never negative.
 [[nodiscard]] std::vector<Method> guaranteed_methods();
 
-/// Methods that solve many contacts at once, in packs.
 [[nodiscard]] std::vector<Method> batch_methods();
 
 }  // namespace carom::subjects

@@ -17,7 +17,6 @@ template <>
 inline constexpr Solve3 solve3<impulse::EigenColPivHouseholderQr>{"ColPivHouseholderQR of Eigen",
                                                                   "EigenColPivHouseholderQr", 6, true};
 
-/// Solves that choose their pivots by size.
 template <class S>
 [[nodiscard]] std::vector<Method> pivoting_methods() {
   std::vector<Method> methods{

@@ -26,8 +26,8 @@ std::vector<Method> refined_methods() {
   for (Method& method : methods) {
     method.form = MethodForm::refined;
     method.subject.name.resize(method.subject.name.rfind('-'));
-    // One refinement step leaves an error of about (c κ(K) 2⁻²⁴)² (refined.hpp): about a hundred ulps of binary64, far
-    // below one of binary32.
+    // The error is about (c cond(K) 2⁻²⁴)² (refined.hpp): about a hundred ulps of binary64, far below one ulp of
+    // binary32.
     method.subject.precision = Precision::binary32;
   }
   return methods;

@@ -12,7 +12,6 @@
 
 namespace carom::subjects {
 
-/// The method that applies a law of laws.hpp.
 template <class S, class Inertia = impulse::PrincipalInertia<S>>
 [[nodiscard]] Method law_method(Law law, const std::string& suffix = "") {
   const impulse::Description description = impulse::description_of(law);
@@ -35,7 +34,7 @@ template <class S, class Inertia = impulse::PrincipalInertia<S>>
   return method;
 }
 
-/// The methods of every law that determines one outcome.
+/// The methods of `laws_with_truth`.
 template <class S>
 [[nodiscard]] std::vector<Method> law_methods() {
   std::vector<Method> methods;
@@ -45,7 +44,7 @@ template <class S>
   return methods;
 }
 
-/// The methods of law_methods with J⁻¹ in world coordinates, as engines keep it.
+/// The methods of `laws_with_truth` with J⁻¹ in world coordinates, as engines keep it.
 template <class S>
 [[nodiscard]] std::vector<Method> world_methods() {
   std::vector<Method> methods;
@@ -65,7 +64,7 @@ inline constexpr Solve3 solve3<impulse::EigenLlt>{"LLT of Eigen", "EigenLlt", 2}
 template <>
 inline constexpr Solve3 solve3<impulse::EigenLdlt>{"LDLT of Eigen", "EigenLdlt", 3};
 
-/// The basis-free reflection with a solve of solve3.hpp. `solve` is the name of this solve in the summary.
+/// The basis-free reflection with a solve of solve3.hpp, which the summary names `solve`.
 template <class S, class Solve>
 [[nodiscard]] Method reflection_method(const std::string& name, const std::string& solve) {
   Method method = solver_method<S>(
@@ -107,13 +106,12 @@ template <class S>
       [](const impulse::Contact<S>& contact, const auto& see) { return impulse::coulomb(contact, see); });
 }
 
-/// The reason why a solve fails in binary32 if its error is small only relative to the norm of K. Far from the origin,
-/// rounding of the positions may move the contact off a thin body. If so, κ(K) u is 1 or more, with the condition
-/// number κ(K) and the unit roundoff u. The computed K may then have eigenvalues below λ = 1/m_A + 1/m_B. The impulse
-/// pulls the bodies together, or leaves their velocities unchanged.
+/// Why a solve fails in binary32 if its error is small only relative to the norm of K. Far from the origin, rounded
+/// positions may move the contact off a thin body. Then κ(K) u ≥ 1, with the condition number κ(K) and the unit
+/// roundoff u, and the computed K may have eigenvalues below λ = 1/m_A + 1/m_B. The impulse pulls the bodies together,
+/// or does nothing.
 inline constexpr const char* stable_by_norms_alone = "stable only in norm: loses the margin λ of K if κ(K) u ≥ 1";
 
-/// The methods that every scalar type has.
 template <class S>
 [[nodiscard]] std::vector<Method> scalar_methods() {
   Method llt = reflection_method<S, impulse::EigenLlt>("reflection-llt", "Eigen's LLT");

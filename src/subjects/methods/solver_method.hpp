@@ -27,8 +27,7 @@ template <>
 inline constexpr ScalarType scalar_type<impulse::DoubleDouble>{"double-double", "double-double",
                                                                "carom::impulse::DoubleDouble", 3};
 
-/// The precision that a subject claims if it computes in S. DoubleDouble claims `extended`, whose significand is
-/// shorter.
+/// The precision that a subject in S claims. DoubleDouble claims `extended`, whose significand is shorter.
 template <class S>
 inline constexpr Precision claimed_precision = precision_of<S>;
 template <>
@@ -44,8 +43,8 @@ template <class S, class Solve, class Input>
   return outcome;
 }
 
-/// A kernel that applies `solve` to each input and writes the outcome to the place of the same index. `solve` takes an
-/// input and an observer of the collision matrix, and returns an outcome.
+/// A kernel that applies `solve` (input, observer of the collision matrix → outcome) to each input and keeps the
+/// outcomes.
 template <class S, class Input, class Solve>
 [[nodiscard]] Kernel kernel_of(std::vector<Input> inputs, Solve solve) {
   struct Memory {
@@ -69,7 +68,6 @@ template <class S, class Input, class Solve>
          (description.solve.empty() ? std::string() : " by " + std::string(description.solve));
 }
 
-/// The facts about a method other than its solver.
 struct MethodFacts {
   std::string name;
   std::string summary;
@@ -77,8 +75,8 @@ struct MethodFacts {
   bool forms_matrix = true;  // whether it forms the collision matrix if the contact collides
 };
 
-/// A method with a solver in S: (input, observer of the collision matrix) → Outcome<S>. `lay_out` makes the input from
-/// a collision.
+/// A method with the solver `solve` in S: (input, observer of the collision matrix) → Outcome<S>. `lay_out` makes the
+/// input of a collision.
 template <class S, class LayOut, class Solve>
 [[nodiscard]] Method method_of(MethodFacts facts, LayOut lay_out, Solve solve) {
   Method method;
@@ -115,7 +113,6 @@ template <class S, class Inertia = impulse::PrincipalInertia<S>, class Solve>
   return method;
 }
 
-/// The method, marked as expected to fail. The summary gives the reason.
 [[nodiscard]] inline Method expected_to_fail(Method method, const std::string& why) {
   method.subject.expected_to_pass = false;
   method.subject.summary += "; " + why;

@@ -41,11 +41,9 @@ namespace asio = boost::asio;
 namespace process = boost::process;
 using Clock = std::chrono::steady_clock;
 
-/// The interval between checks for a request to stop.
 constexpr std::chrono::milliseconds glance{50};
 
-/// Resets the signals of the child to their defaults, whatever this process does with them. On Linux, the child also
-/// ends if the thread that started it ends.
+/// Resets the child's signals to their defaults. On Linux, the child also ends if the thread that started it ends.
 struct AsProgramsExpect : process::extend::handler {
   template <class Executor>
   void on_exec_setup(Executor& /*unused*/) const {
@@ -61,7 +59,7 @@ struct AsProgramsExpect : process::extend::handler {
   }
 };
 
-/// Serialises starts. If another child inherited these pipes, this process would not notice their end.
+/// Serialises starts. Another child that inherited these pipes would keep them open.
 std::mutex& start_mutex() {
   static std::mutex mutex;
   return mutex;
@@ -75,7 +73,6 @@ void keep_to_this_process(process::async_pipe& pipe) {
   }
 }
 
-/// The path that execvp would run.
 std::string program_path(const std::string& name) {
   if (name.find('/') != std::string::npos) {
     return name;
@@ -91,7 +88,7 @@ std::string program_path(const std::string& name) {
   throw ChildError("'" + name + "' was not found on PATH; check the name, or give a path");
 }
 
-/// A write to a child that has ended must not end this process. The end of the child's output shows that it has ended.
+/// A write to a child that has ended must not end this process.
 void ignore_broken_pipes() {
   struct sigaction current {};
   sigaction(SIGPIPE, nullptr, &current);
@@ -158,7 +155,7 @@ class ChildProcess::State {
         wait("wrote no line within ", "; it must write one line for each request and flush it");
       }
     }
-    while (is_writing_) {  // all replies came before the whole text was read
+    while (is_writing_) {  // all replies came before the child read the whole text
       wait("did not read its standard input within ");
     }
   }
@@ -189,7 +186,7 @@ class ChildProcess::State {
   }
 
   std::string standard_error() {
-    // Waits briefly for text that was already written.
+    // Waits briefly for text that is already written.
     const auto until = Clock::now() + glance;
     while (!errors_ended_ && Clock::now() < until) {
       run_one(until - Clock::now());
@@ -208,7 +205,7 @@ class ChildProcess::State {
     text_ = text;
     is_writing_ = true;
     asio::async_write(*input_, asio::buffer(text_), [this](const boost::system::error_code&, std::size_t) {
-      // A process that stops reading also stops replying, so a failed write needs no error of its own.
+      // A failed write is no error, because a process that stops reading also stops replying.
       is_writing_ = false;
     });
   }
@@ -239,7 +236,6 @@ class ChildProcess::State {
                              });
   }
 
-  /// The next whole line of the output read so far.
   std::optional<std::string> next_line() {
     const std::size_t end = unread_.find('\n', searched_);
     if (end == std::string::npos) {
@@ -286,7 +282,6 @@ class ChildProcess::State {
     run_one(glance);
   }
 
-  /// Handles one event, or waits for at most `at_most`.
   void run_one(Clock::duration at_most) {
     constexpr std::chrono::milliseconds moment{1};
     context_.restart();
@@ -301,7 +296,7 @@ class ChildProcess::State {
   }
 
   std::string how_it_ended() {
-    // The output is closed, but the process may take a moment to end.
+    // The process may still be ending.
     const auto until = Clock::now() + std::min<Clock::duration>(limits_.timeout, std::chrono::seconds(1));
     while (is_running() && Clock::now() < until) {
       run_one(std::chrono::milliseconds(1));
@@ -309,8 +304,7 @@ class ChildProcess::State {
     return is_running() ? std::string("closed its standard output") : end_of(child_.native_exit_code());
   }
 
-  /// Kills the process group, with all processes that the child started in it. Also kills the child itself, which may
-  /// have left the group.
+  /// Kills the process group, and the child itself, which may have left the group.
   void kill() {
     std::error_code ignored;
     group_.terminate(ignored);

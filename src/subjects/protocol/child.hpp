@@ -13,29 +13,26 @@
 
 namespace carom::subjects::protocol {
 
-/// The limits of a child process.
 struct ChildLimits {
   std::chrono::milliseconds timeout{5000};             // for each line, and for the end of the process
   std::size_t line = std::size_t{1} << 20U;            // bytes
   std::size_t standard_error = std::size_t{1} << 16U;  // the last bytes of standard error, which are kept
 };
 
-/// The process misbehaved. The text describes the fault, but does not name the subject.
+/// The process misbehaved. The text does not name the subject.
 class ChildError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// A program in its own process group that reads and writes lines. It is run without a shell. Use it only on the thread
-/// that made it. On Linux, the child always ends with this process. Its environment is this process's environment with
-/// the mark of mark.hpp.
+/// A program in its own process group that reads and writes lines, without a shell, in this process's environment with
+/// the mark of mark.hpp. Use it only on the thread that made it. On Linux, it always ends with this process.
 class ChildProcess {
  public:
   /// From the first construction on, this process ignores SIGPIPE, unless it handles SIGPIPE already. Precondition:
   /// `words` is not empty. Throws ChildError if the program cannot be run.
   ChildProcess(const std::vector<std::string>& words, const ChildLimits& limits, std::stop_token stop);
 
-  /// Kills the process group.
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;

@@ -47,8 +47,7 @@ class Splitter {
     in_word_ = false;
   }
 
-  /// A backslash outside of quotes. Before a line end it joins the lines. Before any other character it keeps that
-  /// character.
+  /// A backslash outside of quotes removes a line end, and keeps any other character.
   void escaped() {
     if (at_ == text_.size()) {
       throw std::invalid_argument("the command ends with \\; remove it, or double it");

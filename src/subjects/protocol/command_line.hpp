@@ -7,9 +7,9 @@
 
 namespace carom::subjects::protocol {
 
-/// Splits and unquotes text as a POSIX shell does (Shell Command Language §2.2). Blanks separate words. '…' keeps every
-/// character, and "…" and \ follow the shell's rules. No other shell syntax applies: $, *, ; and the like are ordinary
-/// characters. Throws std::invalid_argument if a quotation is not closed, or if the text ends in \.
+/// Splits and unquotes text as a POSIX shell does (Shell Command Language §2.2): blanks, '…', "…" and \. No other shell
+/// syntax applies: $, *, ; and the like are ordinary characters. Throws std::invalid_argument if a quotation is not
+/// closed, or if the text ends in \.
 [[nodiscard]] std::vector<std::string> split_words(std::string_view text);
 
 }  // namespace carom::subjects::protocol

@@ -18,7 +18,6 @@ namespace {
 
 constexpr std::size_t longest_shown_request = 4000;  // bytes
 
-/// The program, and the last request.
 class Conversation {
  public:
   Conversation(const std::vector<std::string>& words, const ExecOptions& options)
@@ -68,7 +67,7 @@ class Conversation {
     return answer;
   }
 
-  /// The request for the collision with this index in the current call of solve().
+  /// The request for collision number `place` of the current call of solve().
   [[nodiscard]] std::string request(std::size_t place, const Collision& collision) const {
     const auto turning = static_cast<unsigned>((hash_of(collision) + call_) % spelling_count);
     return solve_request(next_id_ + place, collision, spelling_.value_or(turning));
@@ -111,13 +110,12 @@ class Conversation {
   std::uint64_t call_ = 0;            // the number of earlier calls of solve()
 };
 
-/// Keeps the conversation in which a program introduced itself for the first session, because starting an interpreter
-/// takes longer than many answers.
+/// Keeps the conversation of the introduction for the first session, because starting an interpreter is slow.
 class FirstConversation {
  public:
   explicit FirstConversation(std::shared_ptr<Conversation> conversation) : conversation_(std::move(conversation)) {}
 
-  /// The conversation for the first caller, and null for every other one.
+  /// The conversation for the first caller; null afterwards.
   [[nodiscard]] std::shared_ptr<Conversation> take() {
     const std::lock_guard lock(mutex_);
     return std::exchange(conversation_, nullptr);

@@ -16,9 +16,8 @@ struct ExecOptions {
   ChildLimits limits;
   /// A request to stop ends every wait for the program.
   std::stop_token stop;
-  /// The spelling of every request: one of the ways to write the same collision (spelling.hpp), less than
-  /// spelling_count. If it is empty, the spelling follows from the collision's bits and the number of the call, so that
-  /// a repeated question has other words.
+  /// The spelling of every request, less than spelling_count: one way to write a collision (spelling.hpp). If it is
+  /// empty, the spelling changes from call to call.
   std::optional<unsigned> spelling = {};
 };
 
@@ -30,14 +29,14 @@ struct ExecOptions {
   return options;
 }
 
-/// The prefix that marks a program's words, where a subject's name is expected.
+/// The prefix of a program's specification, where a subject's name is expected.
 inline constexpr std::string_view exec_prefix = "exec:";
 
-/// A program that speaks the protocol, from its specification "exec:PROGRAM ARG…". The words are split and unquoted as
-/// a POSIX shell does, but no shell is run. The program is started once to introduce itself and to serve the first
-/// session, and once for each further session. If the start fails, the returned subject has the specification as its
-/// name, and its `open` throws the reason. A failed session throws SessionFailure with the request and the reason, and
-/// cannot be used any more. Precondition: the specification begins with exec_prefix.
+/// A program that speaks the protocol, from its specification "exec:PROGRAM ARG…". The words are split as a POSIX shell
+/// does, but no shell is run. The program is started once to introduce itself and to serve the first session, and once
+/// for each further session. If the start fails, the returned subject has the specification as its name, and its `open`
+/// throws the reason. A failed session throws SessionFailure with the request and the reason. Precondition: the
+/// specification begins with exec_prefix.
 [[nodiscard]] Subject exec_subject(const std::string& specification, const ExecOptions& options);
 
 }  // namespace carom::subjects::protocol

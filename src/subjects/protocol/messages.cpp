@@ -92,7 +92,7 @@ std::string motion_text(const BodyVelocity<long double>& motion, Precision preci
                      vector_text(motion.angular_velocity, precision));
 }
 
-/// The field C that follows other fields; empty if no matrix is shown.
+/// The field C, with a comma before it; empty if there is no matrix.
 std::string matrix_text(const std::optional<Matrix3<long double>>& matrix, Precision precision) {
   if (!matrix) {
     return {};

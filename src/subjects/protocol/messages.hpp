@@ -13,7 +13,6 @@ namespace carom::subjects::protocol {
 
 inline constexpr int version = 1;
 
-/// The properties that a subject claims.
 struct Introduction {
   std::string name;
   std::string version;
@@ -38,9 +37,8 @@ struct Introduction {
 [[nodiscard]] Answer answer_from(std::string_view line, std::uint64_t id, Precision precision,
                                  bool shows_matrix = false);
 
-/// Whether a subject that reports its matrix must report it with this outcome. It must if the contact collides and a
-/// velocity changed in this precision. (If a contact barely approaches, rounding may hide the approach from the
-/// subject, which then forms no matrix.)
+/// Whether a subject that reports its matrix must report it with this outcome: the contact collides and a velocity
+/// changed in this precision.
 [[nodiscard]] bool owes_matrix(const Collision& collision, const Outcome<long double>& outcome, Precision precision);
 
 [[nodiscard]] std::string introduction_reply(const Introduction& introduction);

@@ -48,7 +48,7 @@ Decimal shortest_decimal(double number) {
   return {std::signbit(number), shortest, number == 0 ? 1 : exponent};
 }
 
-/// "0.0015", "15" or "1500.0". `with_fraction`: a whole number ends in ".0".
+/// "0.0015", "15" or "1500.0". A whole number ends in ".0" if `with_fraction`.
 std::string positional(const Decimal& decimal, bool with_fraction) {
   const auto count = static_cast<int>(decimal.digits.size());
   if (decimal.exponent <= 0) {
@@ -72,7 +72,7 @@ std::vector<std::string> spellings_of(double number) {
   if (!std::isfinite(number)) {
     return {std::isnan(number) ? R"("nan")" : number > 0 ? R"("inf")" : R"("-inf")"};
   }
-  constexpr int longest = 21;  // JavaScript's limits of positional notation: digits before the point, and exponent
+  constexpr int longest = 21;  // JavaScript's limits of positional notation
   constexpr int smallest = -6;
   const Decimal decimal = shortest_decimal(number);
   const int exponent = decimal.exponent - 1;
@@ -95,10 +95,8 @@ std::vector<std::string> spellings_of(double number) {
 
 namespace {
 
-/// Writes one spelling of one collision.
 class Writer {
  public:
-  /// `choices` determines the whole spelling. A plain spelling ignores it.
   Writer(std::uint64_t choices, bool is_plain) : state_(choices), is_plain_(is_plain) {}
 
   std::string collision(const Collision& c) {
@@ -127,7 +125,7 @@ class Writer {
     return static_cast<std::size_t>(mixed(state_) % count);
   }
 
-  /// Half of the choices leave out a field with its default value.
+  /// Leaves out a default value in half of the spellings.
   template <class Value>
   void add_unless_left_out(Fields& fields, std::string_view name, bool is_default, const Value& value) {
     if (!is_default || choice(2) == 1) {
@@ -179,7 +177,7 @@ class Writer {
     return '{' + text + '}';
   }
 
-  /// Blanks between two tokens. A line end is not among them, because a request is one line.
+  /// Blanks between two tokens of one line.
   std::string blank() {
     constexpr std::array<std::string_view, 4> blanks{"", "", " ", "\t"};
     return std::string(blanks[choice(blanks.size())]);

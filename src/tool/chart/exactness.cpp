@@ -18,7 +18,7 @@
 namespace carom::tool::chart {
 namespace {
 
-/// The number of cases drawn for each case wanted. If fewer of them collide, fewer cases are found.
+/// The most cases drawn for each case wanted.
 constexpr std::size_t cases_drawn_for_each = 20;
 
 template <class Generate>
@@ -83,7 +83,7 @@ struct CoulombCase {
   }
 };
 
-/// The invariants of a single outcome, without those that relate the answers to two collisions.
+/// The subject's claim without the invariants that compare the answers to two collisions.
 properties::Claim claim_about_outcome(const Subject& subject, double limit_ulps) {
   oracles::Yardstick yardstick;
   yardstick.limit_ulps = limit_ulps;
@@ -137,7 +137,7 @@ std::vector<report::Exactness> measured_exactness(std::span<const subjects::Meth
     Session session = method.subject.open();
     answers.push_back(properties::answers_of(session, collisions));
   }
-  // The cases are the outer loop, so that the exact truth of a case is computed once.
+  // The cases are the outer loop, so that the truth of a case is computed once.
   std::vector<std::vector<report::ExactnessBuilder>> parts(std::max(1U, workers.count),
                                                            std::vector<report::ExactnessBuilder>(methods.size()));
   std::atomic<std::size_t> next = 0;

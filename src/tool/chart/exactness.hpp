@@ -18,19 +18,19 @@ namespace carom::tool::chart {
 [[nodiscard]] std::vector<Collision> colliding_cases(const properties::Family& family, std::uint64_t seed,
                                                      std::size_t count);
 
-/// The first `count` colliding collisions of a sweep with its quantity set to this value. There are fewer if less than
-/// one case in 20 collides.
+/// The first `count` colliding collisions of a sweep whose quantity has this value. There are fewer if less than one
+/// case in 20 collides.
 [[nodiscard]] std::vector<Collision> colliding_cases(const properties::Sweep& sweep, double quantity,
                                                      std::uint64_t seed, std::size_t count);
 
-/// Whether all answers of the law `coulomb` are found, in some milliseconds a case. Without them, the law's equations
-/// decide if an outcome is lawful, but the number of its correct digits is unknown.
+/// Whether to compute all answers of the law `coulomb`, which takes some milliseconds a case. Without them, the law's
+/// equations still judge an outcome, but the number of its correct digits is unknown.
 enum class AnswersOfCoulomb { found, left_out };
 
-/// The accuracy of each method on the same colliding collisions, one entry for each method. An outcome is judged
-/// against the exact truth. An outcome of a law with several answers is judged by the law's equations, and compared
-/// with the nearest answer. A case that the method's precision cannot represent, or about which the law demands
-/// nothing, is left out. Runs on `workers`.
+/// The accuracy of each method on these colliding collisions, in the order of the methods. The truth (the exact
+/// outcome) judges an outcome. Under `coulomb`, which may have several answers, the law's equations judge it, and its
+/// digits are those of the nearest answer. A case is left out if the method's precision cannot represent it, or if the
+/// law demands nothing of its outcome.
 [[nodiscard]] std::vector<report::Exactness> measured_exactness(std::span<const subjects::Method> methods,
                                                                 std::span<const Collision> collisions,
                                                                 double limit_ulps, const properties::Workers& workers,

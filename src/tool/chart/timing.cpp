@@ -13,7 +13,7 @@ namespace {
 /// The minimum duration of each repetition [s].
 constexpr double repetition_time = 0.005;
 
-/// Exactly contacts_in_kernel collisions. If there are fewer, they are repeated.
+/// Exactly contacts_in_kernel collisions, some of them repeatedly if there are fewer.
 std::vector<Collision> filled(std::span<const Collision> collisions) {
   std::vector<Collision> result;
   for (std::size_t i = 0; i < contacts_in_kernel; ++i) {
@@ -22,7 +22,7 @@ std::vector<Collision> filled(std::span<const Collision> collisions) {
   return result;
 }
 
-/// Keeps the time of each repetition of each kernel. The name of a kernel is its number.
+/// Keeps the time of each repetition. The benchmark of a kernel has the kernel's index as its name.
 class Times : public benchmark::BenchmarkReporter {
  public:
   Times(std::size_t kernels, int repetitions, const std::function<void(std::uint64_t, std::uint64_t)>& progress)

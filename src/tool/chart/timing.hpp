@@ -11,7 +11,7 @@
 
 namespace carom::tool::chart {
 
-/// The number of contacts that are timed together. They fit into the first-level cache in any layout.
+/// The number of contacts that are timed together. They fit into the first-level cache.
 inline constexpr std::size_t contacts_in_kernel = 64;
 
 /// The input of one timed kernel: a method, and the collisions of one family.
@@ -21,7 +21,7 @@ struct TimedKernel {
 };
 
 /// The time of each kernel [ns for each contact], measured by Google Benchmark. The repetitions run in random order, so
-/// that a disturbance of the machine does not affect a single kernel. Calls `progress(done, all)` if it is set.
+/// that a disturbance of the machine affects all kernels. Calls `progress(done, all)` if it is set.
 [[nodiscard]] std::vector<report::Spread> measured_times(
     std::span<const TimedKernel> kernels, int repetitions,
     const std::function<void(std::uint64_t, std::uint64_t)>& progress);

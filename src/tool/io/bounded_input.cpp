@@ -27,7 +27,7 @@ constexpr int glance = 50;  // interval between checks for a request to stop [ms
 }  // namespace
 
 BoundedInput::BoundedInput(std::string file, std::stop_token stop) : file_(std::move(file)), stop_(std::move(stop)) {
-  // The open does not block, so a stop is noticed even if no process has opened the pipe for writing.
+  // O_NONBLOCK lets a stop end the wait for a pipe that no process has opened for writing.
   descriptor_ = open(file_.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
   if (descriptor_ < 0) {
     if (errno == ENOENT) {

@@ -7,11 +7,11 @@
 
 namespace carom::tool {
 
-/// A file of any kind, including a pipe or an endless device. The object keeps only as many bytes as the caller asks
-/// for. Errors are UsageErrors that name the file.
+/// A file of any kind, including a pipe or an endless device. Keeps only as many bytes as the caller asks for. All
+/// errors are UsageErrors that name the file.
 class BoundedInput {
  public:
-  /// Throws if the file cannot be opened or is a directory.
+  /// Throws if the file is a directory or cannot be opened.
   BoundedInput(std::string file, std::stop_token stop);
   ~BoundedInput();
   BoundedInput(const BoundedInput&) = delete;
@@ -21,15 +21,14 @@ class BoundedInput {
   enum class End { line, file, limit };
 
   /// Appends to the text up to the end of the line, or until the text has more than `most_bytes` bytes. Throws if the
-  /// file cannot be read, or if the user asks for a stop while the function waits.
+  /// file cannot be read, or if a stop is requested while the function waits.
   End add_line(std::string& text, std::size_t most_bytes);
 
-  /// Appends to the text up to the end of the file, or until the text has more than `most_bytes` bytes. Throws like
-  /// add_line.
+  /// Like add_line, up to the end of the file.
   End add_all(std::string& text, std::size_t most_bytes);
 
  private:
-  /// Whether there is more to read. Postcondition: if there is, next_ < buffer_.size().
+  /// Returns whether there is more to read. If there is, next_ < buffer_.size().
   bool fill();
 
   std::string file_;

@@ -7,8 +7,7 @@
 
 namespace carom::tool {
 
-/// The family that the command line names with this option. Throws UsageError if there is none; the message names the
-/// known families.
+/// The family that an option names. Throws UsageError that lists the known families if there is none.
 [[nodiscard]] const properties::Family& family_from_argument(const std::string& option, const std::string& name);
 
 }  // namespace carom::tool

@@ -29,7 +29,7 @@ void draw(std::span<const report::Plot> pictures, const std::filesystem::path& d
   for (const report::Plot& picture : pictures) {
     write_file(scripts / (picture.name() + ".gp"), picture.script());
   }
-  // Inside gnuplot's single quotes, a quote is doubled.
+  // gnuplot doubles a quote inside single quotes.
   std::string change_directory = "cd '";
   for (const char letter : directory.string()) {
     change_directory += letter == '\'' ? "''" : std::string(1, letter);

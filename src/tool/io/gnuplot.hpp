@@ -13,8 +13,7 @@ namespace carom::tool {
 /// if gnuplot is not installed or fails.
 void draw(std::span<const report::Plot> pictures, const std::filesystem::path& directory);
 
-/// Draws like draw(), but returns the UsageError (nullptr for none), so that the caller can first put the data in
-/// place.
+/// Like draw(), but returns the UsageError (nullptr for none), so that the caller can still save the data.
 [[nodiscard]] std::exception_ptr try_to_draw(std::span<const report::Plot> pictures,
                                              const std::filesystem::path& directory);
 

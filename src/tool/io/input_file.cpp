@@ -18,7 +18,7 @@ namespace {
 
 using nlohmann::json;
 
-/// The longest message about a record, because a record may have megabytes [bytes].
+/// The longest message about a record [bytes]. A record may have megabytes.
 constexpr std::size_t longest_complaint = 4000;
 
 [[noreturn]] void fail(const std::string& place, const std::string& what) {
@@ -81,7 +81,7 @@ std::optional<WitnessFacts> witness_facts(const json& record, const std::string&
   return facts;
 }
 
-/// Reads a record that is itself a collision. A field `class` is no part of the collision, so it is removed.
+/// The collision of a record that is itself a collision, without the field `class`.
 Collision bare_collision(json record) {
   if (record.is_object()) {
     record.erase("class");

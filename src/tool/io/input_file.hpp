@@ -28,17 +28,17 @@ struct ReadCollision {
   std::string contact_class = {};  // the field `class`; empty if there is none
 };
 
-/// Whether a collision is read although its ε, μ or e_t is out of range, if it has no other defect.
+/// Whether to keep a collision whose only defect is an ε, μ or e_t out of range.
 enum class OutOfRange { refused, kept };
 
-/// The collision that is read from a witness: the shrunk one, or the one that the family drew.
+/// The collision to read from a witness: the shrunk one, or the one that the family drew.
 enum class OfWitness { shrunk, drawn };
 
-/// Passes each collision of the file to `visit`, in order. The file is a witness, a collision, an array of witnesses
-/// and collisions, or JSON Lines of them. JSON Lines are read as they are visited. A collision may name the class of
-/// its contact: `"class": "crate on floor"`. This field is in the collision, or in the record that holds the collision.
-/// Throws UsageError that names the file, the place, and what was expected. An invalid collision is an error too,
-/// unless it belongs to a witness about invalid collisions. If `of_witness` is `drawn`, every record must be a witness.
+/// Passes each collision of the file to `visit`, in order. The file is a witness, a collision, an array of these, or
+/// JSON Lines of these; each line is visited before the next is read. The field `class` of a collision, or of the
+/// record that holds it, names the class of the contact. Throws UsageError that names the file, the place, and what was
+/// expected. An invalid collision is an error, too, unless its witness is about invalid collisions. If `of_witness` is
+/// `drawn`, every record must be a witness.
 void for_each_collision(JsonFile& file, OutOfRange out_of_range, const std::function<void(const ReadCollision&)>& visit,
                         OfWitness of_witness = OfWitness::shrunk);
 

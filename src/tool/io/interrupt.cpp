@@ -13,10 +13,9 @@
 namespace carom::tool {
 namespace {
 
-/// `timeout` and terminals signal both the program and its group. The two signals are one request.
+/// `timeout` and terminals signal both the program and its group. Signals within this time are one request.
 constexpr std::chrono::seconds one_wish{1};
 
-/// Discards the signals that arrive within `one_wish`.
 void drop_repeats(const sigset_t& signals) {
   using Clock = std::chrono::steady_clock;
   const auto until = Clock::now() + one_wish;
@@ -43,7 +42,7 @@ std::stop_token stop_on_interrupt() {
   sigaddset(&signals, SIGINT);
   sigaddset(&signals, SIGTERM);
   sigaddset(&signals, SIGHUP);
-  // Every thread that starts from here on blocks the signals. One thread waits for them, so no code runs in a handler.
+  // All later threads block the signals. One thread waits for them, so no code runs in a handler.
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   std::thread([signals] {
     int signal = 0;

@@ -18,7 +18,7 @@ inline constexpr std::size_t longest_line = std::size_t{16} << 20;
 inline constexpr std::size_t largest_whole = std::size_t{256} << 20;
 
 /// A JSON file. It is JSON Lines, of any length, if its first non-blank line is a complete JSON text and another
-/// non-blank line follows. Otherwise the file is one JSON text. Errors are UsageErrors that name the file and, for JSON
+/// non-blank line follows. Otherwise it is one JSON text. Errors are UsageErrors that name the file and, for JSON
 /// Lines, the line.
 class JsonFile {
  public:

@@ -20,7 +20,7 @@
 namespace carom::tool {
 namespace {
 
-/// The size of the reserve [bytes]. The reports of a gate over all families and subjects need a third of it.
+/// The largest reserve [bytes]. The reports of a gate over all families and subjects need a third of it.
 constexpr std::size_t most_reserved = std::size_t{64} << 20U;
 
 struct Reserve {
@@ -74,8 +74,7 @@ void when_new_fails() {
   std::abort();
 }
 
-/// Ends the program if there is no memory, because GMP uses memory without a check and cannot recover from an
-/// exception.
+/// Ends the program if there is no memory. GMP checks no allocation and cannot recover from an exception.
 template <class Allocate>
 void* allocated_for_gmp(const Allocate& allocate) {
   void* memory = allocate();
@@ -88,7 +87,7 @@ void* allocated_for_gmp(const Allocate& allocate) {
   return memory;
 }
 
-/// At most a quarter of the limit on the program's memory, so that the program can still start.
+/// The size of the reserve [bytes]. It is at most a quarter of the limit on memory, so that the program can start.
 std::size_t reserved_size() {
   rlimit limit{};
   constexpr rlim_t part = 4;
@@ -98,8 +97,7 @@ std::size_t reserved_size() {
   return most_reserved;
 }
 
-/// Grows the stack of this thread to 1 MiB, several times its need. If the stack cannot grow later, the program
-/// crashes.
+/// Grows the stack of this thread to 1 MiB, several times its need. A stack that cannot grow later crashes the program.
 void grow_stack() {
   constexpr std::size_t page = 4096;
   constexpr std::size_t pages = 256;

@@ -23,7 +23,6 @@ using nlohmann::json;
 
 constexpr const char* report_name = "report.json";
 
-/// The type of the file itself, even if it is a symbolic link.
 fs::file_type type_of(const fs::path& path) {
   std::error_code ignored;
   return fs::symlink_status(path, ignored).type();

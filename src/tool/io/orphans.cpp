@@ -44,8 +44,8 @@ std::optional<ProcessState> state_of(const std::filesystem::path& process) {
   return ProcessState{text[name_end + to_state], std::atoi(text.c_str() + name_end + to_parent)};
 }
 
-/// Kills the children of this process, or only those with the mark. Returns whether the caller must call again: whether
-/// there was such a child, or an ended child that was not yet waited for. When a child ends, its own children become
+/// Kills the children of this process, or only those with the mark. Returns whether there was such a child, or an ended
+/// child that was not yet waited for. The caller must call again, because the children of an ended child become
 /// children of this process.
 bool end_children(bool marked_alone) {
   bool any = false;
@@ -76,7 +76,7 @@ bool has_children() {
 Orphanage::Orphanage() : has_foreign_children_(has_children()) { prctl(PR_SET_CHILD_SUBREAPER, 1); }
 
 Orphanage::~Orphanage() {
-  // A killed child hands its children over to this process. `patience` is for a process that the system cannot end now.
+  // The loop ends after `patience`, because the system may be unable to end a process.
   constexpr std::chrono::seconds patience{2};
   constexpr std::chrono::milliseconds moment{1};
   for (const auto until = Clock::now() + patience; Clock::now() < until; std::this_thread::sleep_for(moment)) {

@@ -4,13 +4,12 @@
 namespace carom::tool {
 
 /// While an object exists, this process becomes the parent of processes that the subjects' programs started and left
-/// behind, in any group or session. The destructor ends the processes that the subjects' programs started, and waits
-/// for them. On systems other than Linux the class does nothing.
+/// behind, in any group or session. The destructor ends these processes and waits for them. On systems other than Linux
+/// the class does nothing.
 ///
-/// A process may have children before its program begins: the background jobs of a shell that did `exec carom`. The
-/// class does not end these jobs, nor processes that they leave behind. If there are no such jobs, a subject started
-/// every child at the end. Otherwise, only processes with the mark of the subjects' programs
-/// (subjects/protocol/mark.hpp) are ended. A process that hides the mark and has left its group lives on.
+/// A shell that does `exec carom` leaves its background jobs as children of this process. The class ends neither these
+/// jobs nor the processes that they leave behind. If there are such jobs, it ends only processes with the mark of the
+/// subjects' programs (subjects/protocol/mark.hpp). A process that hides the mark and has left its group then lives on.
 class Orphanage {
  public:
   Orphanage();

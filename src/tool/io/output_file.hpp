@@ -6,13 +6,13 @@
 
 namespace carom::tool {
 
-/// Throws the UsageError for a file that cannot be written. `error` is the errno of the reason.
+/// Throws the UsageError for a file that cannot be written. `error` is an errno.
 [[noreturn]] void fail_to_write(const std::filesystem::path& path, int error);
 
 /// Writes the text as the whole file. Throws UsageError that names the file if the file cannot be written.
 void write_file(const std::filesystem::path& path, const std::string& text);
 
-/// Appends the text to the file. An empty text only checks that this is possible. Throws UsageError that names the
+/// Appends the text to the file. An empty text only checks that appending is possible. Throws UsageError that names the
 /// file's option if appending is not possible.
 void append_to_file(const std::string& option, const std::filesystem::path& path, const std::string& text);
 

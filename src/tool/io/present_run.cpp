@@ -22,7 +22,7 @@ std::string in_json(const nlohmann::json& record, int indent) {
   return record.dump(indent, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
 }
 
-/// Puts all reports in place, or none. At every moment, the directory has the witnesses that its report lists.
+/// Puts all reports in place, or none. At every moment, the directory contains the witnesses that its report lists.
 void write_reports(const report::Run& run, const std::string& out, StagedOutput& staged) {
   const fs::path& stage = staged.stage();
   make_directories(stage / "witnesses");
@@ -61,7 +61,7 @@ int present_run(report::Run run, const std::optional<ReadRun>& baseline, const P
   if (baseline) {
     run.baseline = report::compare_runs(baseline->run, baseline->file, run, "this run");
   }
-  // The files are written first. If that fails, the results are still printed.
+  // If the files cannot be written, the results are still printed.
   std::exception_ptr unwritten;
   try {
     if (staged) {

@@ -10,7 +10,6 @@
 
 namespace carom::tool {
 
-/// The output of a run.
 struct Presentation {
   std::string out;                 // the directory of the reports and witnesses; empty for none
   std::string format = "text";     // on standard output: "text" or "json"
@@ -20,8 +19,8 @@ struct Presentation {
 };
 
 /// Compares the run with its baseline, if there is one, writes the files, prints the run, and returns the exit status.
-/// Throws UsageError if a file cannot be written. `staged` is the staged output of `presentation.out`, or empty if
-/// there is none. The function resets it.
+/// Throws UsageError if a file cannot be written. `staged` is the staged output of `presentation.out`, if there is one.
+/// The function resets it.
 [[nodiscard]] int present_run(report::Run run, const std::optional<ReadRun>& baseline, const Presentation& presentation,
                               std::optional<StagedOutput>& staged);
 

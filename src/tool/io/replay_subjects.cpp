@@ -17,7 +17,7 @@ namespace {
 
 using subjects::protocol::spelling_count;
 
-/// Turns an exception of the task into a UsageError that names the subject.
+/// Runs the task. An exception becomes a UsageError that names the subject.
 template <class Task>
 auto in_its_name(const Subject& subject, const Task& task) {
   try {
@@ -33,7 +33,7 @@ constexpr unsigned most_failures = 100;
 
 bool names_subject(const ReadCollision& read) { return read.witness && !read.witness->subject.empty(); }
 
-/// The verdicts of the claimed session invariants: whether all answers are the same as the first.
+/// The verdicts of the claimed invariants that compare all answers with the first answer.
 std::vector<properties::NamedVerdict> session_verdicts(const properties::Claim& claim, properties::Sameness sameness,
                                                        const std::vector<ReplayedCase>& cases) {
   std::vector<properties::NamedVerdict> verdicts;

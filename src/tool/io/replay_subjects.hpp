@@ -17,20 +17,18 @@
 #include "io/input_file.hpp"
 #include "io/usage_error.hpp"
 
-/// The subjects that a replay judges.
 namespace carom::tool {
 
 struct ReplayedCase {
   Answer answer;
   properties::Judgement judgement;
-  // For a program:
-  std::size_t spellings = 0;           // number of spellings (spelling.hpp) in which it was asked; otherwise 0
-  std::size_t violated_spellings = 0;  // number of spellings with a violation
+  std::size_t spellings = 0;           // ways to write JSON (spelling.hpp) in which it was asked; otherwise 0
+  std::size_t violated_spellings = 0;  // of these, those with a violation
   std::string spelt = {};              // the collision in the spelling of the answer
 };
 
-/// A subject with its sessions, for all collisions that it is judged on. A program has a session for each spelling
-/// (subjects/protocol/spelling.hpp) of a request in JSON, because a fault may lie in its reader.
+/// A subject with its sessions. A program has a session for each spelling (a way to write a request in JSON,
+/// subjects/protocol/spelling.hpp), because its reader may have a fault.
 class ReplaySubject {
  public:
   /// Throws UsageError if the subject cannot be run.
@@ -40,8 +38,9 @@ class ReplaySubject {
   [[nodiscard]] const Subject& subject() const { return subject_; }
   [[nodiscard]] const properties::Claim& claim() const { return claim_; }
 
-  /// The result in the first spelling with a violation, otherwise in the first spelling. For a program, the invariant
-  /// `memoryless` holds if the answers in all spellings are the same. Throws UsageError.
+  /// Judges the case in every spelling. Returns the result of the first spelling with a violation, otherwise of the
+  /// first spelling. For a program, the invariant `memoryless` holds if the answers in all spellings are the same.
+  /// Throws UsageError.
   [[nodiscard]] ReplayedCase judge(const properties::Case& one);
 
   /// Throws UsageError if a session does not end properly.
@@ -55,7 +54,7 @@ class ReplaySubject {
   std::vector<Session> sessions_;  // one for each spelling of a program, otherwise one
 };
 
-/// The subjects of a replay. Each subject is started once.
+/// The subjects of a replay, each started once.
 class ReplaySubjects {
  public:
   /// `subject` judges every collision; if it is empty, each file names its subject. `timeout_seconds` is for each reply
@@ -66,8 +65,8 @@ class ReplaySubjects {
   /// The subject that judges this collision; nullptr if there is none. Throws UsageError.
   [[nodiscard]] ReplaySubject* subject_for(const ReadCollision& read);
 
-  /// The reason why no subject judges the collision although the file names one; otherwise empty. A file cannot start
-  /// programs. Only the user of this program can.
+  /// The reason why no subject judges the collision although the file names one: a file cannot start programs.
+  /// Otherwise empty.
   [[nodiscard]] std::string why_none(const ReadCollision& read) const;
 
   void close();

@@ -15,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The result of `read` for the content of the file. A message for an error of the format starts with the file's name
-/// and `is_no`.
+/// The result of `read` for the content of the file. A message about its format starts with the file's name and
+/// `is_no`.
 template <class Read>
 auto read_from(const std::string& file, const char* is_no, const Read& read) {
   const std::string content = content_of_file(file);

@@ -16,8 +16,8 @@ struct ReadRun {
 [[nodiscard]] ReadRun read_report(const std::string& file_or_directory);
 
 /// Reads report.json, and the witnesses that it lists, from the directory of a gate with --shard. Throws UsageError
-/// that names the file and the place if a file cannot be read. It also throws if the report is no shard, is of another
-/// version of Carom, or was interrupted.
+/// that names the file and the place. It also throws if the report is no shard, is of another version of Carom, or was
+/// interrupted.
 [[nodiscard]] report::ReadShard read_shard(const std::string& directory);
 
 }  // namespace carom::tool

@@ -74,7 +74,7 @@ std::vector<fs::path> files_below(const fs::path& stage) {
   return files;
 }
 
-/// Moves a file. If a folder of the directory is on another file system, the file is first copied next to its place.
+/// Moves a file. Between file systems, it first copies the file next to its place.
 void move_file(const fs::path& from, const fs::path& to, const fs::path& stage_name) {
   if (std::rename(from.c_str(), to.c_str()) == 0) {
     return;
@@ -96,7 +96,7 @@ void move_file(const fs::path& from, const fs::path& to, const fs::path& stage_n
   }
 }
 
-/// An abandoned stage, locked so that no other process treats it as abandoned.
+/// An abandoned stage. The lock keeps other processes from treating it as abandoned.
 class LockedStage {
  public:
   explicit LockedStage(const fs::path& path) : descriptor_(opened_directory(path)) {

@@ -8,8 +8,7 @@
 namespace carom::tool {
 
 /// The files of a run, which appear in the directory of --out together or not at all. They are written into a stage, a
-/// temporary directory inside that directory. Once all files are complete, they are renamed to their places. The
-/// previous files stay until then.
+/// temporary directory inside that directory. When all files are complete, they replace the previous files.
 class StagedOutput {
  public:
   /// Makes the directory, with its parents, and the stage. Throws UsageError if they cannot be made.
@@ -19,11 +18,11 @@ class StagedOutput {
   StagedOutput(const StagedOutput&) = delete;
   StagedOutput& operator=(const StagedOutput&) = delete;
 
-  /// The directory to write to: "stage / x" becomes "directory / x".
+  /// The directory to write to. "stage / x" becomes "directory / x".
   [[nodiscard]] const std::filesystem::path& stage() const { return stage_; }
 
   /// Renames every file to its place, and the file `last` last. Every file is flushed to disk before the first rename.
-  /// Throws UsageError if a file cannot be renamed, before the first rename if the error can be known early.
+  /// Throws UsageError if a file cannot be renamed, if possible before the first rename.
   void put_in_place(const std::string& last);
 
  private:

@@ -21,7 +21,6 @@ std::string stripped(const std::string& text, const char* of) {
   return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(of) - first + 1);
 }
 
-/// The words of the text, with one blank between them.
 std::string single_spaced(std::string_view text) {
   std::istringstream words{std::string(text)};
   std::string spaced;

@@ -5,7 +5,6 @@
 
 namespace carom::tool {
 
-/// The environment of this program, on this machine, at this time.
 [[nodiscard]] report::Environment this_environment();
 
 }  // namespace carom::tool

@@ -5,8 +5,8 @@
 
 namespace carom::tool {
 
-/// Runs work on `jobs` threads, including the caller's; on one for each core if `jobs` is 0. If the system cannot start
-/// all threads, the started ones do all the work.
+/// Runs work on `jobs` threads, including the caller's, or on one for each core if `jobs` is 0. If the system cannot
+/// start all threads, the started ones do all the work.
 [[nodiscard]] properties::Workers threads(unsigned jobs);
 
 }  // namespace carom::tool

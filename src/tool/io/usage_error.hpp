@@ -5,7 +5,7 @@
 
 namespace carom::tool {
 
-/// A request of the user that cannot be fulfilled. The text says what and why. It ends the program with exit_usage.
+/// A request of the user that cannot be fulfilled, and why. It ends the program with exit_usage.
 class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

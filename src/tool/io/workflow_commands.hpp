@@ -6,7 +6,7 @@
 namespace carom::tool {
 
 /// GitHub reads workflow commands from everything that a job prints. While an object of this class exists, GitHub reads
-/// no commands, neither from standard output nor from a program's standard error.
+/// none.
 class WorkflowCommandsStopped {
  public:
   WorkflowCommandsStopped();

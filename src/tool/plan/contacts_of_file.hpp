@@ -12,20 +12,18 @@
 
 namespace carom::tool::plan {
 
-/// The input of a plan.
 struct RecordedContacts {
   std::vector<properties::plan::ClassedCollision> contacts;
   std::optional<Law> law;  // of a scene
 };
 
-/// Runs the scene in a text and returns its impacts. The name of the file is for messages.
+/// Runs the scene in a text and returns its impacts. `file` is for messages.
 using ContactsOfScene =
     std::function<RecordedContacts(const std::string& text, const std::string& file, const std::stop_token& stop)>;
 
-/// The contacts of a file. They are collisions, read by for_each_collision, each with an optional class. If
-/// `contacts_of_scene` is set, they can also be the impacts of a scene. A collision is kept if its only defect is that
-/// ε, μ or e_t is out of range. Throws UsageError that names the file, the place, the field, and what was expected.
-/// Throws UsageError too if the user stopped.
+/// The contacts of a file: the collisions that for_each_collision reads, or the impacts of a scene if
+/// `contacts_of_scene` is set. A collision whose only defect is an ε, μ or e_t out of range is kept. Throws UsageError
+/// that names the file, the place, the field, and what was expected. Throws UsageError, too, if the user stopped.
 [[nodiscard]] RecordedContacts contacts_of_file(const std::string& file, const ContactsOfScene& contacts_of_scene,
                                                 const std::stop_token& stop);
 

@@ -13,7 +13,7 @@ namespace carom::tool::plan {
 /// used.
 inline constexpr std::size_t most_contacts_of_scene = 10'000;
 
-/// Runs the scene. Returns its impacts, classed by bodies and materials, and its law. Throws UsageError like
+/// Runs the scene. Returns its law, and its impacts, classed by bodies and materials. Throws UsageError like
 /// contacts_of_file.
 [[nodiscard]] RecordedContacts contacts_of_scene(const std::string& text, const std::string& file,
                                                  const std::stop_token& stop);

@@ -29,7 +29,6 @@ std::string contact(const Method& method) {
 
 std::string header(std::string_view name) { return fmt::format("carom/impulse/{}.hpp", name); }
 
-/// Writes the call of the law in the method's scalar type, with its 3×3 solve.
 void write_call_of_law(const Method& method, CppCall& code) {
   const Law law = method.subject.law;
   code.call = fmt::format("carom::impulse::{}{}({})", name_of(law),
@@ -43,7 +42,7 @@ void write_call_of_law(const Method& method, CppCall& code) {
   }
 }
 
-/// Writes the call of a method's form. A form without a plain 3×3 solve gets a `solve_rank` above all 3×3 solves.
+/// Writes the call of a method's form. A form without a plain 3×3 solve gets a greater `solve_rank` than any 3×3 solve.
 void write_call(const Method& method, CallableCandidate& one) {
   Candidate& candidate = one.candidate;
   CppCall& code = one.code;

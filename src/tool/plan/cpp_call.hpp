@@ -9,7 +9,7 @@
 
 namespace carom::tool::plan {
 
-/// The call of a built-in method in C++, in a program that links carom::impulse.
+/// The C++ call of a built-in method, for a program that links carom::impulse.
 struct CppCall {
   std::vector<std::string> headers;  // "carom/impulse/frictionless.hpp"
   std::string reads;                 // the input of the call, "const carom::Collision& collision"
@@ -22,11 +22,10 @@ struct CallableCandidate {
   CppCall code;
 };
 
-/// The method of this subject. None if plans never choose the method, because its basis of the contact fails near
-/// head-on collisions. Throws std::logic_error if no method has this name.
+/// The method of this subject. None for methods that fail near head-on collisions because of their basis of the
+/// contact. Throws std::logic_error if no method has this name.
 [[nodiscard]] std::optional<CallableCandidate> callable_candidate(const Subject& subject);
 
-/// Every method that a plan may choose.
 [[nodiscard]] std::vector<CallableCandidate> callable_candidates();
 
 }  // namespace carom::tool::plan

@@ -25,7 +25,7 @@ using properties::plan::LintFinding;
 using properties::plan::Part;
 using properties::plan::Plan;
 
-/// The number of findings of one kind that are shown. The others are only counted.
+/// At most this many findings of one kind are shown. The others are only counted.
 constexpr std::size_t findings_shown = 5;
 
 std::string number_or_dash(const std::optional<double>& number, const char* format) {
@@ -37,7 +37,7 @@ std::string in_words(const Candidate& candidate) {
                      candidate.frame == Frame::world ? "world frame" : "body frame");
 }
 
-/// Every class, and last the part with all contacts.
+/// Every class, followed by the part with all contacts.
 std::vector<const Part*> parts_of(const Plan& plan) {
   std::vector<const Part*> parts;
   for (const Part& part : plan.classes) {
@@ -111,7 +111,6 @@ Table laws(const Plan& plan, Law law) {
   return table;
 }
 
-/// The calls of the chosen methods, each once.
 Table calls(const Plan& plan) {
   Table table{"", {{"least that serves"}, {"include"}, {"call"}}, {}};
   for (const Part* part : parts_of(plan)) {

@@ -7,8 +7,9 @@
 
 namespace carom::tool::plan {
 
-/// The plan for a terminal. It has the candidates (methods) that serve each class and all contacts, and their calls. It
-/// also has the candidates that do not serve all contacts, with the reasons, and the findings of the lint.
+/// The plan for a terminal. It lists the candidates (built-in methods) that serve each class and all contacts, with
+/// their C++ calls. It also lists the candidates that do not serve all contacts, with the reasons, and the findings of
+/// the lint.
 [[nodiscard]] std::string plan_text(const PlanRun& run);
 
 /// The same tables in Markdown.

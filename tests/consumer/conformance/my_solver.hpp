@@ -3,8 +3,8 @@
 
 #include <carom/collision/outcome.hpp>
 
-/// A user's solver with a defect that README.md's property finds: it decides from the velocities of the centres
-/// whether the bodies approach, and ignores their rotation.
+/// A solver with a defect that the property in README.md finds: it tests for approach with the velocities of the
+/// centres, and ignores rotation.
 inline carom::Outcome<double> my_solver(const carom::Collision& c) {
   carom::Outcome<double> after = carom::unchanged(c);
   const double of_a = c.a.immovable ? 0 : 1 / c.a.mass;

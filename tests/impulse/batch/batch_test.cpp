@@ -21,8 +21,7 @@
 namespace carom::impulse {
 namespace {
 
-/// Cases of every family in turn, so that neighbours in a pack differ: colliding, separating, both immovable,
-/// extreme.
+/// Cases of every family in turn, so that neighbours in a pack differ.
 std::vector<Collision> mixed_collisions(std::size_t count) {
   const auto families = properties::all_families();
   std::vector<Collision> collisions;
@@ -51,7 +50,7 @@ Outcome<S> solved_alone(const Contact<S>& contact, Law law) {
   return outcome;
 }
 
-/// Bitwise equality; any NaN equals any other NaN.
+/// Bitwise equality; all NaNs are equal.
 template <class S>
 bool same_bits(S x, S y) {
   return (x == y && std::signbit(x) == std::signbit(y)) || (std::isnan(x) && std::isnan(y));
@@ -106,8 +105,7 @@ TYPED_TEST(Batch, GivesTheBitsOfTheScalarSolvers) {
   }
 }
 
-/// Arrays of `length` numbers in separate memory, starting `offset` numbers into it. The numbers before and after
-/// must not change.
+/// Arrays of `length` numbers from `offset` numbers on. The numbers before and after must not change.
 template <class S>
 struct Guarded {
   static constexpr S guard = S(12345);
@@ -178,7 +176,7 @@ TYPED_TEST(Batch, MayReplaceTheVelocitiesThatItReads) {
   }
 }
 
-/// A user's own law, in packs of the instruction set that this file is compiled for.
+/// A user's own law.
 TYPED_TEST(Batch, TakesALawThatMakesAnImpulseOrAnOutcome) {
   using S = TypeParam;
   const auto contacts = mixed_contacts<S>(4 * Pack<S>::size() - 1);
@@ -207,7 +205,7 @@ TYPED_TEST(Batch, TakesALawThatMakesAnImpulseOrAnOutcome) {
   }
 }
 
-/// If rounding makes a pivot NaN, a pack must not replace it by a number unless the scalar solver does.
+/// A pack must keep a pivot that is NaN if the scalar solver does.
 TYPED_TEST(Batch, BoundsEachNumberFromBelowAsTheScalarDoes) {
   using S = TypeParam;
   constexpr S nan = std::numeric_limits<S>::quiet_NaN();
@@ -250,8 +248,7 @@ TEST(ContactBatch, BeginsEachArrayAtACacheLine) {
   }
 }
 
-/// The numbers of one contact and its outcome are read and written together, so they lie in different cache lines of
-/// a page.
+/// The numbers of one contact and its outcome are used together, so they lie in different cache lines of a page.
 TEST(ContactBatch, KeepsApartWithinPagesWhatIsReadAndWrittenTogether) {
   constexpr std::uintptr_t page = 4096;
   for (const std::size_t size : {1U, 64U, 256U, 1000U, 4096U}) {

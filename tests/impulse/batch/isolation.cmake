@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSL-1.0
 # cmake -DNM=… -DOBJECTS=… -P isolation.cmake
 #
-# The linker keeps one of many copies of an inline function. If the copy comes from a unit compiled for a wide
-# instruction set, the program crashes on a machine without that set. So such a unit may define only two kinds of
-# functions for other units. The first kind is in its own namespace, carom::impulse::avx2 or ::avx512. The second kind
-# is an inline function of packs of the same width, because no unit for a narrower set refers to it.
+# The linker keeps one of many copies of an inline function. If the copy comes from a unit for a wide instruction set,
+# the program crashes on a machine without that set. So such a unit may define for other units only functions in its own
+# namespace, carom::impulse::avx2 or ::avx512, and inline functions of packs of the same width, because no unit for a
+# narrower set refers to these.
 
 set(own "(T _ZN5carom7impulse(4avx2|6avx512)|[WV] .*simd_abi.*(_VecBuiltinILi32E|_VecBltnBtmskILi64E))")
 foreach(object IN LISTS OBJECTS)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// isolation.cmake must find this: an inline function of the standard library compiled in this unit.
+// isolation.cmake must find this inline function of the standard library.
 #include <algorithm>
 
 namespace carom::impulse::avx2 {

@@ -18,7 +18,7 @@ class DifferenceOfProducts : public testing::Test {};
 using FloatingPoint = testing::Types<float, double, long double>;
 TYPED_TEST_SUITE(DifferenceOfProducts, FloatingPoint);
 
-/// The products agree in most of their digits. Subtracting the rounded products would leave no correct digit.
+/// The difference of the rounded products has no correct digit.
 TYPED_TEST(DifferenceOfProducts, HasAllDigitsButTheLast) {
   using S = TypeParam;
   properties::Stream stream = properties::case_stream(unit::seed, "difference_of_products", 0);
@@ -34,7 +34,7 @@ TYPED_TEST(DifferenceOfProducts, HasAllDigitsButTheLast) {
     const auto missed = [&](S difference) {
       return std::abs(oracles::to_double(Rational(oracles::lift(difference) - exact)));
     };
-    // 3/2 ulps are at most 3 u. The test itself rounds to binary64, which one more u covers.
+    // 3/2 ulps are at most 3 u, and the test's own rounding costs less than one u.
     const double allowed =
         4 * static_cast<double>(std::numeric_limits<S>::epsilon() / 2) * std::abs(oracles::to_double(exact));
     EXPECT_LE(missed(difference_of_products(a, b, c, d)), allowed) << i;

@@ -7,8 +7,8 @@
 
 namespace carom::unit {
 
-/// A rounded type that carries no error bound. Each law of number_laws.hpp has at most twelve operations on either
-/// side. Each operation is accurate to 15u², plus a small part of its terms, with u² = 2⁻¹⁰⁶ (double_double.hpp).
+/// Each law of number_laws.hpp has at most twelve operations on either side. Each operation is accurate to 15u², plus a
+/// small part of its terms, with u² = 2⁻¹⁰⁶ (double_double.hpp).
 template <>
 struct NumberType<impulse::DoubleDouble> {
   using T = impulse::DoubleDouble;

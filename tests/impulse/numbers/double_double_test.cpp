@@ -20,10 +20,9 @@ const Rational u2 = Rational(std::ldexp(1.0, -106));
 
 Rational size(const Rational& x) { return x < 0 ? -x : x; }
 
-/// A number between 2⁻²⁰ and 2²⁰ in size, of either sign, with all 106 bits random.
+/// A number between 2⁻²⁰ and 2²⁰ in size, with all 106 bits random.
 DoubleDouble draw(properties::Stream& stream) {
   const double high = stream.between(1, 2) * stream.power_of_two(-20, 20) * (stream.chance(2) ? 1 : -1);
-  // A low part of at most half an ulp of high.
   return DoubleDouble(high) + DoubleDouble(high * std::ldexp(stream.between(-1, 1), -54));
 }
 
@@ -70,7 +69,7 @@ TEST(DoubleDouble, ComparesByBothParts) {
   EXPECT_TRUE(DoubleDouble(-2) < one && DoubleDouble(2) > more);
 }
 
-/// The computed root r satisfies |√x − r| ≤ e r with e = 25/8 u². The test checks it by the squares of r (1 ± e).
+/// |√x − r| ≤ e r with the computed root r and e = 25/8 u². The squares of r (1 ± e) check this.
 TEST(DoubleDouble, TakesSquareRootsAsThePaperSays) {
   const Rational most = u2 * Rational(25, 8);
   for_each_pair([&](const DoubleDouble& x, const DoubleDouble&) {

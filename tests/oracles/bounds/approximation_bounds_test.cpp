@@ -8,8 +8,7 @@
 #include "support/exact.hpp"
 #include "support/rounding_count.hpp"
 
-/// Checks the constants of oracles/numbers/approximation.hpp: the rounding error of its inequalities (1) to (5) in
-/// binary64.
+/// Checks the constants and the inequalities (1) to (5) of oracles/numbers/approximation.hpp.
 namespace carom::bounds {
 namespace {
 
@@ -17,10 +16,9 @@ namespace approximation = oracles::approximation;
 using oracles::Approximation;
 using oracles::Rational;
 
-/// An input of size 3 and not 1, so that no product with it is exact. Earlier roundings do not count.
+/// An input of size 3: no product with it is exact.
 const RoundingCount any_radius = RoundingCount::input(3);
 
-/// The product by `up` is one of the roundings, and the sum with `least` another.
 TEST(ApproximationBounds, RoundUpByMoreThanTheirRoundings) {
   const int of_sum = approximation::radius_of_sum(any_radius, any_radius, any_radius).roundings() + 1;
   const int of_product =
@@ -37,15 +35,13 @@ TEST(ApproximationBounds, RoundUpByMoreThanTheirRoundings) {
   EXPECT_TRUE(covers(1 - approximation::down, approximation::below(any_radius, any_radius).roundings() * u, 128));
 }
 
-/// Each operation on a bound may lose half the least number, and no formula has more operations than a product. A
-/// quotient adds `least_number` before it divides, because the division enlarges the loss.
+/// Each operation on a bound may lose half the least number. No formula has more operations than a product.
 TEST(ApproximationBounds, HaveALeastThatCoversUnderflow) {
   constexpr int operations = 8;
   EXPECT_GE(approximation::least, operations * 0x1p-1074 / 2);
   EXPECT_GE(approximation::least_number, 0x1p-1074);
 }
 
-/// Checks |x / y − q| ≤ radius for all x and y within their radii.
 testing::AssertionResult contains_quotients(const Approximation& x, const Approximation& y) {
   const Approximation q = x / y;
   for (const int of_x : {-1, 1}) {
@@ -62,7 +58,7 @@ testing::AssertionResult contains_quotients(const Approximation& x, const Approx
   return testing::AssertionSuccess();
 }
 
-/// A divisor with a large relative error, at the end of the range: |q| r_y underflows, and is then divided by 2⁻¹⁰⁴⁰.
+/// Divisors near zero at the end of the range: |q| r_y underflows, and is then divided by about 2⁻¹⁰⁴⁰.
 TEST(ApproximationBounds, ContainQuotientsWhoseBoundUnderflows) {
   int tried = 0;
   for (int k = 1; k <= 40; ++k) {
@@ -79,7 +75,7 @@ TEST(ApproximationBounds, ContainQuotientsWhoseBoundUnderflows) {
   EXPECT_GT(tried, 700);
 }
 
-/// (1) to (4), checked directly: each operation on numbers at the ends of their radii.
+/// Checks (1) to (4) on numbers at the ends of their radii.
 TEST(ApproximationBounds, HoldAtTheEndsOfTheRadii) {
   properties::Stream stream = properties::stream_from(51);
   for (int i = 0; i < 4000; ++i) {

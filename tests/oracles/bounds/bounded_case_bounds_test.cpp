@@ -28,7 +28,7 @@ TEST(BoundedCase, KnowANormalVelocityToSixDigits) {
   EXPECT_TRUE(covers(ten_to_minus_6, bounded_case_bounds::known_radius_of_normal_velocity + u, 1.1));
 }
 
-/// Both sides are sums of 30 absolute values of products and differences.
+/// The grazing band compares two sums of 30 terms, with eight roundings each.
 TEST(BoundedCase, LeaveRoomForTheRoundingOfTheGrazingBand) {
   constexpr double roundings = 30 + 8;
   EXPECT_GE(bounded_case_bounds::factor_for_grazing * (1 - roundings * u), 1 + roundings * u);
@@ -47,7 +47,7 @@ BasicCollision<oracles::Dual<S, 8>> with_inertia_as_inputs(BasicCollision<oracle
   return c;
 }
 
-/// Inequality (1) of K: Σ_j x_j ∂K/∂x_j = −K over masses and moments, exactly.
+/// Inequality (1) of K: Σ_j x_j ∂K/∂x_j = −K over masses and moments x_j, exactly.
 TEST(BoundedCase, RestOnAMatrixThatIsHomogeneous) {
   using T = oracles::Dual<oracles::Rational, 8>;
   properties::Stream stream = properties::stream_from(71);
@@ -71,7 +71,7 @@ TEST(BoundedCase, RestOnAMatrixThatIsHomogeneous) {
   }
 }
 
-/// Σ over masses and moments of the errors of ‖∂K/∂x_j‖_F |x_j|, in u, for ‖r‖ = 1 and min I = 1.
+/// The error of Σ_j ‖∂K/∂x_j‖_F |x_j| over masses and moments x_j, in u, for ‖r‖ = 1 and min I = 1.
 double error_of_matrix_sensitivity() {
   using T = oracles::Dual<RoundingCount, 8>;
   const Matrix3<T> k = oracles::response_matrix(

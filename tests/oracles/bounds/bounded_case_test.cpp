@@ -8,7 +8,6 @@
 
 #include "support/exact.hpp"
 
-/// The bounds of BoundedCase agree with ℚ, and with known values of some collisions.
 namespace carom::bounds {
 namespace {
 
@@ -27,21 +26,21 @@ Collision against_a_wall(const Vector3<double>& arm, double moment) {
   return c;
 }
 
-/// The bound t³ / (4 det K) of κ(K) with the trace t, in ℚ.
+/// The bound t³ / (4 det K) of the condition number of K, with the trace t, in ℚ.
 Rational condition_bound(const Collision& c) {
   const unit::ExactMatrix k = impulse::collision_matrix(unit::exact_contact(c));
   const Rational t = k.trace();
   return t * t * t / (Rational(4) * unit::ExactVector(k.col(0)).dot(unit::ExactVector(k.col(1)).cross(k.col(2))));
 }
 
-/// The bound itself is rounded, so the test skips a thousandth around the threshold.
+/// BoundedCase rounds its bound, so the test skips a thousandth around the threshold.
 TEST(BoundedCase, IsWellConditionedUpToTheBoundInRationals) {
   properties::Stream stream = properties::stream_from(77);
   int well = 0;
   int ill = 0;
   for (int i = 0; i < 400; ++i) {
     const Vector3<double> arm = stream.direction();
-    // K = I + (r·r I − r rᵀ)/J has the trace t = 3 + 2 s and the determinant (1 + s)² with s = r·r/J. So t³ / (4 det)
+    // K = I + (r·r I − r rᵀ)/J has the trace t = 3 + 2 s and the determinant (1 + s)² with s = r·r/J, so t³ / (4 det)
     // is about 2 s.
     const double s = 0x1p19 * stream.between(0.9, 1.1);
     const Collision c = against_a_wall(arm, arm.squaredNorm() / s);
@@ -58,9 +57,8 @@ TEST(BoundedCase, IsWellConditionedUpToTheBoundInRationals) {
   EXPECT_GT(ill, 100);
 }
 
-/// Two bodies that spin about z, with all positions and lever arms along y and the normal along x. Then each product of
-/// components equals the product of the lengths. So the bound is the sum itself, ‖N‖ Σ (2 ‖v‖ + ‖w‖ (2 ‖r‖ + ‖P‖ + ‖X‖
-/// + the extent)).
+/// The bodies spin about z, all positions lie along y, and the normal along x. So products of vectors are products of
+/// lengths, and the bound is ‖N‖ Σ (2 ‖v‖ + ‖w‖ (2 ‖r‖ + ‖P‖ + ‖X‖ + s)), with the extent s.
 TEST(BoundedCase, HasTheSensitivityOfTheNormalVelocityWhereNothingIsAslant) {
   Collision c;
   c.normal = {3, 0, 0};
@@ -84,18 +82,17 @@ TEST(BoundedCase, KnowsTheSignOfTheNormalVelocity) {
   c.a.velocity = {0, 0, 1};
   EXPECT_EQ(BoundedCase(c).normal_velocity()->sign, 1);
   EXPECT_EQ(BoundedCase(c).normal_velocity()->value, 1);
-  // N·V is exactly zero, with a radius of zero.
   c.a.velocity = {1, 0, 0};
   EXPECT_EQ(BoundedCase(c).normal_velocity()->sign, 0);
-  // All but a part of 2⁻⁴⁰ cancels. Binary64 keeps four digits, an enclosure twenty.
+  // All but 2⁻⁴⁰ of the velocity cancels. Binary64 keeps four digits of the rest, an enclosure twenty.
   c.b.velocity = {0, 0, 1};
   c.a.velocity = {0, 0, 1 + 0x1p-40};
   ASSERT_TRUE(BoundedCase(c).normal_velocity());
   EXPECT_EQ(BoundedCase(c).normal_velocity()->sign, 1);
 }
 
-/// r lies along the long axis of a needle. r·r / I₁ is large, but cancels in K. Rounding errors may exceed K's own
-/// norm.
+/// r lies along the long axis of a needle. The large term r·r / I₁ cancels in K, and its rounding errors may exceed
+/// ‖K‖.
 TEST(BoundedCase, TakesHalfOfLambdaWhereLargeTermsCancel) {
   Collision c = against_a_wall({1, 0, 0}, 1);  // K = diag(1, 2, 2), of norm 3
   c.a.principal_inertia = {0x1p-21, 1, 1};

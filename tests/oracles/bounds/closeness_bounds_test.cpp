@@ -10,16 +10,16 @@
 #include "covers.hpp"
 #include "normalised_collision.hpp"
 
-/// Checks the constants of oracles/filters/closeness_bounds.hpp by its inequalities (3) to (6). closeness_test checks
-/// (1).
+/// Checks the constants of oracles/filters/closeness_bounds.hpp by its inequalities (3) to (6), which define the
+/// symbols. closeness_test.cpp checks (1).
 namespace carom::bounds {
 namespace {
 
 namespace closeness = oracles::closeness_bounds;
 using SlopeDual = oracles::Dual<RoundingCount, oracles::outcome_inputs>;
 
-/// The length of the rounding errors of ∂g/∂ŷ_k, in u, for a normalised collision and velocities of at most one. The
-/// roundings of the norm are not included.
+/// The length of the rounding errors of ∂g/∂ŷ_k, in u, for a normalised collision and velocities of at most one,
+/// without the roundings of the norm.
 template <class OneEquation>
 PerVector<double> errors_of_slopes(const OneEquation& equation, bool against_wall = false) {
   BasicCollision<SlopeDual> c = normalised_collision<SlopeDual>();
@@ -48,10 +48,10 @@ PerVector<double> errors_of_slopes(const OneEquation& equation, bool against_wal
   return errors;
 }
 
-/// The roundings of a norm of at most six components: the squares, their sum and the root; relative to the norm.
+/// The roundings of a norm of up to six components: the squares, their sum and the root.
 constexpr double roundings_of_norm = 6;
 
-/// (3). The errors are relative to slopes of at least one: ‖J‖ ≥ max I, ‖m [r]‖ ≥ m ‖r‖, ‖N × (· × r)‖ ≥ ‖N‖ ‖r‖.
+/// (3): the slopes are at least one, because ‖J‖ ≥ max I, ‖m [r]‖ ≥ m ‖r‖ and ‖N × (· × r)‖ ≥ ‖N‖ ‖r‖.
 TEST(ClosenessBounds, CoverTheRoundingOfSlopes) {
   namespace equation = oracles::equation;
   double most = 0;
@@ -69,7 +69,7 @@ TEST(ClosenessBounds, CoverTheRoundingOfSlopes) {
   EXPECT_TRUE(covers(closeness::rounding_of_slope, most * u, 4));
 }
 
-/// (4). The errors are relative to products of lengths, which are one here.
+/// (4): the errors are relative to products of lengths, which are one here.
 TEST(ClosenessBounds, CoverTheNoiseOfSlopesThatCancel) {
   const PerVector<double> of_moment = errors_of_slopes(oracles::equation::Restitution{});
   EXPECT_TRUE(covers(
@@ -85,7 +85,7 @@ TEST(ClosenessBounds, CoverTheNoiseOfSlopesThatCancel) {
   }
 }
 
-/// (5): the margin covers the rounding of slopes, their noise, and the roundings of the sums and products.
+/// (5): h covers the rounding of slopes, their noise, and the roundings of sums and products.
 TEST(ClosenessBounds, SetAsideMoreThanIsLost) {
   constexpr double of_noise = closeness::share_for_noise * (1 + 4 * closeness::share_for_noise);
   constexpr double of_sums = 32 * u;
@@ -93,10 +93,9 @@ TEST(ClosenessBounds, SetAsideMoreThanIsLost) {
   EXPECT_TRUE(covers(closeness::set_aside, closeness::rounding_of_slope + of_noise + of_sums, 4));
 }
 
-/// Inequality (6).
+/// (6).
 TEST(ClosenessBounds, LeaveAScaleThatTheJudgeTakes) {
   EXPECT_GE(oracles::least_slope_of_moderate * closeness::least_size, oracles::smallest_scale);
-  // The scale of the energy, reduced by its noise.
   EXPECT_GE(closeness::least_scale_of_energy * (1 - 2 * closeness::share_for_noise), oracles::smallest_scale);
   EXPECT_LE(oracles::largest_scale_of_moderate, oracles::largest_scale);
 }

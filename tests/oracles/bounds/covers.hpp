@@ -12,8 +12,8 @@ namespace carom::bounds {
 /// u of binary64.
 inline constexpr double u = 0x1p-53;
 
-/// Whether a constant is at least the value that the code needs, and at most `slack` times this value, so that the
-/// constant is not vacuous. The test records both numbers, and --gtest_output=json:FILE writes them.
+/// Whether needed ≤ constant ≤ slack · needed, so that the constant is sufficient and not vacuous. The test records
+/// both numbers for --gtest_output=json:FILE.
 [[nodiscard]] inline testing::AssertionResult covers(double constant, double needed, double slack) {
   const testing::TestResult& so_far = *testing::UnitTest::GetInstance()->current_test_info()->result();
   std::ostringstream both;

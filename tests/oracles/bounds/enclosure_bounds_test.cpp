@@ -11,9 +11,9 @@
 #include "support/exact.hpp"
 #include "support/rounding_count.hpp"
 
-/// Checks the constants of oracles/numbers/enclosure.hpp and src/impulse/numbers/double_double.hpp. The errors of
-/// double-double operations come from a cited theorem, which is compared with ℚ here. Errors of composed operations
-/// are counted.
+/// Checks the constants of oracles/numbers/enclosure.hpp and src/impulse/numbers/double_double.hpp. A cited theorem
+/// bounds the errors of double-double operations, and tests compare it with ℚ. Errors of composed operations are
+/// counted.
 namespace carom::bounds {
 namespace {
 
@@ -24,7 +24,7 @@ using oracles::Rational;
 
 const RoundingCount any_part = RoundingCount::input(3);
 
-/// In (2) to (4), `above` rounds its result up by itself. So the inputs here count as exact.
+/// The inputs count as exact, because `above` rounds its results up by itself.
 TEST(EnclosureBounds, RoundUpByMoreThanTheirRoundings) {
   const int of_sum = enclosure::radius_of_result(any_part + any_part, any_part, any_part, 3).roundings();
   const int of_product =
@@ -33,41 +33,37 @@ TEST(EnclosureBounds, RoundUpByMoreThanTheirRoundings) {
           .roundings();
   const int of_quotient = enclosure::radius_of_quotient(any_part, any_part, any_part, any_part, any_part).roundings();
   const int of_root = enclosure::radius_of_root(any_part, any_part, any_part).roundings();
-  // The bound of |q| is rounded up by a separate factor, so its roundings count separately.
   const int of_size = enclosure::above(any_part, any_part, any_part).roundings();
   EXPECT_TRUE(covers(enclosure::up - 1, std::max({of_sum, of_product, of_quotient, of_root, of_size}) * u, 8));
   EXPECT_TRUE(covers(1 - enclosure::down, enclosure::below(any_part, any_part, any_part).roundings() * u, 16));
 }
 
-/// 16 u² |z| covers 7 u² |exact| with |exact| ≤ |z| / (1 − 7u²), and the roundings of 16 u² (|high| + |low|).
+/// 16 u² |z| covers 7 u² |exact| with |exact| ≤ |z| / (1 − 7u²), and its own roundings.
 TEST(EnclosureBounds, CoverTheRoundingOfDoubleDouble) {
   constexpr double of_product = 7 * u * u;
   EXPECT_TRUE(covers(enclosure::rounding, of_product / (1 - of_product) / (1 - 4 * u), 4));
 }
 
-/// The largest loss by underflow: the least number for each operation of a product, or of the two products of a
-/// quotient. There are fewer than 2⁶ operations.
+/// The least number for each operation of a product, or of the two products of a quotient: fewer than 2⁶ operations.
 TEST(EnclosureBounds, HaveALeastThatCoversUnderflow) {
   EXPECT_GE(enclosure::least, 0x1p6 * 0x1p-1074);
-  // An extended number as large as `least` has its last bit in the range of binary64.
+  // The last bit of a long double of size `least` is in the range of binary64.
   EXPECT_GE(enclosure::least, 0x1p-1074 * 0x1p64);
 }
 
-/// Numbers that bring double-double arithmetic near its bounds. The high parts are all ones, just above a power of
-/// two, or random. The low parts are half an ulp, slightly less, or random.
+/// Numbers that bring double-double arithmetic near its bounds.
 DoubleDouble adversarial(properties::Stream& stream) {
   const std::array<double, 5> highs{1 + 0x1p-52, 2 - 0x1p-52, 1 + 0x1p-26, 1.5 - 0x1p-52, stream.between(1, 2)};
   const std::array<double, 5> lows{0x1p-53 * (1 - 0x1p-53), -0x1p-53 * (1 - 0x1p-52), 0x1p-54 * (2 - 0x1p-51), 0,
                                    0x1p-53 * stream.between(-1, 1)};
   const double high = highs[static_cast<std::size_t>(stream.integer(0, 4))] * (stream.chance(2) ? 1 : -1);
   const double low = lows[static_cast<std::size_t>(stream.integer(0, 4))];
-  // Below a power of two, half an ulp is smaller than above. The sum in double-double normalises the parts.
+  // The sum normalises the parts: below a power of two, half an ulp is smaller than above.
   return (DoubleDouble(high) + DoubleDouble(low)) * DoubleDouble(stream.power_of_two(-30, 30));
 }
 
 Rational exact(const DoubleDouble& x) { return Rational(x.high()) + Rational(x.low()); }
 
-/// The enclosure of x without a radius.
 Enclosure enclosed(const DoubleDouble& x) { return Enclosure(x.high()) + Enclosure(x.low()); }
 
 Rational exact(const Enclosure& x) { return Rational(x.middle()) + Rational(x.lower_part()); }
@@ -78,7 +74,6 @@ struct Worst {
   double quotient = 0;
 };
 
-/// The worst relative error of each operation, in u².
 template <class T, class Make>
 Worst worst_errors(const Make& make) {
   Worst worst;
@@ -86,7 +81,7 @@ Worst worst_errors(const Make& make) {
     properties::Stream stream = properties::case_stream(unit::seed, "double-double bounds", i);
     const DoubleDouble first = adversarial(stream);
     const DoubleDouble drawn = adversarial(stream);
-    // Sometimes nearly −x, so that the sum cancels.
+    // Sometimes y is nearly −x, so that the sum cancels.
     const DoubleDouble second =
         i % 3 == 0 ? -first * (DoubleDouble(1) + DoubleDouble(stream.power_of_two(-100, -40))) : drawn;
     const T x = make(first);
@@ -114,7 +109,7 @@ TEST(EnclosureBounds, KeepToTheTheoremOnDoubleDouble) {
   EXPECT_LE(by_splitting.quotient, enclosure::rounding / (u * u));
 }
 
-/// (1) to (3), checked directly: each operation on numbers at the ends of their radii.
+/// Checks (1) to (3) on numbers at the ends of their radii.
 TEST(EnclosureBounds, HoldAtTheEndsOfTheRadii) {
   properties::Stream stream = properties::stream_from(52);
   for (int i = 0; i < 4000; ++i) {

@@ -12,7 +12,7 @@
 #include "covers.hpp"
 #include "normalised_collision.hpp"
 
-/// Checks the judge's constants that are not in a header of bounds: stage.hpp, yardstick.hpp, sensitivity.hpp.
+/// Checks the constants of the judge in stage.hpp, yardstick.hpp and sensitivity.hpp.
 namespace carom::bounds {
 namespace {
 
@@ -42,21 +42,21 @@ TEST(JudgeBounds, TryApproximationsWhereTheyMayDecide) {
   EXPECT_TRUE(covers(oracles::least_allowance_for_approximations, most * u, 64));
 }
 
-/// The allowance times four sensitivities, as in the relation `homogeneous` (relations.cpp).
+/// The invariant `homogeneous` (relations.cpp) permits the allowance times four sensitivities.
 TEST(JudgeBounds, AllowAFiniteNumberOfModerateCollisions) {
   for (const double largest : {oracles::largest_scale_of_moderate, oracles::largest_sensitivity_of_moderate}) {
     EXPECT_LE(oracles::largest_allowance_for_bounds * (3 * largest + largest), std::numeric_limits<double>::max());
   }
 }
 
-/// The square of a derivative loses at most half the least number, and a norm has up to twelve squares. The norm is
-/// multiplied by up to 2 D for an orientation or the normal (three quantities), and by up to 3 M for the other 18
-/// quantities. D and M are the largest moderate direction and number.
+/// A square of a derivative loses at most half the least number, and a norm has up to twelve squares. D and M are the
+/// largest moderate direction and number. The norm is multiplied by ‖q‖: at most 2 D for the three directions, and 3 M
+/// for the other 18 quantities.
 TEST(JudgeBounds, KeepTenDigitsOfSumsBySquares) {
   const double lost = std::sqrt(12 * 0x1p-1074 / 2) *
                       (3 * 2 * oracles::largest_moderate_direction + 18 * 3 * oracles::largest_moderate);
   EXPECT_TRUE(covers(oracles::least_sum_by_squares, lost / oracles::ten_digits, 0x1p10));
-  // If squares overflow, the norm is at least 2^511. ‖q‖ is zero or at least 1/D.
+  // If squares overflow, the norm is at least 2⁵¹¹. ‖q‖ is zero or at least 1/D.
   EXPECT_LE(oracles::largest_sum_by_squares, 0x1p511 * oracles::smallest_moderate_direction);
   EXPECT_TRUE(covers(1e-10, oracles::ten_digits, 2));
 }

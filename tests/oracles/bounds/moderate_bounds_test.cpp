@@ -9,8 +9,8 @@
 #include "covers.hpp"
 #include "moderate_collisions.hpp"
 
-/// Checks the constants of oracles/filters/moderate.hpp by the inequalities (1) to (5) of is_moderate. The laws run
-/// over collisions whose numbers are all at the limits.
+/// Checks the constants of oracles/filters/moderate.hpp by the inequalities (1) to (5) of is_moderate, on collisions at
+/// the limits (moderate_collisions.hpp).
 namespace carom::bounds {
 namespace {
 
@@ -39,7 +39,7 @@ void for_each_law(const Collision& c, const Visit& visit) {
   visit(equation::Energy{});
 }
 
-/// Calls visit for the equations of second degree in the velocities after the impact.
+/// Calls visit for the equations that are quadratic in the outcome.
 template <class Visit>
 void for_each_law_of_friction(const Collision& c, const Visit& visit) {
   namespace equation = oracles::equation;
@@ -72,7 +72,6 @@ struct Largest {
   void note_way() { on_the_way = std::max(on_the_way, Magnitude::highest()); }
 };
 
-/// The scale of an equation at a corner, by the code that computes scales.
 template <class Equation>
 Magnitude scale_at(const Equation& equation, const Collision& c) {
   const auto length_of = [](const Magnitude& size) { return sqrt(size * size + size * size + size * size); };
@@ -102,8 +101,8 @@ TEST(ModerateBounds, CoverTheScaleOfEveryLaw) {
   EXPECT_LE(largest.on_the_way, std::log2(oracles::largest_on_the_way_of_moderate));
 }
 
-/// (2), (4) for friction: the scale is a number that the judge accepts, and evaluating both sides does not overflow. If
-/// a square in the scale's computation overflows in binary64, the scale is computed in extended.
+/// (2), (4) for friction: the judge accepts the scale, and evaluating an equation does not overflow. If a square
+/// within the scale overflows, the scale is computed in extended.
 TEST(ModerateBounds, CoverTheScaleOfFriction) {
   Largest largest;
   for (const Corner& corner : corners()) {
@@ -122,14 +121,13 @@ TEST(ModerateBounds, CoverTheScaleOfFriction) {
   EXPECT_LE(largest.on_the_way, std::log2(oracles::largest_on_the_way_of_moderate));
 }
 
-/// Σ_q ‖∂y/∂q‖ ‖q‖ of the components.
 Magnitude sensitivity(const std::vector<const MagnitudeDual*>& y, const std::vector<oracles::Quantity>& quantities) {
   return oracles::sum_over_quantities(quantities, y.size(),
                                       [&](std::size_t i, std::size_t j) { return y[i]->derivative[j]; });
 }
 
-/// (1), (3), (4) for the linear laws. `rough` combines two of them, and bounded_case_bounds.hpp covers the rest. Masses
-/// and moments occur only in denominators, so the smallest ones suffice.
+/// (1), (3), (4) for the linear laws. bounded_case_bounds.hpp covers `rough`, which combines two of them. Masses and
+/// moments occur only in denominators, so the smallest ones suffice.
 TEST(ModerateBounds, CoverTheSensitivityOfTheTruth) {
   Largest largest;
   const double log_of_lambda = -std::log2(oracles::largest_moderate_mass);
@@ -183,7 +181,8 @@ TEST(ModerateBounds, CoverWhatCramersRuleComputesOnTheWay) {
   }
 }
 
-/// (5): slopes are multiples of a power of two. Slopes with an inertia tensor are at least its largest moment.
+/// (5): slopes are multiples of a power of two, except slopes with an inertia tensor, which are at least its largest
+/// moment.
 TEST(ModerateBounds, CoverTheSlopesOfAffineEquations) {
   using T = oracles::Dual<Magnitude, oracles::outcome_inputs>;
   constexpr double tiny = oracles::smallest_moderate_direction;

@@ -6,8 +6,8 @@
 #include "covers.hpp"
 #include "support/rounding_count.hpp"
 
-/// Checks the constants of surely_near (properties/invariants/verdicts.hpp) by its inequalities (1) to (4), which
-/// define M, s, x and y. verdicts_test checks the conclusions of surely_near.
+/// Checks the constants of surely_near (properties/invariants/verdicts.hpp) by its inequalities (1) to (4) and
+/// nearness::distance_above, which define M, s, x and y.
 namespace carom::bounds {
 namespace {
 
@@ -15,18 +15,17 @@ namespace nearness = properties::nearness;
 
 constexpr double u_of_long_double = static_cast<double>(nearness::two_u) / 2;
 
-/// The number of roundings in the computed bound.
 int roundings_of_distance() {
   const Vector3<RoundingCount> any = Vector3<RoundingCount>::Constant(RoundingCount::input(3));
   return nearness::distance_above<RoundingCount>(any, any, RoundingCount::input(3)).roundings();
 }
 
-/// (3), (4): M (1 + 8u) is at least ‖x − y‖₁ despite its five roundings.
+/// (3), (4): M (1 + 8u) is at least ‖x − y‖₁ despite five roundings.
 TEST(NearnessBounds, RoundUpByMoreThanTheirRoundings) {
   EXPECT_TRUE(covers(static_cast<double>(nearness::up - 1), roundings_of_distance() * u_of_long_double, 2));
 }
 
-/// (1), (2), (4): 2u (s + ‖x‖₁), rounded down, covers the terms of ‖x‖₁ and of s. The term of s is the larger one.
+/// (1), (2), (4): 2u (s + ‖x‖₁), rounded down, covers the terms of ‖x‖₁ and, larger, of s.
 TEST(NearnessBounds, CoverTheRoundingOfTheVectorItself) {
   const double left_by_rounding = 1 - roundings_of_distance() * u_of_long_double - 4 * u_of_long_double;
   const double of_scale = std::sqrt(3) * (1 + 0x1p-50) * (1 + u_of_long_double) * u_of_long_double;

@@ -19,7 +19,6 @@ using oracles::Approximation;
 using oracles::Enclosure;
 using oracles::Rational;
 
-/// The largest number of components of a law's residual.
 constexpr std::size_t most_components = oracles::Components<double>::capacity;
 
 RoundingCount six_squares() {
@@ -32,7 +31,7 @@ RoundingCount six_squares() {
                                                     [](const RoundingCount& x) { return x; });
 }
 
-/// (3): Σ A² (1 + r) ≤ bound² (1 − r), and norm_above: √Σ A² (1 + r) + lost.
+/// (3): Σ A² (1 + r) ≤ bound² (1 − r) with r = `rounding`, and norm_above: √(Σ A²) (1 + r) + lost.
 TEST(NormBounds, RoundByMoreThanTheirRoundings) {
   const RoundingCount factor = RoundingCount::input(1 + norm_bounds::rounding);
   const RoundingCount bound = RoundingCount::input(3);
@@ -47,8 +46,7 @@ TEST(NormBounds, RoundByMoreThanHypotenuses) {
   EXPECT_TRUE(covers(norm_bounds::lost_by_hypotenuses, (most_components + 1) * 0x1p-1074, 4));
 }
 
-/// The square of a component loses at most half the least number. The sum of the losses is less than a rounding of the
-/// squared bound.
+/// A square loses at most half the least number. The sum of these losses is less than a rounding of bound².
 TEST(NormBounds, CoverWhatSquaresLose) {
   constexpr double squares_lose = most_components * 0x1p-1074;
   EXPECT_GE(norm_bounds::least_by_squares * norm_bounds::least_by_squares * u, squares_lose);
@@ -59,7 +57,7 @@ TEST(NormBounds, CoverWhatSquaresLose) {
   EXPECT_LT(oracles::largest_sum_of_squares, 0x1p+1023);
 }
 
-/// Returns whether the bounds decided.
+/// Returns whether the bounds decide, and expects the decision of ℚ.
 template <class T>
 bool expect_as_in_rationals(const std::array<double, 3>& vector, double bound) {
   const std::array<T, 3> known{T(vector[0]), T(vector[1]), T(vector[2])};
@@ -72,8 +70,8 @@ bool expect_as_in_rationals(const std::array<double, 3>& vector, double bound) {
   return decided.has_value();
 }
 
-/// Bounds of all sizes: in the range of squares, beyond it, and among the last subnormal numbers. There the hypotenuse
-/// of (1, 1) least numbers is one least number.
+/// Bounds in the range of squares, beyond it, and among the last subnormal numbers, where the hypotenuse of (1, 1)
+/// least numbers is one least number.
 TEST(NormBounds, DecideAsRationalsDo) {
   properties::Stream stream = properties::stream_from(61);
   for (const int exponent : {-1074, -1073, -1070, -1060, -1022, -540, -401, -399, 0, 399, 401, 900}) {

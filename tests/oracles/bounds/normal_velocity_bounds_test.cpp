@@ -8,8 +8,8 @@
 #include "support/exact.hpp"
 #include "support/rounding_count.hpp"
 
-/// Checks the constants of src/impulse/normal_velocity.hpp and guaranteed.hpp. normal_velocity.hpp states the
-/// inequalities (1) to (4) and defines T, S and ρ.
+/// Checks the constants of src/impulse/normal_velocity.hpp, which defines T, S and ρ in its inequalities (1) to (4),
+/// and of guaranteed.hpp.
 namespace carom::bounds {
 namespace {
 
@@ -49,8 +49,7 @@ TEST(NormalVelocityBounds, CountTheRoundingsOfATerm) {
   EXPECT_EQ(detail::roundings_of_normal_velocity, counted_normal_velocity().value.roundings());
 }
 
-/// (2), (3): T is summed in double, after a conversion from S. It is multiplied by 16 ρ and added to the bound of
-/// underflow.
+/// (2), (3): T is summed in double after a conversion from S, multiplied by 16 ρ, and added to the bound of underflow.
 TEST(NormalVelocityBounds, CoverTheRoundingsOfATermAndOfTheirSum) {
   const Counted counted = counted_normal_velocity();
   const int roundings_of_terms = counted.terms.roundings() + 3;
@@ -61,7 +60,7 @@ TEST(NormalVelocityBounds, CoverTheRoundingsOfATermAndOfTheirSum) {
   }
 }
 
-/// A product in DoubleDouble loses at most 7 u² (enclosure_bounds_test), and a sum loses less.
+/// A product in DoubleDouble loses at most 7 u² (enclosure_bounds_test), a sum less.
 TEST(NormalVelocityBounds, KnowTheRoundingOfDoubleDouble) {
   EXPECT_EQ(detail::unit_roundoff_of_double_double, 7 * u * u);
   EXPECT_GT(detail::unit_roundoff_of_double_double, 3 * u * u / (1 - 4 * u));
@@ -73,7 +72,7 @@ TEST(NormalVelocityBounds, CoverUnderflow) {
   EXPECT_GE(detail::underflow_of_normal_velocity, products * 0x1p-1074);
 }
 
-/// A known value is accurate to 2⁻⁵⁰. Its error is the largest share of the bound, and one rounding to double.
+/// A known value is accurate to 2⁻⁵⁰. Its error is a share of 10/16 of the bound, and one rounding to double.
 TEST(NormalVelocityBounds, KnowTwelveDigits) {
   const double share =
       static_cast<double>(detail::roundings_of_normal_velocity) / detail::covered_roundings_of_normal_velocity;
@@ -89,8 +88,7 @@ TEST(NormalVelocityBounds, CoverTheRoundingOfASlope) {
   EXPECT_TRUE(covers(detail::rounding_of_slope, of_slope * u / (1 - (of_slope + of_size) * u), 2));
 }
 
-/// The largest ratio of the error, against ℚ, to the bound. Covers numbers of all sizes, cancellation, and the end of
-/// the range.
+/// The largest ratio of the error, against ℚ, to the bound, with numbers of all sizes and cancellation.
 template <class S>
 double worst_share_of_bound(double rounding, int exponents) {
   double worst = 0;

@@ -5,12 +5,12 @@
 
 #include "support/rounding_count.hpp"
 
-/// A collision for counting roundings. Masses, moments, quaternions, lever arms and the normal have a length of at
-/// most one. No law's relative error depends on these lengths.
+/// A collision for counting roundings. Masses, moments, quaternions, lever arms and the normal have lengths of at most
+/// one, because relative errors do not depend on these lengths.
 namespace carom::bounds {
 
-/// T(x) for each number x. The bodies are at the origin, so P is the lever arm r = P − X. P counts as rounded once,
-/// which covers any cancellation of P and X.
+/// The bodies are at the origin, so P is the lever arm r = P − X. P counts as rounded once, which covers any
+/// cancellation in r.
 template <class T>
 [[nodiscard]] BasicCollision<T> normalised_collision() {
   BasicCollision<T> c;

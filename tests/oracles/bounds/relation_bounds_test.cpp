@@ -9,12 +9,11 @@
 
 #include "support/exact.hpp"
 
-/// Relations are invariants about the answers to related collisions (properties/invariants/relations.cpp). They round
-/// numbers to fewer bits, so that additions and multiplications are exact.
+/// Relations are invariants that compare answers to related collisions (properties/invariants/relations.cpp). They
+/// round numbers to fewer bits, so that the related collision is exact.
 namespace carom::bounds {
 namespace {
 
-/// The further collisions that a relation asks about.
 std::vector<Collision> asked_by(std::string_view relation, const Collision& collision) {
   const auto& about = std::get<properties::AboutRelation>(properties::invariant_named(relation)->about);
   return std::get<properties::AboutRelation::OfCollision>(about.ask)(collision);
@@ -28,7 +27,8 @@ Vector3<Rational> exact_difference(const Vector3<double>& x, const Vector3<doubl
   return exactly(x) - exactly(y);
 }
 
-/// 48 bits and an offset of the same size. Sums have at most 49 bits, and two more because the offset has a factor 3/4.
+/// A grid of 48 bits and an offset of the same size: sums have at most 49 bits, and two more by the factor 3/4 of the
+/// offset.
 TEST(RelationBounds, AddTheSameToEachVelocityAndPlace) {
   for (const auto& [family, one] : unit::valid_cases(40)) {
     const std::vector<Collision> moving = asked_by("galilean", one.collision);
@@ -55,7 +55,7 @@ TEST(RelationBounds, MultiplyVelocitiesByThree) {
   }
 }
 
-/// A normal of 20 bits plus a tangent of 20 bits, thirty places below.
+/// The normal and the tangent each have 20 bits, thirty places apart.
 TEST(RelationBounds, AddATangentialVelocity) {
   for (const auto& [family, one] : unit::valid_cases(40)) {
     if (one.collision.a.immovable && one.collision.b.immovable) {

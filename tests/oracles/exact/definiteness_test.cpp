@@ -22,13 +22,13 @@ ExactMatrix symmetric(const Rational& m00, const Rational& m10, const Rational& 
 
 ExactMatrix diagonal(const Rational& x, const Rational& y, const Rational& z) { return symmetric(x, 0, y, 0, 0, z); }
 
-/// L D Lᵀ with a unit lower triangular L. By Sylvester's law of inertia it has the definiteness of D.
+/// L D Lᵀ with a unit lower triangular L has the definiteness of D (Sylvester's law of inertia).
 ExactMatrix congruent_to(const ExactMatrix& d, properties::Stream& stream) {
   ExactMatrix l = ExactMatrix::Identity();
   for (const auto& [row, column] : {std::pair{1, 0}, std::pair{2, 0}, std::pair{2, 1}}) {
     l(row, column) = unit::exact_eighths(stream, 30);
   }
-  // Lᵀ … L is a second congruence, so that no order of the axes is special.
+  // A second congruence Lᵀ … L, so that no order of the axes is special.
   const ExactMatrix lower = l;
   return lower.transpose() * (lower * d * lower.transpose()) * lower;
 }
@@ -43,7 +43,7 @@ Matrix3<Enclosure> enclosed(const ExactMatrix& matrix) {
   return result;
 }
 
-/// All 27 combinations of signs of the three pivots, each under many congruences. The signs determine definiteness.
+/// All 27 combinations of signs of the three pivots, which determine definiteness, each under many congruences.
 TEST(Definiteness, FollowsFromTheSignsOfTheDiagonalByTheLawOfInertia) {
   properties::Stream stream = properties::stream_from(11);
   for (int x = -1; x <= 1; ++x) {
@@ -68,7 +68,7 @@ TEST(Definiteness, FollowsFromTheSignsOfTheDiagonalByTheLawOfInertia) {
 TEST(Definiteness, IsDecidedByEnclosuresWhereNoMinorVanishes) {
   EXPECT_EQ(is_positive_semidefinite(enclosed(symmetric(4, 1, 3, 1, 1, 2))), true);
   EXPECT_EQ(is_positive_semidefinite(enclosed(symmetric(4, 1, -3, 1, 1, 2))), false);
-  // Singular because 1/3 · 1/3 − 1/3 · 1/3 = 0, which no enclosure can prove.
+  // 1/3 · 1/3 − 1/3 · 1/3 = 0, which no enclosure can prove.
   const Rational third = ratio(1, 3);
   EXPECT_EQ(is_positive_semidefinite(enclosed(symmetric(third, third, third, 0, 0, 1))), std::nullopt);
 }
@@ -87,8 +87,7 @@ TEST(PositiveSemidefinite, IsNotFooledByLeadingMinorsThatVanish) {
   EXPECT_FALSE(is_positive_semidefinite(symmetric(1, 2, 1, 0, 0, 1)));
   EXPECT_FALSE(is_positive_semidefinite(symmetric(1, 0, 1, 2, 0, 1)));
   EXPECT_FALSE(is_positive_semidefinite(symmetric(1, 0, 1, 0, 2, 1)));
-  // All 2×2 minors are positive, but the determinant is negative: eigenvalues 1 + 2c = −1/5 and twice 1 − c, with
-  // c = −3/5.
+  // All 2×2 minors are positive, but not the determinant: eigenvalues 1 + 2c = −1/5 and twice 1 − c.
   const Rational c = ratio(-3, 5);
   EXPECT_FALSE(is_positive_semidefinite(symmetric(1, c, 1, c, c, 1)));
 }

@@ -4,7 +4,7 @@
 
 namespace carom::unit {
 
-/// An exact type: numbers agree only if they are equal.
+/// Numbers agree only if they are equal.
 template <>
 struct NumberType<Rational> {
   static Rational draw(properties::Stream& stream) { return ratio(stream.integer(-40, 40), stream.integer(1, 40)); }

@@ -29,7 +29,6 @@ Rational scaled(const Rational& p, int exponent) {
 
 Rational integer(const char* digits) { return Rational(digits); }
 
-/// Compares with integers: all fractions p/q and r/s of a few values.
 TEST(Rational, IsTheFieldOfFractions) {
   const auto fraction = [](long p, long q) { return Rational(static_cast<int>(p), static_cast<int>(q)); };
   for (long p = -3; p <= 3; ++p) {
@@ -105,6 +104,12 @@ TEST(Rational, TimesAPowerOfTwo) {
   }
 }
 
+TEST(Rational, HasARootOnlyIfItIsASquare) {
+  EXPECT_EQ(sqrt(Rational(9) / Rational(4)), Rational(3) / Rational(2));
+  EXPECT_EQ(sqrt(Rational(0)), Rational(0));
+  EXPECT_THROW(static_cast<void>(sqrt(Rational(2))), std::domain_error);
+}
+
 TEST(Lift, IsExactForDoubles) {
   EXPECT_EQ(lift(0.0L), 0);
   EXPECT_EQ(lift(-0.0L), 0);
@@ -137,7 +142,7 @@ TEST(Lift, IsExactForRandomBitsAndExponents) {
   for (int i = 0; i < 5000; ++i) {
     const std::uint64_t bits = stream.bits();
     const int exponent = stream.integer(-16445, 16319);
-    // ldexp rounds bits below the smallest subnormal. Only numbers without such bits are tested.
+    // ldexp rounds bits below the smallest subnormal. Numbers with such bits do not count.
     const long double number = std::ldexp(static_cast<long double>(bits), exponent);
     if (exponent < -16380 && std::ldexp(number, -exponent) != static_cast<long double>(bits)) {
       continue;
@@ -177,7 +182,7 @@ TEST(NearestDouble, IsExactForDoubles) {
   }
 }
 
-/// The mean of two neighbours rounds to the even one. A number next to the mean rounds to the nearer neighbour.
+/// The mean of two neighbours rounds to the even one, and a number next to the mean to the nearer one.
 void expect_ties_to_even(double lower, double upper, bool lower_is_even) {
   SCOPED_TRACE(lower);
   const Rational half = (Rational(lower) + Rational(upper)) / 2;
@@ -202,7 +207,6 @@ TEST(NearestDouble, BreaksTiesToEvenAmongSubnormalNumbers) {
   for (int k = 0; k < 20; ++k) {
     ASSERT_NO_FATAL_FAILURE(expect_ties_to_even(k * least, (k + 1) * least, k % 2 == 0));
   }
-  // The last subnormal number is odd, the first normal number is even.
   expect_ties_to_even(Limits::min() - least, Limits::min(), false);
 }
 
@@ -238,7 +242,6 @@ TEST(IsFinite, SeesEachComponent) {
       }
     }
   }
-  // Beyond binary64, but finite.
   outcome.b.velocity[1] = LongLimits::max();
   EXPECT_TRUE(is_finite(outcome));
 }

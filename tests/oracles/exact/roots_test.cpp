@@ -72,7 +72,7 @@ TEST(PositiveRoots, OfLowerDegreeMayHaveZeroAsLeadingCoefficient) {
   expect_positive_roots({Rational(2)}, {Rational(-2), Rational(1), Rational(0)});
 }
 
-/// A root at which `side` is zero does not count. A root at which `side` is slightly positive counts.
+/// A root counts only if `side` is positive there, however slightly.
 TEST(PositiveRoots, LieOnThePositiveSide) {
   const Rational near = Rational(2) - Rational(1).times_power_of_two(-200);
   const Coefficients polynomial = with_roots({Rational(1), Rational(2), Rational(4)});

@@ -20,8 +20,8 @@ namespace {
 
 using unit::ratio;
 
-/// The exact outcome rounded to binary64, with one vector moved by a multiple of its allowance. Both verdicts occur,
-/// and many outcomes are near the limit.
+/// The exact outcome rounded to binary64, with one vector moved by a multiple of its permitted error, so that both
+/// verdicts occur.
 ReportedOutcome perturbed(const ExactCase& exact_case, Law law, double allowance, properties::Stream& stream) {
   ReportedOutcome outcome =
       map_outcome<long double>(exact_case.nearest_truth(law), [](double x) { return static_cast<long double>(x); });
@@ -38,9 +38,9 @@ struct Counts {
   int violated = 0;
 };
 
-/// The printed numbers of a violation come from enclosures, if these decide. Enclosures are accurate to 2^-100 of the
-/// terms. A violation exceeds 32 ulps of the terms, which is 2^-59 in extended. So the numbers agree to 2 · 2^-100 /
-/// 2^-59 of the residual, and to an ulp.
+/// The printed numbers of a violation may come from enclosures, which are accurate to 2⁻¹⁰⁰ of the terms. A violation
+/// exceeds 32 ulps of the terms, at least 2⁻⁵⁹. So the numbers agree to 2 · 2⁻¹⁰⁰ / 2⁻⁵⁹ of the residual, and to an
+/// ulp.
 void expect_printed_alike(double filtered, double exact, double residual, const std::string& name) {
   constexpr double of_residual = 0x1p-99 / (default_limit_ulps * unit_roundoff(Precision::extended));
   if (filtered != exact) {
@@ -48,7 +48,6 @@ void expect_printed_alike(double filtered, double exact, double residual, const 
   }
 }
 
-/// One equation with the filter and without it.
 void expect_same_verdict(const std::string& name, const Equation& equation, Relation relation,
                          const ExactCase& exact_case, const LiftedOutcome& outcome, Yardstick yardstick,
                          std::map<std::string, Counts>& counts) {
@@ -113,7 +112,7 @@ TEST_P(Filter, DecidesAsExactArithmeticDoes) {
   EXPECT_GT(pairs, 4000);
   for (const auto& [name, count] : counts) {
     EXPECT_GT(count.holds, 20) << name;
-    EXPECT_GT(count.violated, 5) << name;  // a push is violated only if there is hardly any
+    EXPECT_GT(count.violated, 5) << name;  // `push` (N·F ≥ 0) fails only if N·F is nearly 0
   }
   EXPECT_EQ(counts.size(), 10U);
 }
@@ -136,7 +135,7 @@ TEST_P(Filter, AllowsTheSameErrorsAsExactArithmeticDoes) {
       for (const OutcomeVector k : all_outcome_vectors) {
         ++(by_rationals.allowed[k] ? counts.holds : counts.violated);
         // These numbers are only printed. If the filter decides, each component is accurate to a thousandth of itself
-        // or of the allowance.
+        // or of the permitted error.
         EXPECT_NEAR(by_filter.error[k], by_rationals.error[k],
                     0x1p-9 * (by_rationals.error[k] + filtered.allowance() * by_filter.sensitivity[k]))
             << family << ' ' << i;
@@ -150,7 +149,7 @@ TEST_P(Filter, AllowsTheSameErrorsAsExactArithmeticDoes) {
 INSTANTIATE_TEST_SUITE_P(Each, Filter, testing::Values(Precision::binary32, Precision::binary64, Precision::extended),
                          [](const auto& test) { return std::string(name_of(test.param)); });
 
-/// A ball hits a wall head-on. The allowance of the restitution is known by hand.
+/// A ball hits a wall head-on.
 TEST(Compare, AllowsWhatTheScaleSays) {
   Collision c;
   c.a.velocity = {0, -1, 0};
@@ -159,9 +158,9 @@ TEST(Compare, AllowsWhatTheScaleSays) {
   Yardstick yardstick;
   yardstick.unit_roundoff = 0x1p-53;
   yardstick.limit_ulps = 32;
-  // g = N·V⁺ + ε N·V⁻ with N = (0, 1, 0), V⁺ = (0, 1 + d, 0), V⁻ = (0, −1, 0), ε = 1. The terms |∂g/∂x||x| are: d for
-  // N (V⁺ + εV⁻ along y), 1 for ε, and 1 for v_A⁻. The outputs contribute ‖∂g/∂v_A⁺‖ (‖v_A⁺‖ + ‖v_A⁻‖) = 2 + d. w
-  // contributes nothing, because the lever arm is zero. The scale is 4 + 2d.
+  // The scale of g = N·V⁺ + ε N·V⁻ is 4 + 2 d for N = (0, 1, 0), V⁺ = (0, 1 + d, 0), V⁻ = (0, −1, 0) and ε = 1: d for
+  // N, 1 for ε, 1 for v_A⁻, and ‖v_A⁺‖ + ‖v_A⁻‖ = 2 + d for v_A⁺. The lever arm is zero, so w contributes nothing. d is
+  // negligible.
   const double allowed = yardstick.allowance() * 4;
   for (const auto& [deviation, holds] : std::vector<std::pair<double, bool>>{{0, true},
                                                                              {allowed * 0.99, true},
@@ -214,13 +213,13 @@ TEST(Compare, KnowsTheSideOfAnInequality) {
   }
 }
 
-/// A valid collision whose fields each have their own exponent, up to `most`.
+/// A valid collision whose fields have different exponents, up to `most`.
 Collision extreme_collision(properties::Stream& stream, int most) {
   const Collision c = unit::case_of("elastic", stream.bits() % 100).collision;
   return equality::scaled_fields(c, most, stream);
 }
 
-/// Judges collisions with exponents up to `most`, and exits with 0 if the filter made no difference.
+/// Judges collisions with exponents up to `most`, and exits with 0 if the filter makes no difference.
 void judge_extreme_collisions(int most) {
   Yardstick yardstick;
   yardstick.unit_roundoff = 0x1p-53;
@@ -246,14 +245,13 @@ void judge_extreme_collisions(int most) {
   std::exit(testing::Test::HasFailure() ? 1 : 0);
 }
 
-/// Runs in a separate process, because CGAL aborts it if an infinite double becomes a rational.
+/// Runs in a separate process, because CGAL aborts if an infinite double becomes a rational.
 TEST(Judge, SurvivesEveryValidCollision) {
   for (const int most : {50, 150, 300, 600, 1000}) {
     EXPECT_EXIT(judge_extreme_collisions(most), testing::ExitedWithCode(0), "") << "exponents up to " << most;
   }
 }
 
-/// A slip along each axis, and a lever arm off the normal along each axis.
 TEST(ExactCase, IsHeadOnOrCollinearOnlyIfNoComponentIsLeft) {
   for (const bool filtered : {true, false}) {
     for (int normal = 0; normal < 3; ++normal) {
@@ -276,8 +274,7 @@ TEST(ExactCase, IsHeadOnOrCollinearOnlyIfNoComponentIsLeft) {
   }
 }
 
-/// (3) of first_order_is_blind: w, r and N are parallel. A change of one quantity changes N·V⁻ by less than products
-/// of changes do.
+/// Condition (3) of docs/reference/yardstick.md#hard-cases: w, r and N are parallel.
 TEST(PermittedInputs, AreAskedForWhereABodySpinsAboutTheNormal) {
   Collision c;
   c.normal = {0, 0, 1};
@@ -299,8 +296,9 @@ TEST(NormAtMost, IsExactAtTheBound) {
   EXPECT_EQ(norm_at_most(std::vector<Enclosure>{3, 4}, 5), std::nullopt);
 }
 
-/// The ball rebounds with a change of 2 m/s, so an outcome wrong by 2 · 10⁻³ has a relative error of exactly 10⁻³. The
-/// next extended number exceeds this limit, although both relative errors round to the same number.
+/// The velocity changes by 2 m/s, so an outcome that is wrong by 2 · 10⁻³ m/s has a relative error of exactly 10⁻³, the
+/// limit of three digits. The next larger velocity in extended precision exceeds the limit, although both errors round
+/// to the same number.
 TEST(Accuracy, HasDigitsUpToTheLastBit) {
   Collision c;
   c.a.velocity = {0, -1, 0};
@@ -322,7 +320,7 @@ TEST(Accuracy, HasDigitsUpToTheLastBit) {
 }
 
 TEST(Accuracy, CountsUlpsAndDigits) {
-  // A unit mass hits a wall head-on at ε = 1: Δ = (0, 2, 0) for A. The outcome has an error of 2^-20.
+  // A unit mass hits a wall head-on at ε = 1. Its velocity changes by 2 m/s, and the outcome has an error of 2⁻²⁰ m/s.
   Collision c;
   c.a.velocity = {0, -1, 0};
   c.b.immovable = true;
@@ -342,28 +340,31 @@ TEST(Accuracy, CountsUlpsAndDigits) {
   EXPECT_EQ(exact.digits(), 40);
 }
 
-/// On both sides of limit · u · sensitivity, with the filter and without.
+/// Errors just below and just above the permitted error, limit_ulps · unit_roundoff · sensitivity.
 TEST(Accuracy, AllowsWhatTheYardstickSays) {
-  Collision c;
-  c.a.velocity = {0, -1, 0};
-  c.b.immovable = true;
-  const ExactCase exact_case(c);
-  for (const bool filtered : {false, true}) {
-    Yardstick yardstick;
-    yardstick.unit_roundoff = 0x1p-30;
-    yardstick.limit_ulps = 8;
-    yardstick.filtered = filtered;
-    const double allowed = 0x1p-27 * exact_case.sensitivity(Law::reflection, 0x1p-27)[OutcomeVector::velocity_of_a];
-    for (const double part : {-0.999, 0.999, -1.001, 1.001}) {
-      ReportedOutcome outcome;
-      outcome.a.velocity = {0, 1 + static_cast<long double>(part * allowed), 0};
-      const Accuracy result = accuracy(exact_case, Law::reflection, LiftedOutcome(outcome), yardstick);
-      EXPECT_EQ(result.allowed[OutcomeVector::velocity_of_a], std::abs(part) < 1) << part;
+  for (const double speed : {1.0, 0x1p200}) {
+    Collision c;
+    c.a.velocity = {0, -speed, 0};
+    c.b.immovable = true;
+    const ExactCase exact_case(c);
+    ASSERT_EQ(exact_case.bounds().is_moderate(), speed == 1);
+    for (const bool filtered : {false, true}) {
+      Yardstick yardstick;
+      yardstick.unit_roundoff = 0x1p-30;
+      yardstick.limit_ulps = 8;
+      yardstick.filtered = filtered;
+      const double allowed = 0x1p-27 * exact_case.sensitivity(Law::reflection, 0x1p-27)[OutcomeVector::velocity_of_a];
+      for (const double part : {-0.999, 0.999, -1.001, 1.001}) {
+        ReportedOutcome outcome;
+        outcome.a.velocity = {0, speed + static_cast<long double>(part * allowed), 0};
+        const Accuracy result = accuracy(exact_case, Law::reflection, LiftedOutcome(outcome), yardstick);
+        EXPECT_EQ(result.allowed[OutcomeVector::velocity_of_a], std::abs(part) < 1) << part;
+      }
     }
   }
 }
 
-/// A spin of binary32 that underflows has an error of half of η, the least number, regardless of its own size.
+/// A spin that underflows in binary32 has an error of half of η, the least number, whatever its size.
 TEST(Yardstick, KnowsWhatUnderflowTakes) {
   constexpr long double least = std::numeric_limits<float>::denorm_min();
   Collision c;
@@ -390,7 +391,7 @@ TEST(Yardstick, KnowsWhatUnderflowTakes) {
   }
 }
 
-/// limit · u of binary32 times a finite scale overflows, so neither the filtered nor the exact judge decides.
+/// The allowance times a finite scale overflows, so neither the filtered nor the exact judge decides.
 TEST(Range, AnAllowanceThatOverflowsDecidesNothing) {
   Collision c;
   c.a.mass = 0x1p500;
@@ -426,7 +427,7 @@ TEST(Range, AnAllowanceThatOverflowsDecidesNothing) {
   }
 }
 
-/// If the allowance times the scale underflows, it loses digits or is zero.
+/// If the allowance times the scale underflows, the product loses digits or is zero.
 TEST(Range, AnAllowanceThatUnderflowsDecidesNothing) {
   Yardstick yardstick;
   yardstick.unit_roundoff = unit_roundoff(Precision::binary64);
@@ -443,8 +444,8 @@ TEST(Range, AnAllowanceThatUnderflowsDecidesNothing) {
   EXPECT_EQ(Yardstick().allowed(0x1p-1074), 0);
 }
 
-/// A ball that slides along a wall and approaches it by less than rounding. The law `sticking` stops the slip or leaves
-/// it, and both outcomes are accepted. An outcome between the two is not.
+/// A ball slides along a wall and approaches it by less than rounding. The law `sticking` stops the slip or leaves it.
+/// Either outcome passes, but no outcome between them.
 TEST(Accuracy, TakesEitherOfTwoAnswers) {
   Yardstick yardstick;
   yardstick.unit_roundoff = 0x1p-53;
@@ -476,7 +477,7 @@ TEST(Accuracy, TakesEitherOfTwoAnswers) {
   }
 }
 
-/// If an outcome equals one of the two answers exactly, that answer is reported, although the other also passes.
+/// An outcome that equals one of the two answers is compared with this answer, although it also passes by the other.
 TEST(Accuracy, IsThatOfTheNearerAnswer) {
   Yardstick yardstick;
   yardstick.unit_roundoff = 0x1p-53;
@@ -493,8 +494,8 @@ TEST(Accuracy, IsThatOfTheNearerAnswer) {
       0);
 }
 
-/// A body that moves with a moving wall, so that the energy has no slopes. The rounding of the body's velocity is far
-/// larger than its change by the impulse.
+/// A body moves with a moving wall, so the first derivatives of the energy vanish. Rounding of the velocity exceeds its
+/// change by the impulse.
 TEST(Compare, AllowsTheEnergyWhatRoundingOfVelocitiesMakes) {
   Yardstick yardstick;
   yardstick.unit_roundoff = 0x1p-24;
@@ -516,10 +517,10 @@ TEST(Compare, AllowsTheEnergyWhatRoundingOfVelocitiesMakes) {
   EXPECT_FALSE(holds());
 }
 
-/// A ball keeps its velocity of length 5 and gains d across the normal: F = m (d, 0, 0), g = ‖N × F‖² = (N m d)² and
-/// N·F = 0. The allowance divided by (N m)² is a times a sum of four terms. v⁻ contributes 10 d. v⁺ contributes 20 d,
-/// because its uncertainty is the sum of both lengths. m and N contribute 2 d² each, which is negligible. The square
-/// of the uncertainty of F contributes a 10² (1 + μ²). With μ = 7, d² ≤ a (30 d + 5000 a) gives d ≤ 87.3 a.
+/// A ball keeps its velocity of length 5 and gains the velocity d across the normal. With n = ‖N‖, F = m (d, 0, 0) has
+/// N·F = 0 and ‖N × F‖² = (n m d)². With the allowance α, the permitted residual is (n m)² α times a sum. The sum is 10
+/// d for v⁻, 20 d for v⁺ (its uncertainty has both lengths), negligible 4 d² for m and N, and 100 α (1 + μ²) for the
+/// square of the uncertainty of F. With μ = 7, d² ≤ α (30 d + 5000 α) gives d ≤ 87.3 α.
 TEST(Compare, AllowsTheFrictionConeWhatRoundingOfTheImpulseMakes) {
   Yardstick yardstick;
   yardstick.unit_roundoff = 0x1p-53;
@@ -546,10 +547,10 @@ TEST(Compare, AllowsTheFrictionConeWhatRoundingOfTheImpulseMakes) {
   }
 }
 
-/// A ball slips a little: F = (d, 0, 2), and ‖N × F‖ = d is below an ulp of binary64 of its velocity v. With μ
-/// N·F = d − t a the two sides differ by 2 d t a − (t a)². The allowance is the sum of three terms: a times 2 d (‖v⁺‖
-/// + 2 ‖v⁻‖) for the velocities; a times 4 d for N; 7.3 a² for the square of the uncertainty of F. Since a = d / 16,
-/// the sum is 12.5 d a. So t ≤ 8.5 passes.
+/// With F = (d, 0, 2), d is below an ulp of binary64 of the velocity. The allowance is α = d / 16, and μ N·F = d − t α.
+/// The residual ‖N × F‖² − (μ N·F)² = d² − (d − t α)² is (2 t − t² / 16) d α. The permitted residual is 12.5 d α. Its
+/// parts, over d α, are 8.1 for the velocities (2 ‖v⁺‖ + 4 ‖v⁻‖), 4 for N, and 0.5 (7.3 α / d) for the square of the
+/// uncertainty of F. So t ≤ 8.5 passes.
 TEST(Compare, AllowsTheFrictionConeAllDigitsOfExtended) {
   Yardstick yardstick;
   yardstick.unit_roundoff = unit_roundoff(Precision::extended);

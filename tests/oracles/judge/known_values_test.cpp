@@ -14,9 +14,8 @@
 
 #include "support/known_collisions.hpp"
 
-/// The judge's numbers for a few collisions. Users rely on the allowance, so an outcome that passes today must pass
-/// tomorrow. A deliberate change of a number also changes known_values.txt and docs/CHANGELOG.md. The other tests show
-/// why the numbers are right.
+/// The judge's numbers for a few collisions. Users rely on them, because an outcome that passes must pass in the next
+/// release. A deliberate change of a number also changes known_values.txt and docs/CHANGELOG.md.
 namespace carom::oracles {
 namespace {
 
@@ -40,7 +39,6 @@ void append(std::vector<double>& numbers, const PerVector<double>& more) {
   numbers.insert(numbers.end(), more.begin(), more.end());
 }
 
-/// The velocities before the impact, each with a multiple of a fixed vector added.
 ReportedOutcome moved(const Collision& c, double times) {
   Outcome<double> outcome = unchanged(c);
   const std::array<Vector3<double>, 4> by{Vector3<double>{5, 16, -3}, {2, -7, 1}, {-6, -11, 4}, {8, 3, -1}};
@@ -80,8 +78,8 @@ std::vector<Asked> asked_equations() {
   return all;
 }
 
-/// The residual of each equation and its allowance for three outcomes: moved far, moved far in the opposite direction,
-/// and moved a little.
+/// The residual and the permitted residual of each equation for three outcomes: moved far, far in the opposite
+/// direction, and a little.
 void add_comparisons(const KnownCollision& known, double allowance, std::vector<KnownLine>& lines) {
   const ExactCase exact_case(known.collision);
   for (const double times : {1.0, -1.0, 0x1p-12}) {
@@ -98,7 +96,6 @@ void add_comparisons(const KnownCollision& known, double allowance, std::vector<
   }
 }
 
-/// For each law: `is_grazing`, `has_two_answers`, `is_open`, sensitivities, and the accuracy of some outcomes.
 void add_accuracies(const KnownCollision& known, double allowance, std::vector<KnownLine>& lines) {
   const ExactCase exact_case(known.collision);
   for (const Law law : laws_with_truth) {

@@ -11,8 +11,8 @@
 
 #include "support/exact.hpp"
 
-/// The exact effect of the laws on kinetic energy (docs/findings/note.md). ΔE is the energy gained by the movable
-/// bodies minus the work of a moving wall.
+/// The exact change ΔE of kinetic energy by the laws: the gain of the movable bodies minus the work of a moving wall
+/// (docs/findings/note.md).
 namespace carom::oracles {
 namespace {
 
@@ -25,7 +25,7 @@ Rational energy_change(const BasicCollision<Rational>& c, const Outcome<Rational
   return sides.left[0] - sides.right[0];
 }
 
-/// Colliding or not: the formulas hold for N·V⁻ of either sign.
+/// Some do not collide, because the formulas hold for N·V⁻ of either sign.
 std::vector<BasicCollision<Rational>> collisions() {
   std::vector<BasicCollision<Rational>> result;
   for (std::uint64_t i = 0; i < 300; ++i) {
@@ -40,7 +40,7 @@ std::vector<BasicCollision<Rational>> collisions() {
   return result;
 }
 
-/// ΔE = ½ F·(V⁻ + V⁺): the work of any impulse at the mean velocity of the contact.
+/// ΔE = ½ F·(V⁻ + V⁺), for any impulse F.
 TEST(Energy, IsTheWorkOfTheImpulseAtTheMeanVelocity) {
   for (const auto& c : collisions()) {
     for (const Law law : linear_laws) {
@@ -51,7 +51,6 @@ TEST(Energy, IsTheWorkOfTheImpulseAtTheMeanVelocity) {
   }
 }
 
-/// ½ m v² + ½ wᵀ J w before and after, by definition.
 TEST(Energy, GainIsTheDifferenceOfTheEnergies) {
   for (const auto& c : collisions()) {
     const Truth<Rational> truth = colliding_truth(c, Law::reflection, Branch::only);
@@ -78,8 +77,8 @@ TEST(Energy, IsLostByTheFrictionlessLawAsTheFormulaSays) {
   }
 }
 
-/// Reflection: with A = K⁻¹, ΔE = (1+ε)/2 · [(ε−1) v_n² A₀₀ − 2 v_n v_t A₀₁] in the basis {N, T0, T1}. Independent of
-/// the basis and of the length of N, v_n² A₀₀ = (N·V⁻)² NᵀAN/(N·N)² and v_n v_t A₀₁ = (N·V⁻) NᵀAV_T/(N·N).
+/// Reflection: with A = K⁻¹, ΔE = (1+ε)/2 · [(ε−1) v_n² A₀₀ − 2 v_n v_t A₀₁] in the basis {N, T0, T1}. In any basis,
+/// and for N of any length, v_n² A₀₀ = (N·V⁻)² NᵀAN/(N·N)² and v_n v_t A₀₁ = (N·V⁻) NᵀAV_T/(N·N).
 TEST(Energy, ChangesUnderReflectionAsTheFormulaSays) {
   for (const auto& c : collisions()) {
     const ExactVector n = c.normal;
@@ -95,8 +94,8 @@ TEST(Energy, ChangesUnderReflectionAsTheFormulaSays) {
   }
 }
 
-/// At ε = 1 the formula is odd in V_T. If two contacts slide in opposite directions, one gains the energy that the
-/// other loses.
+/// At ε = 1 the formula is odd in V_T, so one of two contacts that slide in opposite directions gains what the other
+/// loses.
 TEST(Energy, IsCreatedByReflectionInExactlyOneOfTwoOppositeSlips) {
   int created = 0;
   for (std::uint64_t i = 0; i < 100; ++i) {
@@ -120,13 +119,12 @@ int creations(const char* family, int cases) {
   return count;
 }
 
-/// By the symmetry of the test above, half of all contacts create energy if V_T is as likely as −V_T. Independent
-/// velocities make this nearly true. Of 1000 contacts the expectation is 500, with a standard deviation of √(1000/4) =
-/// 15.8. The test allows five standard deviations.
+/// By the symmetry of the test above, half of all contacts create energy if V_T is as likely as −V_T. The test allows
+/// five standard deviations √(1000/4) = 15.8.
 TEST(Energy, IsCreatedByReflectionInAboutHalfOfElasticContacts) { EXPECT_NEAR(creations("elastic", 1000), 500, 79); }
 
-/// Except for the factor 1 + ε > 0, ΔE is linear in ε. The term that favours creation, −2 v_n v_t A₀₁, does not
-/// depend on ε. So a contact that creates energy at ε = 0 also creates it at ε = 1.
+/// Up to the factor 1 + ε > 0, ΔE is linear in ε, and its term −2 v_n v_t A₀₁ that may create energy does not depend on
+/// ε. So a contact that creates energy at ε = 0 also creates it at ε = 1.
 TEST(Energy, IsCreatedByReflectionAtRestitutionOneWhereverItIsAtZero) {
   int created = 0;
   for (std::uint64_t i = 0; i < 300; ++i) {
@@ -140,9 +138,8 @@ TEST(Energy, IsCreatedByReflectionAtRestitutionOneWhereverItIsAtZero) {
   EXPECT_GT(created, 0);
 }
 
-/// At ε = 0 energy is created if 2 v_t A₀₁ > |v_n| A₀₀, which is rarer than at ε = 1 and depends on the distribution.
-/// In the family `inelastic` the counted share is a quarter. Of 1000 contacts the expectation is 250, with a standard
-/// deviation of √(1000·3/16) = 13.7. The test allows five standard deviations.
+/// At ε = 0 energy is created if 2 v_t A₀₁ > |v_n| A₀₀: for a quarter of the family `inelastic`, by counting. The test
+/// allows five standard deviations √(1000·3/16) = 13.7.
 TEST(Energy, IsCreatedByReflectionInAboutAQuarterOfInelasticContacts) {
   EXPECT_NEAR(creations("inelastic", 1000), 250, 68);
 }
@@ -155,8 +152,9 @@ TEST(Energy, IsLostByStickingWithoutRestitution) {
   }
 }
 
-/// For given N·V⁻ and A = K⁻¹, the least V⁻ᵀ A V⁻ is (N·V⁻)²/(NᵀKN), so ΔE ≤ ½ (N·V⁻)² (ε² NᵀAN/(N·N)² − 1/(NᵀKN)).
-/// This is never positive if ε² (NᵀAN) (NᵀKN) ≤ (N·N)². Otherwise the slip of least energy makes it positive.
+/// Sticking: for given N·V⁻ and A = K⁻¹, the least V⁻ᵀ A V⁻ is (N·V⁻)²/(NᵀKN). So ΔE ≤ ½ (N·V⁻)² (ε² NᵀAN/(N·N)² −
+/// 1/(NᵀKN)). This is never positive if ε² (NᵀAN) (NᵀKN) ≤ (N·N)². Otherwise the slip of least energy makes it
+/// positive.
 TEST(Energy, IsCreatedByStickingFromARestitutionOn) {
   int can_create = 0;
   for (BasicCollision<Rational> c : collisions()) {
@@ -165,7 +163,7 @@ TEST(Energy, IsCreatedByStickingFromARestitutionOn) {
     const Rational length = n.dot(n);
     const Rational product = n.dot(impulse::Ldlt::solve<Rational>(k, n)) * n.dot(ExactVector(k * n));
     const ExactVector v = unit::velocity_before(c);
-    // The slip of least energy has V⁻ along K N, the change by the frictionless law.
+    // The slip of least energy has V⁻ along K N.
     const ExactVector least = k * n * Rational(n.dot(v) / n.dot(ExactVector(k * n)));
     (c.a.immovable ? c.b : c.a).velocity += (c.a.immovable ? Rational(-1) : Rational(1)) * ExactVector(least - v);
     const Rational change = energy_change(c, colliding_truth(c, Law::sticking, Branch::only).outcome);
@@ -176,8 +174,7 @@ TEST(Energy, IsCreatedByStickingFromARestitutionOn) {
   EXPECT_GT(can_create, 0);
 }
 
-/// Counts the contacts in which sticking creates energy or pulls. General bodies pull, and create energy if ε > 0.
-/// Spheres do neither.
+/// Sticking between general bodies pulls (N·F < 0), and creates energy if ε > 0. Spheres do neither.
 TEST(Energy, IsCreatedByStickingInSomeContactsAndPulledInSome) {
   for (const char* family : {"elastic", "inelastic", "physical", "collinear_spheres"}) {
     int creates = 0;
@@ -195,8 +192,8 @@ TEST(Energy, IsCreatedByStickingInSomeContactsAndPulledInSome) {
   }
 }
 
-/// (NᵀAN) (NᵀKN) ≤ (κ + 1)²/(4κ) (N·N)² (Kantorovich). The condition number κ of K is at most 16 for convex uniform
-/// bodies, and for any uniform body that is star-shaped from the contact point. So no energy is created for ε ≤ 8/17.
+/// (NᵀAN) (NᵀKN) ≤ (κ + 1)²/(4κ) (N·N)² for the condition number κ of K and A = K⁻¹ (Kantorovich). κ is at most 16 for
+/// convex uniform bodies. So sticking creates no energy for ε ≤ 8/17.
 TEST(Energy, IsNeverCreatedByStickingConvexBodiesBelowEightSeventeenths) {
   for (std::uint64_t i = 0; i < 200; ++i) {
     BasicCollision<Rational> c = lift(unit::case_of("physical", i).collision);

@@ -8,7 +8,6 @@
 
 #include "support/exact.hpp"
 
-/// The number and the properties of the answers of the law `coulomb`.
 namespace carom::oracles {
 namespace {
 
@@ -25,7 +24,7 @@ TEST(CoulombAnswers, StickWhereFrictionSuffices) {
   EXPECT_TRUE(same(answers[0].truth.impulse, unit::ExactVector(1, 6, 0)));
 }
 
-/// F = (3/4, 6, 0), V⁺ = (−3/4, 2, 0), so ν = 1.
+/// F = (3/4, 6, 0) and V⁺ = V⁻ + K F = (−3/4, 2, 0), so ν = 1.
 TEST(CoulombAnswers, SlideWhereItDoesNot) {
   const auto answers = coulomb_answers(lift(ball_on_a_plane(0.125)));
   ASSERT_EQ(answers.size(), 1U);
@@ -39,7 +38,7 @@ TEST(CoulombAnswers, AreFrictionlessWithoutFriction) {
   EXPECT_TRUE(same(answers[0].truth.impulse, unit::ExactVector(0, 6, 0)));
 }
 
-/// The impulse of an answer satisfies the definition of the law, up to the accuracy of its slip resistance ν.
+/// The answer satisfies the definition of the law, up to the accuracy of its slip resistance ν.
 void expect_lawful(const Collision& collision, const CoulombAnswer& answer) {
   const BasicCollision<Rational> c = lift(collision);
   const Vector3<Rational>& f = answer.truth.impulse;
@@ -59,7 +58,7 @@ void expect_lawful(const Collision& collision, const CoulombAnswer& answer) {
   EXPECT_LE(abs(Rational(friction.dot(friction) - limit * limit)), (limit * limit).times_power_of_two(-100));
 }
 
-/// Every collision has an answer, by the theorem in coulomb.hpp.
+/// Every collision has an answer, by a theorem (docs/guide/laws.md#coulomb).
 TEST(CoulombAnswers, ExistAndSatisfyTheLaw) {
   int slides = 0;
   int several = 0;

@@ -16,8 +16,7 @@
 #include "support/exact.hpp"
 #include "support/forward_differentiation.hpp"
 
-/// The truth (exact answer) of the law `rough`: `certify_rough`, and values computed by hand. models/rough.hpp defines
-/// the symbols.
+/// The truth (exact answer) of the law `rough`. models/rough.hpp defines the symbols.
 namespace carom::oracles {
 namespace {
 
@@ -30,7 +29,7 @@ Collision ball_on_a_plane() { return unit::ball_on_a_plane(0.4, 0); }
 TEST(Rough, SticksWhereFrictionSuffices) {
   Collision c = ball_on_a_plane();
   c.a.principal_inertia.setConstant(0.5);  // K = diag(3, 1, 3), D = (1, 0, 0)
-  c.friction = 0.25;                       // times 6, the normal impulse: 3/2
+  c.friction = 0.25;                       // F = (3/2, 6, 0) lies on the surface: μ · 6 = 3/2
   c.tangential_restitution = 0.5;
   const ExactCase exact_case(c);
   EXPECT_EQ(exact_case.branch(Law::rough), Branch::inside_cone);
@@ -54,7 +53,7 @@ TEST(Rough, SlidesWhereItDoesNot) {
   EXPECT_EQ(truth.outcome.a.angular_velocity[2], Radical(ratio(3, 2)));
 }
 
-/// Elimination computes the parts without any formula of the truth. Inside the cone, the share κ is 1 + e_t.
+/// Inside the cone F = (1 + ε) P_I + (1 + e_t) (P_II − P_I). `truth_by_elimination` shares no formula with the truth.
 TEST(Rough, IsCombinedOfWhatEliminationFinds) {
   int inside = 0;
   for (const auto& [family, one] : unit::valid_cases(20)) {
@@ -75,7 +74,7 @@ TEST(Rough, IsCombinedOfWhatEliminationFinds) {
   EXPECT_GT(inside, 100);
 }
 
-/// Certifies each case: the residuals of its definition are zero in ℚ(√s).
+/// A case throws if its truth does not satisfy the law exactly in ℚ(√s).
 TEST(Rough, IsCertifiedOnBothSidesOfTheCone) {
   int on_cone = 0;
   int irrational = 0;
@@ -95,7 +94,7 @@ TEST(Rough, IsCertifiedOnBothSidesOfTheCone) {
   EXPECT_GT(irrational, 100);
 }
 
-/// Inputs that `certify_rough` rejects: each of its four requirements is violated separately.
+/// Inputs that violate the conditions of `certify_rough` one by one.
 class CertifiedRough : public testing::Test {
  protected:
   CertifiedRough() {
@@ -109,7 +108,7 @@ class CertifiedRough : public testing::Test {
   [[nodiscard]] Outcome<Rational> after(const Vector3<Rational>& impulse) const {
     return sum(unchanged(exact), response<Rational>(exact, impulse));
   }
-  /// The error that `certify_rough` reports for the outcome of an impulse.
+  /// The error of `certify_rough` for the outcome of an impulse.
   [[nodiscard]] std::string said_of(const Vector3<Rational>& impulse) const {
     try {
       certify_rough(exact, after(impulse), parts);
@@ -149,8 +148,8 @@ TEST_F(CertifiedRough, IsMadeOfTheAnswersOfItsLaws) {
             "the truth does not satisfy the angular momentum of A");
 }
 
-/// A body whose contact slips with (1, 0, 0) and approaches by the rounding of its own spin: V⁻ = (1, −2⁻⁵³, 0). Up
-/// to that rounding D = (−5/8, 3/8, 0), which is in the cone from μ = 5/3 on.
+/// A contact that slips with (1, 0, 0) and approaches by a rounding error: V⁻ = (1, −2⁻⁵³, 0). Up to this error P_I = 0
+/// and D = P_II = (−5/8, 3/8, 0). D lies in the cone if μ ≥ 5/3.
 Collision approached_by_rounding(double friction) {
   Collision c;
   c.a.principal_inertia.setConstant(1.0 / 6);
@@ -219,7 +218,7 @@ TEST(Rough, IsAsSensitiveAtTheSurfaceAsOnEitherSide) {
   }
 }
 
-/// At μ = 0, P_II and the cone have no influence, although P_II turns the body.
+/// Without friction P_II has no influence, although it would turn the body.
 TEST(Rough, IsFrictionlessWithoutFriction) {
   Collision c = ball_on_a_plane();
   c.tangential_restitution = 0.5;
@@ -234,7 +233,7 @@ TEST(Rough, IsFrictionlessWithoutFriction) {
   EXPECT_FALSE(ExactCase(grazing).has_two_answers(Law::rough, allowance));
 }
 
-/// F = (3/2, 6, 0) with κ = 1 + e_t, μ = 1/8.
+/// With κ = 1 + e_t, F = (3/2, 6, 0). So |μ N·F − ‖N × F‖| = |6/8 − 3/2| = 3/4.
 TEST(ConeDistance, IsHowFarTheImpulseIsFromTheSurface) {
   Collision c = ball_on_a_plane();
   c.a.principal_inertia.setConstant(0.5);
@@ -257,7 +256,6 @@ double exact_distance(const Collision& collision) {
   return std::abs(to_double(Radical(limit - Radical::root_of(cone.left[0]))));
 }
 
-/// ConeDistance::sensitivity by forward differentiation of the whole law.
 double band_by_forward_differentiation(const Collision& collision) {
   using T = unit::EnclosedDual;
   const auto inputs = unit::enclosed_inputs(collision);
@@ -271,9 +269,8 @@ double band_by_forward_differentiation(const Collision& collision) {
          unit::sensitivity_above({&tangential[0], &tangential[1], &tangential[2]}, inputs.quantities);
 }
 
-/// Compares implicit differentiation in binary64 and in enclosures with forward differentiation of the whole law. The
-/// sensitivity agrees to a thousandth, its required accuracy. The distance agrees to the digits that enclosures keep
-/// for κ(K) < 2²⁰.
+/// Implicit differentiation, in binary64 and in enclosures, agrees with forward differentiation of the whole law. The
+/// required accuracy of a sensitivity is a thousandth.
 TEST(ConeDistance, IsTheSameBothWays) {
   int compared = 0;
   for (const auto& [family, one] : unit::valid_cases(20)) {
@@ -290,7 +287,8 @@ TEST(ConeDistance, IsTheSameBothWays) {
     const double exact = exact_distance(one.collision);
     for (const double distance : {quick.distance, enclosed.distance}) {
       EXPECT_LE(distance, exact) << family;
-      // A lower bound is rounded down by 2⁻⁴⁸ of itself (enclosure.hpp), and enclosures have an error of 2⁻¹⁰⁰ κ(K).
+      // A lower bound is rounded down by 2⁻⁴⁸ of itself (enclosure.hpp). Enclosures have an error of 2⁻¹⁰⁰ times the
+      // condition number of K, which is below 2²⁰.
       EXPECT_GE(distance, (1 - 0x1p-47) * exact - 0x1p-80 * band) << family;
     }
     ++compared;
@@ -318,7 +316,7 @@ TEST(Radical, IsAFieldWithAnOrder) {
   EXPECT_EQ(to_text(x), "3 + -2 √(2)");
 }
 
-/// 665857/470832 differs from √2 by 1.6 × 10⁻¹². The digits that cancel are not lost.
+/// 665857/470832 differs from √2 by 1.6 × 10⁻¹².
 TEST(Radical, IsRoundedWithoutCancellation) {
   const Radical near = Radical::root_of(Rational(2)) - Radical(ratio(665857, 470832));
   const Rational product = near.rational_part() * near.rational_part() - Rational(2);

@@ -24,10 +24,9 @@ namespace {
 
 using ExactDual = Dual<Radical, collision_inputs>;
 
-/// The branch that the law takes, as if the contact collided.
+/// The branch of the law, as if the contact collided.
 Branch branch_of(const Collision& collision, Law law) { return ExactCase(collision).branch(law); }
 
-/// The law's answer with its exact derivatives, and their inputs.
 struct Differentiated {
   Differentiated(const Collision& collision, Law law)
       : truth(colliding_truth(
@@ -57,7 +56,7 @@ struct Differentiated {
   std::vector<Radical> numbers;
 };
 
-/// Four cases of families, one of them with a moving wall, and six collisions of small dyadic numbers.
+/// Four cases, one with a moving wall, and six collisions of small dyadic numbers.
 std::vector<Collision> binary64_collisions() {
   std::vector<Collision> result{unit::case_of("elastic", 0).collision, unit::case_of("driven_wall", 0).collision,
                                 unit::case_of("sliding", 0).collision, unit::case_of("sticking", 0).collision};
@@ -68,7 +67,7 @@ std::vector<Collision> binary64_collisions() {
   return result;
 }
 
-/// Σ_j degree x_j ∂y/∂x_j = d y for each component y. d is the degree of velocities or that of angular velocities.
+/// Checks euler_sum(y) = d y for each component y, with the degree d of velocities or of angular velocities.
 template <class Degree>
 void expect_homogeneous(const Degree& degree, int of_velocity, int of_angular_velocity) {
   for (const Collision& collision : binary64_collisions()) {
@@ -120,7 +119,7 @@ TEST(Derivatives, SumToNothingOverTheLengthOfAnOrientation) {
                      0);
 }
 
-/// The length of a quantity by definition. For positions of movable bodies it includes the extent.
+/// The length of a quantity by definition (docs/reference/yardstick.md).
 double length_by_definition(const Collision& collision, const FieldPath& of, const std::vector<double>& numbers) {
   double squares = 0;
   for (const double x : numbers) {
@@ -136,7 +135,7 @@ double length_by_definition(const Collision& collision, const FieldPath& of, con
   return std::sqrt(squares) + std::sqrt(std::max(least, 0.0) / (2 * body.mass));
 }
 
-/// The sensitivity by definition: exact derivatives, with each norm and the sum rounded.
+/// The sensitivity from exact derivatives, with each norm and the sum rounded.
 Sensitivity sensitivity_by_definition(const Collision& collision, Law law) {
   const Differentiated differentiated(collision, law);
   const Outcome<double> before = unchanged(collision);
@@ -162,8 +161,8 @@ Sensitivity sensitivity_by_definition(const Collision& collision, Law law) {
   return result;
 }
 
-/// In binary64 each operation loses κ(K) u. Here κ < 2^20, and fewer than 2^7 operations depend on one another, so
-/// the sums are accurate to 2^(20 + 7 − 53).
+/// In binary64 each operation loses κ(K) u, with the condition number κ(K) < 2²⁰. Fewer than 2⁷ operations depend on
+/// one another, so the sums are accurate to 2^(20 + 7 − 53).
 TEST(Sensitivity, IsTheSumOfTheExactDerivatives) {
   constexpr double relative = 0x1p-26;
   std::vector<Collision> all = binary64_collisions();
@@ -188,7 +187,6 @@ TEST(Sensitivity, IsTheSumOfTheExactDerivatives) {
   EXPECT_GT(colliding, 5);
 }
 
-/// The sensitivity by forward differentiation of the whole law, in enclosures.
 Sensitivity sensitivity_by_forward_differentiation(const Collision& collision, Law law, Branch branch) {
   const auto inputs = unit::enclosed_inputs(collision);
   const auto truth = colliding_truth(inputs.collision, law, branch);
@@ -200,8 +198,7 @@ Sensitivity sensitivity_by_forward_differentiation(const Collision& collision, L
   return result;
 }
 
-/// Compares implicit differentiation with forward differentiation of the whole law. The tolerance is the loss of
-/// binary64 for κ(K) < 2^20 and for cancelling spins of slender bodies.
+/// The tolerance is the loss of binary64 for κ(K) < 2²⁰ and for cancelling spins of slender bodies.
 TEST(Sensitivity, IsTheSameByImplicitDifferentiation) {
   constexpr double relative = 0x1p-24;
   std::size_t compared = 0;
@@ -236,7 +233,7 @@ TEST(Sensitivity, IsTheSameByImplicitDifferentiation) {
   EXPECT_GT(compared, 400U);
 }
 
-/// T / λ of growth_of_roundings: at least κ(K).
+/// T / λ of growth_of_roundings, which is at least κ(K).
 double growth(const Collision& c) {
   double lambda = 0;
   double arms = 0;
@@ -249,8 +246,8 @@ double growth(const Collision& c) {
   return 1 + arms / lambda;
 }
 
-/// Double-double arithmetic has fewer than 2⁹ roundings of 2⁻¹⁰² each, times their growth. Binary64 adds eight
-/// roundings for the sum. The radii alone give a weaker bound.
+/// Double-double arithmetic loses fewer than 2⁹ roundings of 2⁻¹⁰² each, times their growth. Binary64 adds eight
+/// roundings.
 TEST(Sensitivity, IsKnownWhereTheMatrixIsNearlySingular) {
   std::size_t compared = 0;
   std::size_t unknown_by_radii = 0;
@@ -278,7 +275,6 @@ TEST(Sensitivity, IsKnownWhereTheMatrixIsNearlySingular) {
   EXPECT_GT(unknown_by_radii, 2U);
 }
 
-/// Thinner and thinner bodies, until the sensitivity is unknown.
 TEST(Sensitivity, IsNoneWhereRoundingsGrowTooMuch) {
   Collision c;
   c.a.orientation = {3, 1, 2, 1};
@@ -292,8 +288,8 @@ TEST(Sensitivity, IsNoneWhereRoundingsGrowTooMuch) {
   }
 }
 
-/// On the cone's surface D = P_II − P_I and the divisor of `rough` cancel. Double-double arithmetic does not keep three
-/// digits here, although κ(K) is only 2⁶⁴.
+/// The divisor of `rough` on the cone's surface cancels. Double-double arithmetic does not keep three digits, although
+/// κ(K) is below 2⁶⁶.
 TEST(Sensitivity, IsNoneWhereTheDivisorOfFrictionCancels) {
   Collision c;
   c.a.principal_inertia = {4.8104236488202286e-20, 1, 1.25};
@@ -311,7 +307,7 @@ TEST(Sensitivity, IsNoneWhereTheDivisorOfFrictionCancels) {
   EXPECT_FALSE(enclosed_sensitivity(c, Law::rough, Branch::on_cone, true));
 }
 
-/// The collision `huge` is `plain` in other units: masses times 2⁶⁰⁰ and velocities times 2³⁰⁰.
+/// `huge` is `plain` in other units: masses times 2⁶⁰⁰ and velocities times 2³⁰⁰.
 TEST(Sensitivity, HasNoUnits) {
   const auto named = [](const std::string& name) {
     for (const unit::KnownCollision& one : unit::known_collisions()) {
@@ -336,8 +332,7 @@ TEST(Sensitivity, HasNoUnits) {
   }
 }
 
-/// The moments of inertia are far too small for the lever arm, which is along the normal up to rounding. Binary64
-/// keeps no digit of r × N.
+/// The lever arm is along the normal up to rounding, and long for the moments. Binary64 keeps no digit of r × N.
 TEST(Sensitivity, IsKnownWhereTheLeverArmIsAlongTheNormal) {
   for (const double length : {1.0, 1e3, 1e6}) {
     Collision c;
@@ -359,7 +354,7 @@ TEST(Sensitivity, IsKnownWhereTheLeverArmIsAlongTheNormal) {
   }
 }
 
-/// A thin body, κ(K) = 2^60: double-double arithmetic keeps more digits than binary64 has.
+/// A thin body with κ(K) = 2⁶⁰. Double-double arithmetic keeps more digits than binary64 has.
 TEST(Sensitivity, IsKnownForThinBodiesToo) {
   Collision c;
   c.a.principal_inertia = {1, 0x1p-60, 1};
@@ -395,8 +390,8 @@ TEST(Sensitivity, IsAtLeastItsLowerBound) {
   EXPECT_GT(moderate, 1000);
 }
 
-/// If nothing happens, y = y⁻. The derivative of a vector by itself has the Frobenius norm √3, so the sensitivity is √3
-/// ‖y‖ + ‖y‖.
+/// If nothing happens, y = y⁻. The derivative of y by itself has the Frobenius norm √3, so the sensitivity is √3 ‖y‖ +
+/// ‖y‖.
 TEST(Sensitivity, IsThatOfTheIdentityWhereNothingHappens) {
   const Collision c = unit::case_of("separating", 0).collision;
   const ExactCase exact_case(c);
@@ -404,12 +399,12 @@ TEST(Sensitivity, IsThatOfTheIdentityWhereNothingHappens) {
   const Sensitivity& actual = exact_case.sensitivity(Law::frictionless, 0x1p-48);
   const Vector3<double>& v = c.b.velocity;
   const double expected = (std::sqrt(3.0) + 1) * std::sqrt(v.dot(v));
-  // At most eight roundings of positive terms. The second order adds the allowance times the possible change by an
-  // impulse.
+  // At most eight roundings. The second order adds the allowance times the possible change by an impulse.
   EXPECT_NEAR(actual[OutcomeVector::velocity_of_b], expected, 0x1p-50 * expected + 0x1p-48 * 64 * expected);
 }
 
-/// N = (1, 1, 0), V = (1, −1 ∓ 2^-40, 0): N·V = ∓2^-40, and ‖V‖ ‖N‖ + ‖N‖ ‖v_A‖ is slightly more than 4.
+/// N = (1, 1, 0) and V⁻ = (1, −1 ∓ 2⁻⁴⁰, 0), so N·V⁻ = ∓2⁻⁴⁰. Its sensitivity ‖V⁻‖ ‖N‖ + ‖N‖ ‖v_A‖ is slightly more
+/// than 4.
 TEST(Grazing, IsWithinTheAllowanceOfTheInputs) {
   for (const double side : {-1.0, 1.0}) {
     Collision c;
@@ -423,7 +418,6 @@ TEST(Grazing, IsWithinTheAllowanceOfTheInputs) {
   }
 }
 
-/// The edge of the grazing band (`is_grazing`) agrees with forward differentiation.
 TEST(Grazing, TakesEveryDerivativeOfTheNormalVelocity) {
   int seen = 0;
   for (const auto& [family, one] : unit::valid_cases(4)) {
@@ -433,7 +427,7 @@ TEST(Grazing, TakesEveryDerivativeOfTheNormalVelocity) {
     const double sensitivity = sensitivity_of({&velocity}, inputs.quantities);
     EXPECT_NEAR(exact_case.normal_velocity_sensitivity(), sensitivity, 0x1p-40 * sensitivity) << family;
     const double edge = std::abs(velocity.value) / sensitivity;
-    // If N·V⁻ cancels, its own rounding moves the edge. If the first order is blind there, an enclosure decides.
+    // If N·V⁻ cancels, its own rounding moves the edge. For hard cases an enclosure decides.
     if (exact_case.approach() == Approach::inert || !(edge > 0x1p-20) ||
         exact_case.permitted_inputs(edge * (1 - 0x1p-20)) != nullptr) {
       continue;
@@ -445,7 +439,7 @@ TEST(Grazing, TakesEveryDerivativeOfTheNormalVelocity) {
   EXPECT_GE(seen, 4);
 }
 
-/// The derivative by the position of A exceeds binary64. That position is zero, so it does not contribute to the sum.
+/// The derivative by the position of A exceeds binary64, but the position is zero and contributes nothing.
 TEST(Grazing, LeavesZerosOutHoweverSteepTheLawIsThere) {
   Collision c;
   c.normal = {1e200, 0, 0};
@@ -459,7 +453,7 @@ TEST(Grazing, LeavesZerosOutHoweverSteepTheLawIsThere) {
   EXPECT_FALSE(exact_case.is_grazing(0x1p-56));
 }
 
-/// A contact that separates by less than the allowance gets the sensitivity of a collision.
+/// A contact that separates by less than the allowance has the sensitivity of a collision.
 TEST(Grazing, TakesTheSensitivityOfTheCollidingAnswer) {
   Collision c;
   c.normal = {1, 1, 0};

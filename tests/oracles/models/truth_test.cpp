@@ -28,7 +28,7 @@ void expect_same_truth(const Collision& collision, const std::string& what) {
   }
 }
 
-/// Neither computation uses the sign of N·V⁻, so resting and separating contacts are compared as well.
+/// Neither computation uses the sign of N·V⁻, so resting and separating contacts count as well.
 TEST(Truth, EqualsEliminationOnSmallDyadicNumbers) {
   for (std::uint64_t i = 0; i < 2000; ++i) {
     properties::Stream stream = properties::stream_from(50000 + i);
@@ -50,8 +50,8 @@ TEST(Truth, RefusesTheLawThatDeterminesNoOutcome) {
   EXPECT_THROW((void)truth_by_elimination(exact, Law::any), std::invalid_argument);
 }
 
-/// A ball of mass 2 and moments 1 falls with (1, −4, 0) on a fixed plane, ε = 1/2. Without friction the impulse is (0,
-/// 12, 0) and the outcome (1, 2, 0). If the ball sticks, K F = (−1, 6, 0) with K = diag(3/2, 1/2, 3/2).
+/// A ball of mass 2 and moments 1 falls with (1, −4, 0) on a fixed plane, ε = 1/2. Without friction F = (0, 12, 0) and
+/// the ball leaves with (1, 2, 0). If the ball sticks, K F = (−1, 6, 0) with K = diag(3/2, 1/2, 3/2).
 TEST(Truth, IsWhatATextbookSays) {
   Collision c;
   c.a.mass = 2;
@@ -100,7 +100,7 @@ TEST(Approach, IsTheSignOfTheExactNormalVelocity) {
   }
 }
 
-/// N·V⁻ = ±2^-150 or 0 beside terms of size 1 is beyond double-double, so the exact sign must decide.
+/// The terms of N·V⁻ have size 1, and the sum is ±2⁻¹⁵⁰ or 0, beyond double-double.
 TEST(Approach, IsDecidedExactlyWhereEnclosuresCannot) {
   for (const int sign : {-1, 0, 1}) {
     Collision c;
@@ -111,7 +111,6 @@ TEST(Approach, IsDecidedExactlyWhereEnclosuresCannot) {
   }
 }
 
-/// Contacts of two movable bodies, and of one movable body and a wall.
 std::vector<Collision> contacts_to_certify() {
   std::vector<Collision> contacts;
   for (const char* family : {"elastic", "inelastic", "immovable_a", "immovable_b", "driven_wall", "zero_lever"}) {
@@ -153,7 +152,6 @@ TEST(Certify, NoticesEachCorruptedComponentWhereNothingHappens) {
   }
 }
 
-/// The error that certify reports; "" if there is none.
 std::string reproach(const BasicCollision<Rational>& exact, Law law, const Outcome<Rational>& outcome) {
   try {
     certify(exact, law, Approach::colliding, outcome);
@@ -192,7 +190,7 @@ TEST(Certify, NeedsTheImmovableBodyToBeUntouched) {
   }
 }
 
-/// Only A gets an impulse, as if B were a wall. The outcome satisfies A's laws and every condition on V⁺.
+/// Only A gets an impulse, as if B were a wall. Each condition on A and on V⁺ holds.
 TEST(Certify, NeedsLinearMomentum) {
   const BasicCollision<Rational> c = lift(unit::case_of("elastic", 0).collision);
   BasicCollision<Rational> against_a_wall = c;

@@ -19,7 +19,7 @@ struct Approximated {
   Rational exact;
 };
 
-/// Checks |x − middle| ≤ radius, and the bounds of the size and the sign of x that follow from it.
+/// Checks |x − middle| ≤ radius, and the bounds of size and sign.
 testing::AssertionResult contains(const Approximated& both) {
   const Approximation& x = both.approximate;
   if (!std::isfinite(x.radius()) || !std::isfinite(x.middle())) {
@@ -51,7 +51,6 @@ Approximated expression(properties::Stream& stream, int depth, int exponents, in
   Approximated x = expression(stream, depth - 1, exponents, operations, decided);
   Approximated y = expression(stream, depth - 1, exponents, operations, decided);
   if (stream.chance(6) && std::isfinite(x.approximate.middle())) {
-    // Near cancellation.
     y = {Approximation(x.approximate.middle()), Rational(x.approximate.middle())};
   }
   Approximated result;
@@ -114,7 +113,7 @@ TEST(Approximation, GoesToEnclosuresAndBack) {
 const Rational& nearly(const Rational& x) { return x; }
 Rational nearly(const Radical& x) { return approximately(x); }
 
-/// The refined result contains the truth, and is nearly as accurate as double-double arithmetic.
+/// The refined result contains the truth, nearly as accurately as double-double arithmetic.
 TEST(RefinedTruth, ContainsTheTruth) {
   int good = 0;
   int all = 0;
@@ -149,7 +148,7 @@ TEST(RefinedTruth, ContainsTheTruth) {
   EXPECT_GT(good, all / 10 * 9);
 }
 
-/// low² ≤ x ≤ high² for every x within the radius. The test checks both ends.
+/// low² ≤ x ≤ high² at both ends of the radius.
 TEST(Approximation, ContainsSquareRoots) {
   properties::Stream stream = properties::stream_from(61);
   for (int i = 0; i < 2000; ++i) {

@@ -23,7 +23,6 @@ TEST(Dual, DifferentiatesARationalFunctionAsByHand) {
     }
     const D dx = D::input(x, 0);
     const D dy = D::input(y, 1);
-    // f = (x² y + 3x − 5) / (x − y²)
     const D f = (dx * dx * dy + D(3) * dx - D(5)) / (dx - dy * dy);
     const Rational top = x * x * y + 3 * x - 5;
     EXPECT_EQ(f.value, top / d);
@@ -47,7 +46,7 @@ TEST(Dual, GivesConstantsNoDerivative) {
   EXPECT_EQ(D().value, 0);
 }
 
-/// Returns the same object in a way that causes no compiler warning.
+/// x, in a way that causes no compiler warning.
 const D& itself(const D& x) { return x; }
 
 TEST(Dual, SurvivesBeingItsOwnOperand) {
@@ -69,7 +68,7 @@ TEST(Dual, SurvivesBeingItsOwnOperand) {
   EXPECT_EQ(quotient.derivative[0], 0);
 }
 
-/// A polynomial of degree one in each variable, so a difference quotient with any step equals the derivative.
+/// A polynomial of degree one in each variable, so that any difference quotient equals the derivative.
 template <class T>
 T multilinear(const std::array<T, 4>& x) {
   return x[0] * x[1] * x[2] - T(7) * x[1] * x[3] + (x[0] - T(2)) * (x[3] + T(1)) / T(3) + x[2];
@@ -95,7 +94,6 @@ TEST(Dual, EqualsTheDifferenceQuotientOfWhatIsLinear) {
   }
 }
 
-/// Dual numbers in Eigen's products, as in the equations.
 TEST(Dual, GoesThroughEigen) {
   using D3 = Dual<Rational, 3>;
   const Vector3<D3> x{D3::input(1, 0), D3::input(2, 1), D3::input(3, 2)};

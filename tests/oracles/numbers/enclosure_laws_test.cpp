@@ -5,7 +5,7 @@
 
 namespace carom::unit {
 
-/// A type with a bound: numbers agree if they differ by at most the sum of both bounds.
+/// Numbers agree if they differ by at most the sum of their bounds.
 template <>
 struct NumberType<oracles::Enclosure> {
   using T = oracles::Enclosure;

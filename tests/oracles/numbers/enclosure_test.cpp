@@ -23,7 +23,7 @@ struct Both {
   Rational exact;
 };
 
-/// magnitude_below ≤ |x| ≤ magnitude_above, and the sign is right if it is given.
+/// Checks magnitude_below ≤ |x| ≤ magnitude_above, and the sign if it is given.
 testing::AssertionResult encloses(const Both& both) {
   const Rational magnitude = abs(both.exact);
   const double above = both.enclosed.magnitude_above();
@@ -40,8 +40,8 @@ testing::AssertionResult encloses(const Both& both) {
   return testing::AssertionSuccess();
 }
 
-/// A sharper test of the radius: the difference to the number itself must not exclude zero. The test applies only if
-/// the number's own enclosure is accurate to 2^-100.
+/// A sharper test of the radius: x minus its exact value must not exclude zero. It applies only if the exact value has
+/// an enclosure that is accurate to 2⁻¹⁰⁰.
 testing::AssertionResult contains(const Both& both) {
   const double rounded = std::abs(to_double(both.exact));
   if (!(rounded > 0x1p-800 && rounded < 0x1p800)) {
@@ -67,7 +67,7 @@ Both leaf(properties::Stream& stream, int exponents) {
       return {Enclosure(x), lift(x)};
     }
     case 2: {
-      // Separate tests cover smaller and larger rationals.
+      // Separate tests cover other rationals.
       const int inside = std::clamp(exponent, -900, 900);
       const Rational x = ratio(stream.integer(-(1 << 30), 1 << 30), stream.integer(1, 1 << 30)) * two_to(inside);
       return {Enclosure(x), x};
@@ -84,7 +84,6 @@ struct Count {
   int decided = 0;  // the sign is given
 };
 
-/// Computes x op y in both arithmetics and checks the result.
 Both combined(const Both& x, const Both& y, int operation, Count& count) {
   Both result;
   switch (operation) {
@@ -118,7 +117,7 @@ Both expression(properties::Stream& stream, int depth, int exponents, Count& cou
   }
   const Both x = expression(stream, depth - 1, exponents, count);
   if (stream.chance(6)) {
-    // Near cancellation: the number minus its own leading bits, or minus nearly itself.
+    // Near cancellation: x minus its leading bits, or minus nearly itself.
     const double leading = to_double(x.exact);
     if (std::isfinite(leading) && (leading == 0 || std::abs(leading) > Limits::min())) {
       const double trifle = std::ldexp(leading, -stream.integer(40, 110));
@@ -173,7 +172,6 @@ TEST(Enclosure, RefusesWhatOverflows) {
     EXPECT_EQ(overflown.sign(), std::nullopt);
     EXPECT_EQ(overflown.magnitude_below(), 0);
     EXPECT_EQ(overflown.magnitude_above(), Limits::infinity());
-    // The same holds for every result computed from it.
     EXPECT_EQ((overflown + Enclosure(1)).sign(), std::nullopt);
     EXPECT_EQ((Enclosure(1) / overflown).sign(), std::nullopt);
     EXPECT_EQ((overflown - overflown).sign(), std::nullopt);
@@ -195,7 +193,7 @@ TEST(Enclosure, DoesNotCallATinyProductZero) {
   EXPECT_EQ((tiny * Enclosure(0)).sign(), 0);
 }
 
-/// Extended numbers have a wider range than binary64 on both sides.
+/// A long double has a wider range than binary64.
 TEST(Enclosure, ContainsExtendedNumbersOfEveryExponent) {
   properties::Stream stream = properties::stream_from(31);
   for (int i = 0; i < 5000; ++i) {
@@ -227,7 +225,7 @@ TEST(Enclosure, ContainsRationalsBelowTheRangeOfBinary64) {
   }
 }
 
-/// Runs in a separate process, because CGAL aborts it if an infinite double becomes a rational.
+/// Runs in a separate process, because CGAL aborts if an infinite double becomes a rational.
 TEST(Enclosure, RefusesRationalsAboveTheRangeOfBinary64) {
   const auto encloses_huge = [] {
     const Rational x = two_to(1100);
@@ -236,7 +234,7 @@ TEST(Enclosure, RefusesRationalsAboveTheRangeOfBinary64) {
   EXPECT_EXIT(encloses_huge(), testing::ExitedWithCode(0), "");
 }
 
-/// low² ≤ x ≤ high² for every x within the radius. The test checks both ends.
+/// low² ≤ x ≤ high² at both ends of the radius.
 TEST(Enclosure, ContainsSquareRoots) {
   properties::Stream stream = properties::stream_from(61);
   for (int i = 0; i < 2000; ++i) {

@@ -31,7 +31,7 @@ Finding find(const Subject& subject, std::string_view invariant, const std::stri
 
 Subject frictionless() { return subject("frictionless", Law::frictionless, impulse::frictionless<double>); }
 
-/// The frictionless law with the restitution added twice.
+/// Adds the restitution twice.
 Subject bouncing_twice() {
   return subject("bouncing", Law::frictionless, [](impulse::Contact<double> contact) {
     contact.restitution *= 2;
@@ -103,7 +103,7 @@ TEST(Finding, SaysWhereASubjectRemembers) {
   expect_in(finding.text, {"it keeps state from earlier collisions"});
 }
 
-/// No suite of a sound solver is skipped as a whole: each invariant is tested in some family.
+/// For a sound subject, each invariant is tested in some family.
 class SoundSuite : public testing::TestWithParam<Subject> {};
 
 TEST_P(SoundSuite, HoldsAndTestsEachInvariant) {

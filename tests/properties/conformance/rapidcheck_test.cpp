@@ -16,7 +16,7 @@
 #include <carom/properties/search/shrink.hpp>
 #include <carom/rapidcheck.hpp>
 
-/// The generators that a user's properties draw from.
+/// Tests the generators that a user's properties draw from.
 namespace carom {
 namespace {
 
@@ -41,7 +41,7 @@ std::vector<std::uint64_t> bits_of(const Collision& collision) {
   return bits;
 }
 
-/// The case that the gate draws from random words, if the words give the same answers to the family's questions.
+/// The case that the gate draws if its random words give the same answers to the family's questions.
 Case drawn_by_words(const Family& family, const std::vector<properties::Choice>& choices) {
   std::vector<std::uint64_t> words;
   for (const auto& [question, answer] : choices) {
@@ -56,12 +56,12 @@ Case drawn_by_words(const Family& family, const std::vector<properties::Choice>&
   return drawn;
 }
 
-/// The case with the same choices, except for plain numbers (Stream::plainly).
+/// The case with the same choices, but no plain number (Stream::plainly).
 ChosenCase without_plainness(const Family& family, ChosenCase chosen) {
   const auto is_plain = [](const properties::Choice& choice) {
     return choice.question.is_of_plainness && choice.answer == 1;
   };
-  // Other numbers may lead to other choices, so this repeats until none is plain.
+  // Other numbers may lead to other choices, so this repeats.
   while (std::any_of(chosen.choices.begin(), chosen.choices.end(), is_plain)) {
     for (properties::Choice& choice : chosen.choices) {
       choice.answer = is_plain(choice) ? 0 : choice.answer;
@@ -73,8 +73,7 @@ ChosenCase without_plainness(const Family& family, ChosenCase chosen) {
 
 class EachFamily : public testing::TestWithParam<const Family*> {};
 
-/// Shrinks cases of many sizes. The family's definition draws each simpler case from its choices. If no number is
-/// plain, the gate also draws the case from words.
+/// The family draws each simpler case from its choices. Without plain numbers, the gate draws it too.
 TEST_P(EachFamily, ShrinksToWhatItCouldDraw) {
   const Family& family = *GetParam();
   rc::Random random(1);
@@ -83,7 +82,6 @@ TEST_P(EachFamily, ShrinksToWhatItCouldDraw) {
     ChosenCase chosen = properties::chosen_case(
         family.generate, [&] { return random.next(); }, size);
     while (true) {
-      // Takes one of the next simpler cases at random, to try many paths.
       properties::SimplerCases simpler(family.generate, chosen, random.next() % 1000);
       std::optional<ChosenCase> next = simpler.next();
       if (!next) {
@@ -102,7 +100,6 @@ TEST_P(EachFamily, ShrinksToWhatItCouldDraw) {
   EXPECT_GT(shrunk, 20);
 }
 
-/// From size `whole_size` on, the gate can draw the case too.
 TEST_P(EachFamily, IsTheGatesAtFullSize) {
   rc::Random random(2);
   for (int i = 0; i < 20; ++i) {
@@ -115,7 +112,7 @@ TEST_P(EachFamily, IsTheGatesAtFullSize) {
 INSTANTIATE_TEST_SUITE_P(Of, EachFamily, testing::ValuesIn(each_family()),
                          [](const auto& test) { return std::string(test.param->name); });
 
-/// Visits values of a generator at all sizes. From each value it visits the first simpler value, and repeats.
+/// Visits values of a generator at all sizes, and the first simpler values of each value.
 template <class Visit>
 void visit_shrunk(const rc::Gen<Collision>& generator, int values, Visit visit) {
   rc::Random random(3);
@@ -129,7 +126,6 @@ void visit_shrunk(const rc::Gen<Collision>& generator, int values, Visit visit) 
   }
 }
 
-/// Each shrunk collision keeps the promise of its family.
 TEST(Shrinking, KeepsWhatFamiliesPromise) {
   using Promise = bool (*)(const Collision&);
   const std::map<std::string_view, Promise> promises{
@@ -176,7 +172,7 @@ TEST(Generators, AreOneForEachFamilyByItsName) {
   EXPECT_THROW((void)gen::with_feature("a.nothing"), std::invalid_argument);
 }
 
-/// The number of nonzero numbers of a collision.
+/// The count of nonzero numbers in a collision.
 long numbers_of(const Collision& collision) {
   const std::vector<std::uint64_t> bits = bits_of(collision);
   return static_cast<long>(bits.size()) - std::count(bits.begin(), bits.end(), 0U);
@@ -191,11 +187,11 @@ TEST(Generators, GiveSimpleCollisionsAtSmallSizes) {
       complexities[i] += properties::complexity(gen::generic()(random.split(), sizes[i]).value());
     }
   }
-  // At size 2, one choice in 25 is free, so only a few of 50 numbers are not plain.
+  // At size 2, one choice in 25 is free, so few numbers are not plain.
   EXPECT_LT(complexities[0], complexities[2] / 8);
   EXPECT_LT(complexities[0], complexities[1]);
   EXPECT_LT(complexities[1], complexities[2]);
-  // At size 0 these are not zero: two masses, twice three moments, two orientations, a normal.
+  // These are not zero at size 0: two masses, twice three moments, two orientations, a normal.
   EXPECT_EQ(numbers_of(gen::generic()(rc::Random(6), 0).value()), 11);
 }
 

@@ -39,7 +39,6 @@ std::set<std::string_view> families_of(const std::vector<Statement>& all) {
   return names;
 }
 
-/// Sets an environment variable during its lifetime.
 class Given {
  public:
   Given(const char* name, const char* text) : name_(name) { setenv(name, text, 1); }

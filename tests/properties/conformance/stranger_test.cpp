@@ -14,7 +14,7 @@ namespace {
 
 bool fails(const Collision& collision) { return !properties::non_penetrating_post_velocity(my_solver, collision); }
 
-/// Shrinks like RapidCheck: moves to the first simpler value that also fails, and repeats.
+/// Moves to the first simpler value that also fails, as RapidCheck does.
 Collision shrunk(rc::Shrinkable<Collision> failing) {
   auto shrinks = failing.shrinks();
   while (auto next = shrinks.next()) {
@@ -26,8 +26,7 @@ Collision shrunk(rc::Shrinkable<Collision> failing) {
   return failing.value();
 }
 
-/// The numbers that a person has to write down: those that are neither 0 nor a default of `Body`. An orientation (w,
-/// 0, 0, 0) counts as a default.
+/// The count of numbers that are neither 0 nor a default of `Body`. An orientation (w, 0, 0, 0) counts as a default.
 int numbers_to_write(const Collision& collision) {
   int count = 0;
   for_each_number(
@@ -40,8 +39,7 @@ int numbers_to_write(const Collision& collision) {
   return count;
 }
 
-/// The solver is wrong if a spin moves one body towards the other. That takes one component of each of N, r and w.
-/// Every other number may be 0 or a unit.
+/// The solver is wrong if a spin moves one body towards the other. One component each of N, r and w suffices.
 constexpr int most_numbers = 3;
 
 TEST(StrangersSolver, IsShrunkToACollisionThatFitsOnPaper) {

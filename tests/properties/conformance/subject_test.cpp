@@ -18,7 +18,7 @@ Answer answer_of(const Subject& subject, const Collision& collision) {
   return session(std::span(&collision, 1)).at(0);
 }
 
-/// Two balls meet along y at 1 m/s. The second is at rest.
+/// A ball hits a resting ball along y at 1 m/s.
 Collision along_y() {
   Collision collision;
   collision.a.position = {0, 1, 0};
@@ -56,7 +56,6 @@ TEST(CallableSubject, TakesContactsOfEachScalarAndCollisions) {
   }
 }
 
-/// Callables that return a collision matrix report it. Other callables report no matrix.
 TEST(CallableSubject, MayShowItsCollisionMatrix) {
   const auto shown = [](const auto& contact) -> SolvedOutcome<float> {
     const auto see = impulse::collision_matrix(contact);

@@ -8,7 +8,7 @@
 #include <carom/impulse/frictionless.hpp>
 #include <carom/impulse/reflection.hpp>
 
-/// Suites as a user instantiates them, several in one program.
+/// Several suites in one program, as users instantiate them.
 namespace carom::conformance {
 namespace {
 
@@ -21,7 +21,6 @@ CAROM_CONFORMANCE(ReflectionInFloat,
                                  [](const auto& contact) { return impulse::reflection<impulse::Ldlt>(contact); }),
                   few);
 
-/// The tests of a suite that GoogleTest knows.
 std::set<std::string> tests_of(const std::string& suite_name) {
   std::set<std::string> names;
   const testing::UnitTest& program = *testing::UnitTest::GetInstance();

@@ -24,7 +24,6 @@ using properties::Ruling;
 
 using JudgedProperty = Ruling (*)(const ReportedOutcome&, const Collision&, const Precision&);
 
-/// Judges one of the three properties of a known answer.
 template <class Judge>
 Ruling of_answer(const Judge& judge, const ReportedOutcome& answer, const Collision& collision, Precision precision) {
   return judge([&](const Collision&) { return answer; }, collision, precision);
@@ -42,7 +41,7 @@ const std::map<std::string_view, JudgedProperty>& judged_properties() {
   return all;
 }
 
-/// A subject, one session of it, and the number of its answers that a property judged.
+/// A subject, one session of it, and the number of its answers in a property's domain.
 struct Solver {
   Subject subject;
   Session session;
@@ -50,7 +49,7 @@ struct Solver {
 
   explicit Solver(const Subject& of) : subject(of), session(of.open()) {}
 
-  /// The violation by the subject's answer, in words. Empty if there is none, or if the subject cannot take the case.
+  /// The violation in words. Empty if there is none, or if the subject cannot take the case.
   [[nodiscard]] std::string violation(std::string_view property, const Collision& collision) {
     const Answer answer = session(std::span(&collision, 1)).at(0);
     if (std::holds_alternative<Skipped>(answer)) {
@@ -100,7 +99,7 @@ RC_GTEST_PROP(EverySolver, ConservesMomentum, (const Collision& collision)) {
   expect_of_every_solver("momentum_conservation", collision);
 }
 
-/// The three properties are not vacuous: of a hundred collisions, more than ten are in each property's domain.
+/// More than ten of a hundred collisions are in each property's domain.
 TEST(EverySolver, IsJudged) {
   rc::Random random(1);
   for (Solver& solver : every_sound_solver()) {
@@ -120,7 +119,7 @@ TEST(EverySolver, IsJudged) {
 
 class PlantedDefect : public testing::TestWithParam<mutants::BrokenProperty> {};
 
-/// RapidCheck finds a planted defect by the property that it breaks, and by no other property.
+/// Only the property that a planted defect breaks finds it.
 TEST_P(PlantedDefect, LacksThatPropertyAlone) {
   Solver solver(GetParam().subject());
   for (const properties::Property& property : properties::three_properties()) {

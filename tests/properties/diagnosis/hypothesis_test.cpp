@@ -11,7 +11,7 @@
 namespace carom::properties::diagnosis {
 namespace {
 
-/// Cases of all families with the law's answer, as the answer to diagnose.
+/// Cases of all families, with the law's answer as the answer to diagnose.
 std::vector<KnownCase> right_answers(Law law) {
   std::vector<KnownCase> cases;
   for (const Family& family : all_families()) {
@@ -38,8 +38,7 @@ TEST(Hypotheses, HaveWordsOfTheirOwn) {
   }
 }
 
-/// The answer of each hypothesis (such as "as if ε were 0") visibly differs from the right answer in some case. There
-/// the hypothesis explains its own answer.
+/// Each hypothesis (such as "as if ε were 0") is visibly wrong in some case, and explains its own answer there.
 TEST(Hypotheses, ExplainWhatTheyAnswerThemselves) {
   std::set<std::string> seen;
   for (const Law law : laws_with_truth) {

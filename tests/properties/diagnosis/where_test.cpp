@@ -12,7 +12,6 @@
 namespace carom::properties::diagnosis {
 namespace {
 
-/// The sampled cases of a run of these families, and the numbers of the violated ones.
 struct Sampled {
   GateReport report;
   std::vector<std::vector<std::uint64_t>> violated;
@@ -84,7 +83,6 @@ TEST(Where, AnAbsenceIsFound) {
   expect_in("If it holds for neither A nor B that the body is immovable, then ", words);
 }
 
-/// Chance alone produces no finding.
 TEST(Where, NothingIsFoundWhereThereIsNothing) {
   int count = 0;
   const std::string words =

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uint64_t drawn_cases = 400;
 
-/// The ratio of the largest to the smallest moment, for the body with the larger ratio.
+/// The greater of the bodies' ratios of largest to smallest moment.
 double moment_ratio(const Collision& c) {
   double ratio = 1;
   for (const Body* body : {&c.a, &c.b}) {
@@ -26,7 +26,6 @@ double moment_ratio(const Collision& c) {
   return ratio;
 }
 
-/// The number of valid, colliding cases, and the smallest and the largest value of the quantity.
 struct Drawn {
   int colliding = 0;
   double least = HUGE_VAL;
@@ -59,8 +58,8 @@ TEST(BeyondDomain, IsOfFamiliesOfItsOwn) {
 TEST(BeyondDomain, HasContactsFromNearToFarOutside) {
   const Drawn drawn = drawn_of(*family_named("far_contacts"));
   EXPECT_GE(drawn.colliding, 396);  // a body without lever arm and nearly without spin may rest
-  // A body gets one of 27 powers of two. The probability that 400 cases lack the smallest or the largest power is 2
-  // (26/27)^400 < 10⁻⁶. Before scaling, the ratio of a body is at most a few tens.
+  // A body gets one of 27 powers of two. 400 cases lack the smallest or the largest with a probability of 2 (26/27)^400
+  // < 10⁻⁶. Before scaling, the ratio of a body is at most a few tens.
   EXPECT_LT(drawn.least, 1e3);
   EXPECT_GT(drawn.greatest, 1e14);
   EXPECT_LT(drawn.greatest, 1e19);
@@ -75,7 +74,7 @@ TEST(BeyondDomain, HasMomentsThatNoBodyHas) {
   EXPECT_GT(drawn.greatest, 1e15);
 }
 
-/// No body of `physical` has a moment above the sum of the two others, except by rounding.
+/// No body of `physical` has a moment above the sum of the others, except by rounding.
 TEST(BeyondDomain, IsNotReachedByPhysicalBodies) {
   for (std::uint64_t i = 0; i < drawn_cases; ++i) {
     const Collision c = unit::case_of("physical", i).collision;
@@ -84,7 +83,7 @@ TEST(BeyondDomain, IsNotReachedByPhysicalBodies) {
   }
 }
 
-/// tr K = 3λ + tr(Σ [r]ᵀ J⁻¹ [r]), exactly. The number in binary64 has fewer than 64 roundings of positive terms.
+/// tr K = 3λ + tr(Σ [r]ᵀ J⁻¹ [r]) exactly. The binary64 number has fewer than 64 roundings of positive terms.
 TEST(BeyondDomain, MeasuresTheTraceOfTheCollisionMatrix) {
   for (const char* family : {"far_contacts", "impossible_moments", "generic", "driven_wall"}) {
     for (std::uint64_t i = 0; i < 50; ++i) {

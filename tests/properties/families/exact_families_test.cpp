@@ -9,7 +9,8 @@
 
 #include "support/exact.hpp"
 
-/// The families' promises about N, V and K, exactly.
+/// Exact tests of what families promise about N, V and K. If n cases have a property with probability p, its count has
+/// a standard deviation of √(n p (1 − p)). Limits are five standard deviations from the mean.
 namespace carom::properties {
 namespace {
 
@@ -20,7 +21,6 @@ using unit::Rational;
 
 constexpr std::uint64_t cases = 200;
 
-/// The number of cases of a family with this approach.
 int count(std::string_view family, Approach approach) {
   int found = 0;
   for (std::uint64_t i = 0; i < cases; ++i) {
@@ -34,14 +34,14 @@ TEST(Families, ApproachAsTheyPromise) {
   EXPECT_EQ(count("both_immovable", Approach::inert), 200);
   EXPECT_EQ(count("head_on", Approach::colliding), 200);
   EXPECT_GE(count("near_head_on", Approach::colliding), 198);  // in a few of 10⁴ cases, a feature makes it rest
-  // The family checks the sign of N·V in binary64. It can be wrong only within rounding of 0.
+  // Rounding may give N·V the wrong sign near 0.
   EXPECT_GE(count("separating", Approach::separating), 198);
   for (const char* family : {"physical", "inelastic", "elastic", "mass_ratio", "immovable_a", "immovable_b",
                              "driven_wall", "zero_lever", "common_velocity", "long_normal", "long_quaternion"}) {
-    // One case in four gets features, and a few of these stop both bodies.
+    // One case in four gets features, and a few of them stop both bodies.
     EXPECT_GE(count(family, Approach::colliding), 190) << family;
   }
-  // Seven in eight: 175, with a tolerance of five standard deviations of √(200·7/64) = 4.7.
+  // p = 7/8: 175 ± 5 · 4.7.
   EXPECT_NEAR(count("generic", Approach::colliding), 175, 24);
 }
 
@@ -55,7 +55,7 @@ TEST(Families, AreExactlyHeadOnInAboutHalfOfHeadOn) {
     const ExactVector across = exact_case.exact().normal.cross(v);
     EXPECT_EQ(is_head_on, across[0] == 0 && across[1] == 0 && across[2] == 0);
   }
-  // Half of the cases are exact: 100, minus five standard deviations of √(200/4) = 7.1. Rounding adds some.
+  // p = 1/2: 100 − 5 · 7.1. Rounding makes more cases exact.
   EXPECT_GE(exactly, 64);
 }
 
@@ -74,10 +74,10 @@ TEST(Families, LieBesideTheConeOfStickingInStickOrSlip) {
       continue;  // no friction makes it stick, or none is needed
     }
     (cone.left[0] <= cone.right[0] ? sticking : slipping) += 1;
-    // The family draws μ at 1 ± 10^-k of the limit with k ≥ 1. For general bodies μ also has a rounding error.
+    // The family draws μ at 1 ± 10^-k of the limit, with k ≥ 1. For general bodies, μ also has a rounding error.
     EXPECT_NEAR(std::sqrt(oracles::to_double(Rational(cone.left[0] / cone.right[0]))), 1, 0.12) << i;
   }
-  // Nearly half each: 50 is five standard deviations of √(200/4) = 7.1 less than half of the counted cases.
+  // Nearly half of the counted cases each, − 5 · 7.1.
   EXPECT_GT(sticking, 50);
   EXPECT_GT(slipping, 50);
 }
@@ -87,8 +87,7 @@ TEST(Families, AreNeverExactlyHeadOnInNearHeadOnWithoutRounding) {
   for (std::uint64_t i = 0; i < cases; ++i) {
     exactly += ExactCase(unit::case_of("near_head_on", i).collision).is_head_on() ? 1 : 0;
   }
-  // Two or three of the ratios 10^-1 … 10^-18 are below rounding: 3/18 of 200 is 33, plus five standard deviations of
-  // 5.3.
+  // Three of the 18 ratios 10^-1 … 10^-18 are at or below rounding. p = 3/18: 33 + 5 · 5.3.
   EXPECT_LE(exactly, 60);
 }
 
@@ -116,14 +115,12 @@ TEST(Families, AreSeldomCollinearElsewhere) {
     near += ExactCase(unit::case_of("near_collinear", i).collision).is_collinear() ? 1 : 0;
     general += ExactCase(unit::case_of("generic", i).collision).is_collinear() ? 1 : 0;
   }
-  // Offsets of 10^-16 and 10^-15 of a radius may vanish in the position of the contact: 2/16 of 200 is 25, plus five
-  // standard deviations of 4.7.
+  // Offsets of 10^-16 and 10^-15 of a radius may vanish by rounding. p = 2/16: 25 + 5 · 4.7.
   EXPECT_LE(near, 49);
-  EXPECT_LE(general, 2);  // one case in four gets features, and lever arms along the normal are a feature
+  EXPECT_LE(general, 2);  // one case in four gets features, and a feature may put lever arms along the normal
 }
 
-/// Grazing: |N·V| ≤ 10^-1 ‖N‖‖V‖, up to a factor of √2 for the other part of V. Most values are far smaller, and both
-/// signs occur.
+/// The family draws |N·V| = 10^-k ‖V‖ with k from 1 to 18, and both signs.
 TEST(Families, GrazeInGrazing) {
   int slight = 0;
   for (std::uint64_t i = 0; i < cases; ++i) {
@@ -134,14 +131,13 @@ TEST(Families, GrazeInGrazing) {
     const Rational scale = n.dot(n) * v.dot(v);
     slight += squared * 1000000 <= scale ? 1 : 0;  // |N·V| ≤ 10^-3
   }
-  // The family draws k from 1 to 18. It is at least 3 in 8/9 of the cases: 178 of 200, minus five standard deviations
-  // of √(200·8/81) = 4.4.
+  // k ≥ 3 has p = 8/9: 178 − 5 · 4.4.
   EXPECT_GE(slight, 155);
   EXPECT_GT(count("grazing", Approach::separating), 10);
   EXPECT_GT(count("grazing", Approach::colliding), 100);
 }
 
-/// λI ⪯ K ⪯ 16 λI. Each stored moment and coordinate has fewer than 64 roundings from its construction. These move an
+/// λI ⪯ K ⪯ 16 λI. The construction of each stored moment and coordinate has fewer than 64 roundings. They move an
 /// eigenvalue by at most 64 u Σ‖∂K/∂q‖ ‖q‖ (Weyl).
 TEST(Families, AreBoundedBySixteenLambdaInPhysical) {
   Rational largest(0);
@@ -156,7 +152,7 @@ TEST(Families, AreBoundedBySixteenLambdaInPhysical) {
       largest = std::max(largest, trace);
     }
   }
-  // Not vacuous: some contact has a mean eigenvalue of at least 2 λ.
+  // Some contact has a mean eigenvalue of at least 2 λ.
   EXPECT_GT(largest, 6);
 }
 

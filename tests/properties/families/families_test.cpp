@@ -54,8 +54,8 @@ TEST(Families, MakeEachFieldInvalidInTurn) {
       fields.insert(defect.field + ' ' + defect.expected);
     }
   }
-  // Each of the 43 numbers can be not finite. The mass, three moments and the orientation of both bodies, and four
-  // fields of the collision itself can be out of range.
+  // All 43 numbers may be not finite. The mass, three moments and the orientation of both bodies, and four other fields
+  // may be out of range.
   EXPECT_EQ(fields.size(), 43U + 10U + 4U);
 }
 
@@ -82,7 +82,7 @@ TEST(Families, HoldTheImmovableBodiesThatTheyAreNamedAfter) {
     EXPECT_TRUE((wall.velocity.array() != 0).any() && (wall.angular_velocity.array() != 0).any()) << i;
     wall_is_a += driven.a.immovable ? 1 : 0;
   }
-  // Half of 300, with a tolerance of five standard deviations of √(300/4) = 8.7.
+  // 150 of 300, ± five standard deviations of √(300/4) = 8.7.
   EXPECT_GT(wall_is_a, 106U);
   EXPECT_LT(wall_is_a, 194U);
 }
@@ -98,7 +98,7 @@ TEST(Families, PutTheContactAtTheCentreOfMassInZeroLever) {
     EXPECT_TRUE(a || b) << i;
     (a && b ? of_both : (a ? of_a : of_b)) += 1;
   }
-  // A third each: 100, with a tolerance of five standard deviations of √(300·2/9) = 8.2.
+  // 100 of 300 each, ± five standard deviations of √(300·2/9) = 8.2.
   for (const int count : {of_a, of_b, of_both}) {
     EXPECT_GT(count, 59);
     EXPECT_LT(count, 141);
@@ -123,8 +123,8 @@ TEST(Families, ReachTheExtremesThatTheyPromise) {
     farthest = std::max(farthest, unit::case_of("far_from_origin", i).collision.point.norm());
     fastest = std::max(fastest, unit::case_of("common_velocity", i).collision.a.velocity.norm());
   }
-  // The largest k of a factor 10^k is drawn with probability at least 1/61. Missing it and the next one in 300 cases
-  // has probability (59/61)^300 < 5e-5.
+  // Each k of a factor 10^k is drawn with probability at least 1/61. 300 cases miss the two largest with a probability
+  // of (59/61)^300 < 5e-5.
   EXPECT_GT(largest_ratio, 1e7);
   EXPECT_GT(longest_normal, 1e28);
   EXPECT_LT(shortest_normal, 1e-28);
@@ -150,7 +150,7 @@ TEST(Stream, DrawsIntegersFromTheWholeRange) {
   EXPECT_EQ(counts.size(), 7U);
   EXPECT_EQ(counts.begin()->first, -3);
   EXPECT_EQ(counts.rbegin()->first, 3);
-  // 1000 each, with a tolerance of five standard deviations of √(7000·6/49) = 29.3.
+  // 1000 of 7000 each, ± five standard deviations of √(7000·6/49) = 29.3.
   for (const auto& [value, count] : counts) {
     EXPECT_NEAR(count, 1000, 147) << value;
   }
@@ -165,7 +165,7 @@ TEST(Stream, DrawsFromTheUnitIntervalAndAtTimesSpecialValues) {
     EXPECT_LT(x, 1);
     eighths += x * 8 == static_cast<int>(x * 8) ? 1 : 0;
   }
-  // One in eight: 1000, with a tolerance of five standard deviations of √(8000·7/64) = 29.6.
+  // 1000 of 8000, ± five standard deviations of √(8000·7/64) = 29.6.
   EXPECT_NEAR(eighths, 1000, 148);
 }
 
@@ -183,7 +183,7 @@ TEST(Stream, DrawsPowersThatAreExact) {
 }
 
 TEST(Stream, NeverDrawsAZeroDirectionOrQuaternion) {
-  Stream stream([] { return 0U; });  // the worst stream: every draw is the lowest
+  Stream stream([] { return 0U; });  // every draw is the lowest
   EXPECT_TRUE((stream.direction().array() != 0).any());
   EXPECT_TRUE((stream.quaternion().array() != 0).any());
   Stream random = stream_from(8);

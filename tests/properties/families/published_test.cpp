@@ -14,26 +14,26 @@ using oracles::Rational;
 
 constexpr int cases_of_each = 50;  // for each impact
 
-/// The published answers, in ℚ, for sphere A above B. K = diag(k_t, k_n, k_t), with k_n = Σ 1/m and k_t = Σ (1/m +
-/// r²/J) over the spheres. Friction acts along x against the slip u, and at most stops it.
+/// The published answers in ℚ, for sphere A above B. K = diag(k_t, k_n, k_t), with k_n = Σ 1/m and k_t = Σ (1/m + r²/J)
+/// over the spheres. Friction acts along x against the slip u, and at most stops it.
 struct Published {
   BasicCollision<Rational> c;
   bool has_two_spheres;
 
   [[nodiscard]] Rational radius() const { return c.a.position.y(); }
-  /// The change of the approach velocity by an impulse along N of 1 N s.
+  /// k_n.
   [[nodiscard]] Rational mobility_along_normal() const {
     return 1 / c.a.mass + (has_two_spheres ? Rational(1 / c.b.mass) : Rational(0));
   }
   [[nodiscard]] Rational normal_impulse() const {
     return (1 + c.restitution) * (c.b.velocity.y() - c.a.velocity.y()) / mobility_along_normal();
   }
-  /// u = V_x⁻: w × r has the x component −w_z r_y, with r_y = −radius of A and the radius of B.
+  /// u = V_x⁻. The x component of w × r is −w_z r_y, and r_y is −radius for A and +radius for B.
   [[nodiscard]] Rational slip() const {
     return c.a.velocity.x() - c.b.velocity.x() + radius() * c.a.angular_velocity.z() -
            c.b.position.y() * c.b.angular_velocity.z();
   }
-  /// The change of the slip by an impulse along x of 1 N s.
+  /// k_t.
   [[nodiscard]] Rational mobility() const {
     const auto of_spin = [](const BasicBody<Rational>& body) -> Rational {
       return body.position.y() * body.position.y() / body.principal_inertia.z();
@@ -50,7 +50,7 @@ struct Published {
     return {c.a.velocity.x() + friction_impulse() / c.a.mass, c.a.velocity.y() + normal_impulse() / c.a.mass,
             Rational(0)};
   }
-  /// J Δw = r × F, which has the z component −r_y F_x here, r_y = −radius.
+  /// J Δw = r × F, whose z component is −r_y F_x with r_y = −radius.
   [[nodiscard]] Rational spin_of_a() const {
     return c.a.angular_velocity.z() + radius() * friction_impulse() / c.a.principal_inertia.z();
   }
@@ -90,7 +90,7 @@ TEST(ChungOoi, BothLawsWithFrictionGiveThePublishedAnswers) {
   });
 }
 
-/// The printed formulas use J = 2/5 m r². The cases have this value up to a few roundings.
+/// The printed formulas use J = 2/5 m r², which the cases have up to a few roundings.
 TEST(ChungOoi, TheFormulasAsPrintedHold) {
   int slid = 0;
   for_each_impact([&](int number, const Collision& c, const Published& published) {

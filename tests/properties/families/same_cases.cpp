@@ -15,7 +15,7 @@
 namespace carom::properties {
 namespace {
 
-/// FNV-1a of 64 bits (G. Fowler, L. Noll, K. Vo). The lowest byte of a word comes first.
+/// FNV-1a of 64 bits (G. Fowler, L. Noll, K. Vo), from the lowest byte of each word.
 class Fnv1a {
  public:
   void add(std::uint64_t word) {
@@ -23,7 +23,7 @@ class Fnv1a {
       hash_ = (hash_ ^ ((word >> (8 * byte)) & 0xffU)) * 0x100000001b3U;
     }
   }
-  /// Any NaN counts as the same number, because its sign and payload have no meaning.
+  /// Any NaN counts as the same number.
   void add(double number) {
     add(std::bit_cast<std::uint64_t>(std::isnan(number) ? std::numeric_limits<double>::quiet_NaN() : number));
   }

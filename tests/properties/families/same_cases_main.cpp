@@ -4,7 +4,7 @@
 
 #include "same_cases.hpp"
 
-/// Prints the checksums of the first COUNT cases (default 1000) of seed SEED (default 1).
+/// Arguments: COUNT (default 1000) and SEED (default 1).
 int main(int count, char** arguments) {
   const std::uint64_t cases = count > 1 ? std::strtoull(arguments[1], nullptr, 10) : 1000;
   const std::uint64_t seed = count > 2 ? std::strtoull(arguments[2], nullptr, 10) : 1;

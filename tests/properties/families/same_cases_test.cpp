@@ -10,7 +10,7 @@
 namespace carom::properties {
 namespace {
 
-/// The lines of first_thousand.txt by name. A change of this file changes the cases of every seed: note it in
+/// The lines of first_thousand.txt by name. If this file changes, the cases of every seed change: note it in
 /// docs/CHANGELOG.md.
 std::map<std::string, std::string> expected_lines() {
   std::map<std::string, std::string> lines;

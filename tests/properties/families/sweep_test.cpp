@@ -48,7 +48,7 @@ TEST(Sweeps, SetTheQuantityThatTheyAreNamedAfter) {
   }
 }
 
-/// The contact point is on the rod, however slender it is, so K is bounded.
+/// The contact point is on the rod, so K is bounded.
 TEST(Sweeps, StrikeTheRodWhereItIs) {
   for (int k = 0; k <= 12; ++k) {
     for (std::uint64_t i = 0; i < 50; ++i) {

@@ -5,8 +5,8 @@
 
 #include <carom/properties/draws/vectors.hpp>
 
-/// Tests on numbers that reveal the order of operations: 2⁵³ + 1 rounds to 2⁵³, and fused or reordered operations
-/// give another number.
+/// Numbers that reveal the order of operations: 2⁵³ + 1 rounds to 2⁵³. Fused or reordered operations give another
+/// number.
 namespace carom::properties {
 namespace {
 
@@ -51,11 +51,11 @@ TEST(Vectors, TurnByQuaternionsOfAnyLength) {
 }
 
 TEST(Vectors, SolveAfterTheGreatestPivot) {
-  // Given by columns. Each step needs a row exchange, and every number is exact.
+  // Each step needs a row exchange, and every number is exact.
   const Columns m{{0, 2, 4}, {1, 1, 2}, {2, 8, 4}};
   const V x{3, -1, 2};
   EXPECT_EQ(solution(m, product(m, x)), x);
-  // Without the row exchange 1 + 2⁶⁰ is rounded, and the first unknown is lost.
+  // Without the row exchange, 1 + 2⁶⁰ is rounded and the first unknown is lost.
   const Columns tiny{{0x1p-60, 1, 0}, {1, 1, 0}, {0, 0, 1}};
   EXPECT_EQ(solution(tiny, {1, 2, 3}), V(1, 1, 3));
   EXPECT_FALSE(std::isfinite(solution({{1, 2, 4}, {2, 4, 8}, {0, 0, 1}}, {1, 1, 1})[0]));

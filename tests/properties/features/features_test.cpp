@@ -50,7 +50,6 @@ TEST(Features, AreMade) {
   }
 }
 
-/// A predicate is useless if it, or its opposite, is true of every collision.
 TEST(Features, AreNotInEveryCollision) {
   constexpr int drawn = 200;
   std::map<std::string, int> present;
@@ -65,8 +64,8 @@ TEST(Features, AreNotInEveryCollision) {
   }
 }
 
-/// Tries to make every infeasible pair with the makers. Two kinds are skipped: pairs kept out of the domain by
-/// choice, and decades of one quantity.
+/// The makers cannot make an infeasible pair. Pairs that are kept out of the domain by choice, and decades of one
+/// quantity, are not tested.
 TEST(Features, AreNotTogetherWherePairsAreInfeasible) {
   const std::set<std::string_view> by_choice{"masses are 10⁻⁹ to 10¹⁰ kg",
                                              "the contact would lie outside of the body, and K would have no bound",
@@ -91,7 +90,7 @@ TEST(Features, AreNotTogetherWherePairsAreInfeasible) {
   }
 }
 
-/// No infeasible pair occurs in the cases of the gate. At the default seed, every feasible pair occurs.
+/// The gate's cases have no infeasible pair. At the default seed, they have every feasible pair.
 TEST(Features, AreAllThereInPairs) {
   const GateOptions defaults;
   FeatureCoverage coverage;
@@ -116,7 +115,7 @@ TEST(Features, AreAllThereInPairs) {
   }
 }
 
-/// The list `seldom_together` must contain no infeasible pair, and no pair with a renamed feature.
+/// `seldom_together` has no infeasible pair, and no pair with a renamed feature.
 TEST(Features, ThatSeldomComeTogetherAreThereAndCan) {
   const auto place_of = [](const Feature* feature) {
     return static_cast<std::size_t>(feature - all_features().data());

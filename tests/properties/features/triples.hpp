@@ -9,8 +9,8 @@
 
 namespace carom::properties {
 
-/// The triples of features that collisions have had. A triple counts as feasible if its three pairs are feasible,
-/// although the triple may be infeasible. So the computed share is a lower bound of the share of feasible triples.
+/// The triples of features that collisions have had. A triple counts as feasible if its three pairs are. So the
+/// computed share is a lower bound of the share of feasible triples.
 class TripleCoverage {
  public:
   TripleCoverage();
@@ -27,7 +27,7 @@ class TripleCoverage {
     const Feature* y;
     const Feature* z;
   };
-  /// The triples that did not occur, in the order of the list.
+  /// The triples that did not occur, in the order of the features.
   [[nodiscard]] std::vector<Triple> missing() const;
 
   [[nodiscard]] static std::uint64_t feasible();

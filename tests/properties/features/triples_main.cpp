@@ -24,8 +24,7 @@
 namespace carom::properties {
 namespace {
 
-/// Adds every `step`-th case of each family, from number `first` times the family's weight plus `offset` to before
-/// `last` times its weight.
+/// Adds every `step`-th case of each family, from first × weight + `offset` to before last × weight.
 void add_cases(TripleCoverage& coverage, std::uint64_t seed, std::uint64_t first, std::uint64_t last,
                std::uint64_t offset, std::uint64_t step) {
   for (const Family& family : all_families()) {

@@ -13,7 +13,6 @@
 namespace carom::properties {
 namespace {
 
-/// Compares with an independent count by names.
 TEST(Triples, AreThoseOfTheFeaturesThatACollisionHas) {
   Stream stream = stream_from(3);
   const Collision c = general_bodies(stream).collision;

@@ -13,8 +13,7 @@
 
 #include "io/threads.hpp"
 
-/// For families beyond the domain that solvers claim, the gate reports the boundary from which a subject fails. The
-/// boundary decides no verdict.
+/// The boundary from which a subject fails, in families beyond the claimed domain, decides no verdict.
 namespace carom::properties {
 namespace {
 
@@ -22,7 +21,7 @@ constexpr double stops_at = 1e6;
 
 Subject sound_subject() { return subjects::subject_named("frictionless-double").value(); }
 
-/// Adds 1 to A's velocity along x if the collision matrix may have a condition number of 10⁶ or more.
+/// Adds 1 to A's velocity along x if the condition number of the collision matrix may be 10⁶ or more.
 Subject stopping() {
   Subject subject = sound_subject();
   subject.name = "stopping";
@@ -54,7 +53,7 @@ GateOptions options_of(const char* family, unsigned jobs) {
 TEST(Boundary, IsTheLeastOfTheQuantityAtWhichSomethingIsViolated) {
   const GateOptions options = options_of("generic", 1);
   const SubjectResult result = run_gate({sound_subject(), stopping()}, options).results.at(1);
-  // The subject is still sound, because the condition numbers of `generic` are far smaller.
+  // The condition numbers of `generic` are far smaller.
   EXPECT_TRUE(result.is_sound()) << result.not_judged;
   EXPECT_EQ(result.cases(), 200U);
   ASSERT_EQ(result.beyond_domain.size(), 2U);

@@ -9,37 +9,34 @@
 #include <carom/properties/conformance/subject.hpp>
 #include <carom/properties/gate/gate.hpp>
 
-/// Solvers as a user writes them from the protocol and the law alone, in coordinates of the user's choice. Solvers that
-/// divide torques by the moments in the body frame are sound. A solver with an inverse inertia tensor in world axes is
-/// not sound, and fails only on slender bodies.
+/// Solvers as users might write them, in coordinates of their choice. Solvers that divide torques by the moments in the
+/// body frame are sound. A solver with the inverse inertia tensor in world axes fails on slender bodies.
 namespace carom::properties {
 namespace {
 
 using Vector = Vector3<double>;
 using Matrix = Matrix3<double>;
 
-/// Normalises without the square root of a number that may overflow or underflow.
+/// Avoids overflow and underflow of the squares.
 template <class V>
 V unit(const V& v) {
   const V scaled = v / v.cwiseAbs().maxCoeff();
   return scaled / scaled.norm();
 }
 
-/// Maps body axes to world axes.
 Matrix axes_of(const Body& body) {
   const Quaternion<double> q = unit(body.orientation);
   return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
 }
 
-/// J⁻¹ (r × N) and N·(J⁻¹ (r × N) × r) of a body.
+/// The spin J⁻¹ (r × N) of a body, and N·(spin × r).
 struct Response {
   Vector spin;
   double along_normal;
 };
 using FindResponse = std::function<Response(const Body&, const Vector& arm, const Vector& normal)>;
 
-/// The law `frictionless`. `turn` maps vectors in world axes to the coordinates of the solver, and `response` computes
-/// in them.
+/// The law `frictionless`. `turn` maps world axes to the axes in which `response` computes.
 struct Solver {
   std::function<Matrix(const Collision&)> turn;
   FindResponse response;
@@ -76,7 +73,6 @@ struct Solver {
     return after;
   }
 
-  /// The body with its orientation in the coordinates of the solver.
   static Body turned(Body body, const Matrix& to) {
     const Eigen::Quaterniond q(Matrix(to * axes_of(body)));
     body.orientation = {q.w(), q.x(), q.y(), q.z()};
@@ -86,7 +82,7 @@ struct Solver {
 
 Matrix world(const Collision& /*collision*/) { return Matrix::Identity(); }
 
-/// {N, T0, T1}. T0 is orthogonal to the axis that N is least aligned with.
+/// {N, T0, T1}. T0 is orthogonal to N and to the axis that N is least aligned with.
 Matrix contact_basis(const Collision& c) {
   const Vector n = unit(c.normal);
   int least = 0;
@@ -108,7 +104,7 @@ Response by_torque_in_body(const Body& body, const Vector& arm, const Vector& no
   return {spin, torque.dot(spin)};
 }
 
-/// Rotates the lever arm and the normal into the body frame, and computes the torque there.
+/// Rotates the lever arm and the normal into the body frame.
 Response in_body(const Body& body, const Vector& arm, const Vector& normal) {
   const Matrix axes = axes_of(body);
   const Vector torque = (axes.transpose() * arm).cross(axes.transpose() * normal);
@@ -116,7 +112,7 @@ Response in_body(const Body& body, const Vector& arm, const Vector& normal) {
   return {axes * spin, torque.dot(spin)};
 }
 
-/// J⁻¹ in world axes, as many engines store it.
+/// Many engines store J⁻¹ in world axes.
 Response by_world_inertia(const Body& body, const Vector& arm, const Vector& normal) {
   const Matrix axes = axes_of(body);
   const Matrix inverse = axes * body.principal_inertia.cwiseInverse().asDiagonal() * axes.transpose();
@@ -164,8 +160,7 @@ double moment_ratio(const Collision& c) {
   return largest;
 }
 
-/// J⁻¹ in world axes has a backward error of up to a tenth of the ratio of the moments [ulps]
-/// (docs/reference/accuracy.md).
+/// J⁻¹ in world axes costs up to a tenth of the ratio of the moments, in ulps (docs/findings/accuracy.md).
 TEST(Coordinates, OfTheWorldLoseSlenderBodiesAlone) {
   const SubjectResult result = gated({"with J⁻¹ in world axes", {world, by_world_inertia}});
   std::size_t seen = 0;

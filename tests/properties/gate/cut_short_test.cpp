@@ -9,7 +9,7 @@
 
 #include "io/threads.hpp"
 
-/// Runs that end before all cases are judged: at the first violation, and by a time budget.
+/// Runs that end before all cases are judged.
 namespace carom::properties {
 namespace {
 
@@ -54,8 +54,7 @@ Subject always_wrong() {
   return wrong_where([](const Collision&, std::uint64_t) { return true; });
 }
 
-/// Wrong if both bodies are movable, A has more than half of B's mass, and ε > 0.875. Such cases come late, and not in
-/// the family that is drawn first.
+/// Wrong in cases that come late and not in the family that is drawn first.
 Subject wrong_at_times() {
   return wrong_where([](const Collision& c, std::uint64_t) {
     return !c.a.immovable && !c.b.immovable && c.a.mass > 0.5 * c.b.mass && c.restitution > 0.875;
@@ -113,7 +112,7 @@ TEST(FailFast, GoesOnWithTheOtherSubjects) {
   EXPECT_EQ(report.results[1].cases(), run_gate({right()}, options_of_all_families(20)).results[0].cases());
 }
 
-/// A violation of `memoryless`, which only a repeated question finds, also ends the run. No case counts twice.
+/// Only a repeated question finds a violation of `memoryless`. It ends the run too, and no case counts twice.
 TEST(FailFast, EndsAtWhatASessionRemembers) {
   Subject subject = wrong_where([](const Collision&, std::uint64_t call) { return call > 0; });
   for (const Invariant& invariant : all_invariants()) {
@@ -138,7 +137,7 @@ TEST(Budget, DrawsMoreCasesThanTheDefaultAndSaysNothingElse) {
   EXPECT_TRUE(result.is_sound()) << result.not_judged;
 }
 
-/// The case of a violation is determined by seed, family and number, as in a complete run.
+/// The seed, the family and the number determine the case, as in a complete run.
 TEST(Budget, FindsWhatReplays) {
   GateOptions options = options_of_all_families(1);
   options.budget = std::chrono::milliseconds(100);
@@ -173,7 +172,6 @@ TEST(Budget, TellsOfTheTimeSpent) {
   EXPECT_GT(last, 0U);
 }
 
-/// The number of cases that are asked twice depends only on the cases.
 TEST(Gate, CountsTheSameOnAnyNumberOfThreads) {
   const auto counts_on = [](unsigned jobs) {
     return run_gate({right()}, options_of_all_families(100, jobs)).results.at(0).count("memoryless").holds;

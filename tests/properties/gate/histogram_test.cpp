@@ -13,7 +13,7 @@
 namespace carom::properties {
 namespace {
 
-/// Numbers of correct digits as in a gate: most from 14 to 17, some fewer, a few outside the scale.
+/// Most of these digits are from 14 to 17, as in a gate. Some are fewer, and a few are outside the scale.
 std::vector<double> some_digits(std::size_t count) {
   Stream stream = stream_from(17);
   std::vector<double> digits;

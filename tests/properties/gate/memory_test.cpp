@@ -11,13 +11,12 @@
 #include <carom/properties/gate/gate.hpp>
 #include <carom/subjects/catalogue.hpp>
 
-/// Subjects whose sessions remember earlier calls. Each subject is right on a single collision.
+/// Subjects whose sessions remember earlier calls. Each one is right on its first collision.
 namespace carom::properties {
 namespace {
 
 enum class Remembers { nothing, a_refusal, the_call, the_last_outcome };
 
-/// frictionless-double, with a session that keeps a value from one call to the next.
 Subject remembering(Remembers what) {
   const Subject right = subjects::subject_named("frictionless-double").value();
   Subject subject = right;
@@ -44,7 +43,7 @@ Subject remembering(Remembers what) {
                             (what == Remembers::the_last_outcome && state->last);
         state->refused = false;
         if (is_off) {
-          // A change of one ulp, which only the invariant `memoryless` finds.
+          // Only `memoryless` finds one ulp.
           long double& component = outcome->a.velocity[0];
           component = std::nextafter(static_cast<double>(component), 1e300);
         }
@@ -98,7 +97,7 @@ Subject changing(const char* solver, const Change& change) {
   return subject;
 }
 
-/// Changes the sign of every zero, and counts the zeros.
+/// Changes the sign of every zero, and counts the zeros in `turned`.
 Change zeros_turned(int& turned) {
   return [&turned](ReportedOutcome& outcome) {
     for (Vector3<long double>* vector : vectors(outcome)) {
@@ -156,7 +155,7 @@ TEST(Memoryless, IsAboutTheCollisionMatrixToo) {
       0U);
 }
 
-/// Any NaN equals any other NaN, regardless of its sign, for programs and all other subjects.
+/// NaN equals NaN regardless of its sign.
 TEST(Memoryless, TakesNoNumberForNoNumber) {
   ReportedOutcome first;
   first.a.velocity[1] = std::numeric_limits<long double>::quiet_NaN();
@@ -171,7 +170,6 @@ TEST(Memoryless, TakesNoNumberForNoNumber) {
   }
 }
 
-/// A subject is sound only if its answers were judged.
 TEST(NotJudged, IsASubjectThatSkipsOrShowsNothing) {
   const Subject right = subjects::subject_named("frictionless-double").value();
   GateOptions options;

@@ -5,7 +5,6 @@
 #include <carom/properties/gate/gate.hpp>
 #include <carom/subjects/catalogue.hpp>
 
-/// The judge without its filters, which decide by error bounds.
 namespace carom::properties {
 namespace {
 
@@ -58,7 +57,6 @@ TEST(UnfilteredGate, DecidesAllByRationalsAndAsTheFilterDoes) {
   EXPECT_GT(violated, 0U);
 }
 
-/// A judge with filters and one that decides in ℚ find the same facts about a collision.
 TEST(UnfilteredGate, KnowsTheSameOfACollision) {
   for (const Family& family : all_families()) {
     for (std::uint64_t i = 0; i < 20; ++i) {

@@ -40,8 +40,8 @@ TEST(Seriousness, TakesRoundingForRoundingWhereNothingIsAllowed) {
   EXPECT_LT(seriousness(of_large_outcome, moving(1)), 0x1p53 * 0x1p-22);
 }
 
-/// The verdict on a subject with a gross error if A moves along x, and otherwise with a rounding error. For the
-/// rounding error the allowance is zero.
+/// The verdict on a subject with a gross error if A moves along x. Otherwise it has a rounding error, and nothing is
+/// permitted.
 Verdict wrong_where_a_moves_along_x(const Case& one) {
   return one.collision.a.velocity[0] != 0 ? violated(2.74, 1e-15) : violated(4e-29, 0);
 }
@@ -62,8 +62,8 @@ TEST(SimplestViolation, IsAsGrossAsTheOneFound) {
   EXPECT_GT(shrunk_cases, 0) << "else nothing was simplified";
 }
 
-/// The verdict on a subject whose outcome loses all digits if A moves along x, and otherwise only its last digit. For
-/// the last digit the allowance is far smaller.
+/// The verdict on a subject that loses all digits if A moves along x, and otherwise its last digit. For the last digit,
+/// the permitted residual is far smaller.
 Verdict loses_all_digits_where_a_moves_along_x(const Case& one) {
   const bool loses_all = one.collision.a.velocity[0] != 0;
   Verdict verdict = loses_all ? violated(1, 1e-9) : violated(1e-16, 1e-30);
@@ -84,7 +84,7 @@ TEST(SimplestViolation, LosesTheDigitsThatTheOneFoundLost) {
   }
 }
 
-/// A violation that is a rounding error from the start is also simplified.
+/// A violation that is only a rounding error is simplified too.
 TEST(SimplestViolation, SimplifiesWhatIsHarmless) {
   const Case found = unit::case_of("generic", 1);
   const auto rounding = [](const Case&) { return violated(4e-29, 0); };

@@ -11,8 +11,7 @@
 #include "support/exact.hpp"
 #include "support/outcome_of_law.hpp"
 
-/// Laws of mechanics do not depend on the axes, so verdicts must not. A verdict stays the same if the collision and its
-/// outcome are rotated together.
+/// A verdict stays the same if the collision and its outcome are rotated together.
 namespace carom::properties {
 namespace {
 
@@ -20,15 +19,13 @@ using oracles::LiftedOutcome;
 using oracles::Rational;
 using Solved = SolvedOutcome<Rational>;
 
-/// A rotation by a quaternion q of integers. With s = ‖q‖², the matrix s R has integer entries. So vectors of few bits
-/// are rotated without rounding, and lengthened by s. A change of units makes up for this: the number of metres of a
-/// length is multiplied by s, and the number of seconds of a time by 1/s.
+/// Rotates by a quaternion q of integers. With s = ‖q‖², the matrix s R has integer entries, so vectors of few bits are
+/// rotated without rounding. The factor s is a change of units: of metres to 1/s metres, and of seconds to s seconds.
 struct WholeTurn {
   Quaternion<double> q;
 
   [[nodiscard]] double squared() const { return q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]; }
 
-  /// s R v.
   template <class T>
   [[nodiscard]] Vector3<T> operator()(const Vector3<T>& v) const {
     const Vector3<T> turned = oracles::turned<T>(q.unaryExpr([](double x) { return T(x); }), v);
@@ -65,7 +62,7 @@ struct WholeTurn {
             (*this)(*y.collision_matrix)};
   }
 
-  /// R C Rᵀ. C is in 1/kg, so it does not scale with lengths.
+  /// R C Rᵀ. The collision matrix C is in 1/kg, so s does not scale it.
   [[nodiscard]] Matrix3<Rational> operator()(const Matrix3<Rational>& matrix) const {
     Matrix3<Rational> half;  // s R C
     for (int k = 0; k < 3; ++k) {
@@ -79,8 +76,7 @@ struct WholeTurn {
   }
 };
 
-/// A collision of few bits, with components that are zero, and sometimes so far from the origin that binary32 barely
-/// resolves it.
+/// A collision of few bits with zero components, sometimes so far from the origin that binary32 barely resolves it.
 Collision few_bits(Stream& stream) {
   Collision c = unit::small_collision(stream);
   for (Vector3<double>* v : {&c.normal, &c.a.velocity, &c.b.velocity, &c.a.angular_velocity, &c.b.angular_velocity}) {
@@ -101,7 +97,6 @@ Collision few_bits(Stream& stream) {
   return c;
 }
 
-/// The invariants of a single outcome and its matrix.
 Claim claim_of_outcome(Law law, Precision precision) {
   Subject subject;
   subject.law = law;
@@ -114,11 +109,11 @@ Claim claim_of_outcome(Law law, Precision precision) {
   return claim;
 }
 
-/// `coulomb` has no sensitivity of its own. If the contact sticks, `coulomb` equals `sticking`.
+/// `coulomb` has no sensitivity. If the contact sticks, its outcome is that of `sticking`.
 Law like(Law law) { return law == Law::coulomb ? Law::sticking : law; }
 
-/// Either K with an error of `share` of the allowance in one entry, or λI with λ = Σ 1/m. The error of λI is up to 64
-/// times as large, near the edge of the allowance of `definite`.
+/// Either C with an error in one entry, or λI with an error, with λ = Σ 1/m. The error of C is `share` of the permitted
+/// error. That of λI is 1 to 64 times as large, near the permitted error of `definite`.
 Matrix3<Rational> planted_matrix(Stream& stream, const Collision& c, double allowance, double share) {
   Matrix3<Rational> matrix = impulse::collision_matrix(unit::exact_contact(c));
   const double off =
@@ -137,7 +132,7 @@ Matrix3<Rational> planted_matrix(Stream& stream, const Collision& c, double allo
   return Matrix3<Rational>::Identity() * inverse_mass - along;
 }
 
-/// The exact outcome with an error of `share` of the allowance in one of its vectors, and a matrix by `planted_matrix`.
+/// The exact outcome with `share` of the permitted error in one of its vectors, and a `planted_matrix`.
 Solved planted(Stream& stream, const oracles::ExactCase& exact_case, Law law, double allowance, double share) {
   Outcome<Rational> outcome = unit::outcome_of_law(exact_case, law);
   const OutcomeVector k = all_outcome_vectors[static_cast<std::size_t>(stream.integer(0, 3))];
@@ -152,7 +147,7 @@ Judgement judged(const Collision& collision, const Claim& claim, const Solved& o
                   [&](const Collision&) -> ExactAnswer { return LiftedOutcome(outcome); });
 }
 
-/// Allowances are rounded, so a residual this close to the limit may pass or fail.
+/// Permitted residuals are rounded, so a residual close to this limit may pass or fail.
 bool is_at_the_limit(const Verdict& verdict) {
   return verdict.status == Status::violated && std::abs(verdict.residual / verdict.allowed - 1) < 0x1p-20;
 }
@@ -207,8 +202,8 @@ TEST(Verdicts, AreTheSameWhenACollisionIsTurned) {
   }
 }
 
-/// A solver that rotates torques into the body frame and back responds to an impulse along an axis with a small spin.
-/// This rounding error passes, although only one component of the input is nonzero.
+/// A solver that rotates torques into the body frame and back answers an impulse along an axis with a small spin. This
+/// rounding error passes, although only one component of the velocities is not zero.
 TEST(Verdicts, AllowRoundingAcrossAnAxis) {
   Collision c = unit::ball_on_a_plane(0.4, 0);
   c.a.velocity = {0, -4, 0};

@@ -10,15 +10,15 @@
 
 #include "examination.hpp"
 
-/// Relations between collisions that change only signs, exponents or names. A solver rounds corresponding numbers
-/// alike, so the outcomes correspond bit for bit, except for the sign of zeros. The solvers are compiled with
-/// -ffp-contract=off. A fused a·b + c would round only one of two products that a relation exchanges.
+/// Relations that change only signs, exponents or names. A solver rounds corresponding numbers alike, so the outcomes
+/// correspond bit for bit, except for the sign of zeros. The solvers are compiled with -ffp-contract=off, because a
+/// fused x·y + z rounds only one of two products that a relation exchanges.
 namespace carom::properties {
 namespace {
 
 using oracles::Rational;
 
-/// A map of collisions and the corresponding map of outcomes.
+/// A map of collisions, and the corresponding map of outcomes.
 struct Relation {
   std::function<Collision(Collision)> of_collision;
   std::function<Outcome<Rational>(Outcome<Rational>)> of_outcome;
@@ -37,7 +37,7 @@ Relation swap() {
           swapped};
 }
 
-/// A map of space that sends axis i to `sign[i]` times axis `to[i]`: mirrors and quarter turns.
+/// Sends axis i to `sign[i]` times axis `to[i]`.
 struct Isometry {
   std::array<int, 3> to;
   std::array<int, 3> sign;
@@ -98,7 +98,7 @@ Relation moved_by(const Isometry& isometry) {
           }};
 }
 
-/// A change to the units 2^mass kg, 2^length m, 2^time s.
+/// Multiplies the numbers of kg, m and s by 2^mass, 2^length and 2^time.
 Relation units_changed_by(int mass, int length, int time) {
   const auto power = [](int exponent) { return std::ldexp(1.0, exponent); };
   return {[=](Collision c) {
@@ -123,8 +123,8 @@ Relation units_changed_by(int mass, int length, int time) {
 
 constexpr const char* bits_differ = "the bits differ";
 
-/// Whether the outcome of the related collision is exactly the related outcome. `prepared` first changes the
-/// collision.
+/// Whether the outcome of the related collision is exactly the related outcome. `prepared` changes the collision
+/// before.
 Question bit_for_bit(
     const Relation& relation,
     const std::function<Collision(const Collision&)>& prepared = [](const Collision& c) { return c; }) {
@@ -163,7 +163,7 @@ class BitForBit : public testing::TestWithParam<Examinee> {
     EXPECT_TRUE(differs_somewhere(erratic(GetParam()), question));
   }
 
-  /// QR takes the sign of a reflection from an entry of the matrix. A mirror changes this sign, unless the entry is 0.
+  /// QR takes the sign of a reflection from an entry of the matrix, and a mirror changes this sign.
   static void holds_but_by_qr(const Question& question) {
     if (GetParam().name.find("_qr_") == std::string::npos) {
       holds(question);
@@ -173,21 +173,19 @@ class BitForBit : public testing::TestWithParam<Examinee> {
   }
 };
 
-/// Solvers use A and B in x_A − x_B, which changes its sign, and in x_A + x_B, which is commutative.
+/// A solver combines numbers of A and B as x_A − x_B, whose sign changes, or as x_A + x_B, which is commutative.
 TEST_P(BitForBit, Swap) { holds(bit_for_bit(swap())); }
 
-/// In an expression that a mirror does not change, each product changes its sign twice or not at all. Every other
-/// number changes its own sign.
+/// A mirror changes the sign of all terms of a sum or of none, so it changes no rounding.
 TEST_P(BitForBit, MirrorInX) { holds_but_by_qr(bit_for_bit(moved_by(mirror_in_x))); }
 TEST_P(BitForBit, MirrorInY) { holds_but_by_qr(bit_for_bit(moved_by(mirror_in_y))); }
 TEST_P(BitForBit, MirrorInZ) { holds_but_by_qr(bit_for_bit(moved_by(mirror_in_z))); }
 
-/// Powers of two change only exponents, without overflow or underflow. The square root of an even power is a power of
-/// two.
+/// Powers of two change only exponents, and the square root of an even power is a power of two.
 TEST_P(BitForBit, UnitsOfLengthTimeAndAnEvenPowerOfMass) { holds(bit_for_bit(units_changed_by(4, -3, 1))); }
 
-/// K scales as 1/mass. Cholesky takes square roots of its pivots, and √(2x) is not √2 √x rounded. LDLᵀ, the adjugate
-/// and the frictionless law take no square root.
+/// K scales as 1/mass. Cholesky takes square roots of its pivots, and the rounded √(2x) is not √2 times the rounded √x.
+/// The other solves take no square root.
 TEST_P(BitForBit, AnOddPowerOfMassExceptByCholesky) {
   const Question question = bit_for_bit(units_changed_by(5, 0, 0));
   if (GetParam().name.find("llt") == std::string::npos) {
@@ -209,10 +207,9 @@ std::vector<Examinee> examinees_of_single_numbers() {
 
 class QuarterTurns : public testing::TestWithParam<Examinee> {};
 
-/// A quarter turn about any axis does not keep the bits. It exchanges two terms of sums of three, which are added in a
-/// fixed order. Products R_ri R_ci / I_i are summed over the body axes as (0 + 1) + 2, and q·q as (w² + x²) + (y² +
-/// z²). The eliminations of LDLᵀ and Cholesky, and the determinant, begin with x. So `rotation` is judged within
-/// rounding. Double-double is excluded: it has twice the digits of its answer, so nearly every answer is the same.
+/// A quarter turn exchanges two terms of sums of three, which are added in a fixed order. So it does not keep the bits,
+/// and `rotation` is judged within rounding. Double-double is excluded: it has twice the digits of its answer, so
+/// nearly every answer keeps its bits.
 TEST_P(QuarterTurns, AreNotBitForBit) {
   EXPECT_TRUE(differs_somewhere(GetParam(), bit_for_bit(moved_by(turn_about_x))));
   EXPECT_TRUE(differs_somewhere(GetParam(), bit_for_bit(moved_by(turn_about_y))));
@@ -224,7 +221,7 @@ INSTANTIATE_TEST_SUITE_P(Of, QuarterTurns, testing::ValuesIn(examinees_of_single
 
 std::vector<Examinee> frictionless_examinees() {
   std::vector<Examinee> examinees = built_in_examinees();
-  // The guaranteed solver computes N·V by a sum in double-double, whose order a turn changes.
+  // The guaranteed solver adds N·V in double-double, in an order that a turn changes.
   std::erase_if(examinees, [](const Examinee& examinee) {
     return examinee.law != Law::frictionless || examinee.name.find("guaranteed") != std::string::npos;
   });
@@ -241,8 +238,8 @@ Collision as_upright_spheres(Collision c) {
 
 class FrictionlessBitForBit : public testing::TestWithParam<Examinee> {};
 
-/// For unrotated spheres, only the dot product of the frictionless law depends on the order. It is added as (x + y) +
-/// z (products.hpp), so x and y may be exchanged.
+/// For unrotated spheres, only a dot product of the frictionless law depends on the order of the axes. It is (x + y) +
+/// z (products.hpp), so a turn may exchange x and y.
 TEST_P(FrictionlessBitForBit, OneQuarterTurnOfUprightSpheres) {
   const Question about_x = bit_for_bit(moved_by(turn_about_x), as_upright_spheres);
   const Question about_z = bit_for_bit(moved_by(turn_about_z), as_upright_spheres);

@@ -7,7 +7,7 @@
 
 #include "support/exact.hpp"
 
-/// `well_conditioned` judges the reported matrix, not the exact one.
+/// `well_conditioned` judges the reported matrix, not only the exact one.
 namespace carom::properties {
 namespace {
 

@@ -13,7 +13,7 @@
 namespace carom::properties {
 namespace {
 
-/// Two unit spheres of mass 1, one at rest, that collide along the line of centres.
+/// Two unit spheres of mass 1. A hits the resting B along the line of centres.
 Case head_on_probe() {
   Case probe;
   probe.collision.a.position = {0, 1, 0};
@@ -45,7 +45,6 @@ std::vector<const Family*> families_of(const Examination& examination) {
   return families;
 }
 
-/// The objection to an examinee that violates nothing.
 std::optional<std::string> why_nothing_was_tested(bool in_domain, bool responded) {
   if (!in_domain) {
     return "no case of a family was in the domain";

@@ -14,46 +14,45 @@
 
 namespace carom::properties {
 
-/// The verdict of one test on one case.
+/// A test on one case: the verdict on an examinee.
 using Question = std::function<Verdict(const Examinee&, const JudgedCase&)>;
 
-/// The verdict of one invariant of the catalogue. It is skipped on cases outside the invariant's domain.
+/// The verdict of one invariant. It is skipped outside the invariant's domain.
 [[nodiscard]] Question invariant_holds(const Invariant& invariant);
 
 struct Examination {
   std::uint64_t cases = 0;  // for each family
-  /// Whether `structured` is among the families. Its sizes underflow in binary32, which makes questions about bits
-  /// meaningless.
+  /// Whether `structured` is among the families. Its sizes underflow in binary32, so questions about bits have no
+  /// meaning there.
   bool structured = true;
   std::span<const Family> families = all_families();
 };
 
-/// Asks an examinee about cases of every family, and about one plain head-on collision. Returns an objection in words
-/// if the verdict on a case is a violation. It also returns one if no family has a case in the question's domain, or if
-/// no answer to a family's colliding case changes the velocities. The head-on collision does not prevent these two
-/// objections.
+/// Asks an examinee about cases of every family, and about one head-on collision. Returns an objection in words in
+/// three cases:
+/// - A case violates the question.
+/// - No family's case is in the question's domain.
+/// - No answer to a family's colliding case changes the velocities.
 [[nodiscard]] std::optional<std::string> find_violation(const Examinee& examinee, const Question& question,
                                                         const Examination& examination);
 
-/// An examinee, and the invariants to test on it.
 struct Claimant {
   Examinee examinee;
   std::vector<const Invariant*> invariants;
 };
 
-/// The results of a claimant's cases.
+/// The results of a claimant on all cases.
 struct Seen {
   bool responded = false;                     // in a colliding case of a family, the answer changed the velocities
   std::set<const Invariant*> in_domain = {};  // these held in some case of a family
   std::set<const Invariant*> violated = {};   // these were violated in some case, and are not tested again
 };
 
-/// Draws the cases of `find_violation` once, and asks all claimants about each case. The results are in the claimants'
-/// order.
+/// Draws the cases of `find_violation` once, for all claimants. The results are in the claimants' order.
 [[nodiscard]] std::vector<Seen> examine(std::span<const Claimant> claimants, const Examination& examination);
 
-/// The return value of `find_violation` for one invariant of a claimant, given the results of `examine`. The cases
-/// are drawn again to shrink a violation.
+/// The return value of `find_violation` for one invariant of a claimant, from the results of `examine`. Draws the cases
+/// again to show a violation.
 [[nodiscard]] std::optional<std::string> found_by(const Seen& seen, const Claimant& claimant,
                                                   const Invariant& invariant, const Examination& examination);
 

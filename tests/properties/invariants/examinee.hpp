@@ -11,7 +11,7 @@
 
 namespace carom::properties {
 
-/// The subject of a test: a built-in solver in its precision, or the same solver in ℚ.
+/// A built-in solver in its precision, or the same solver in ℚ.
 struct Examinee {
   std::string name;  // valid as a GoogleTest name
   Law law = Law::any;
@@ -22,20 +22,20 @@ struct Examinee {
 
 inline void PrintTo(const Examinee& examinee, std::ostream* out) { *out << examinee.name; }
 
-/// The sound built-in solvers, in float, double and long double (built_in_examinees.cpp).
+/// The sound built-in solvers in float, double and long double.
 [[nodiscard]] std::vector<Examinee> built_in_examinees();
 
-/// The solvers in rational arithmetic, with an allowance of zero (exact_examinees.cpp).
+/// The solvers in rational arithmetic. Their allowance is zero.
 [[nodiscard]] std::vector<Examinee> exact_examinees();
 
-/// The same examinee, but its solver returns the input unchanged. This satisfies most laws, and tests none of them.
+/// The examinee, with a solver that returns its input. The input satisfies most laws and tests none of them.
 [[nodiscard]] Examinee idle(Examinee examinee);
 
-/// The same examinee, but its solver obeys no law. It answers every collision, valid or not, with random velocities,
-/// and reports twenty times K or −K. The same collision always gets the same answer.
+/// The examinee, with a solver that obeys no law. It answers every collision, even an invalid one, with random
+/// velocities, and shows twenty times the collision matrix or its negative. Equal collisions get equal answers.
 [[nodiscard]] Examinee erratic(Examinee examinee);
 
-/// The same examinee, but its answers are NaN or infinite.
+/// The examinee, with answers that are NaN or infinite.
 [[nodiscard]] Examinee without_numbers(Examinee examinee);
 
 }  // namespace carom::properties

@@ -9,8 +9,8 @@
 #include "examination.hpp"
 #include "support/selected.hpp"
 
-/// Every invariant holds for every solver that claims it, on every family. In floating point the limit is 32 ulps. In ℚ
-/// the allowance is zero, because the same solver satisfies each invariant exactly.
+/// Every invariant holds on every family for every solver that claims it. The limit is 32 ulps in floating point, and 0
+/// in ℚ.
 namespace carom::properties {
 namespace {
 
@@ -44,10 +44,9 @@ std::vector<Claimed> claimed_by(const std::vector<Examinee>& examinees) {
   return claimed;
 }
 
-/// The tests of a suite share one pass over the families, which judges only the selected invariants.
+/// The tests of a suite share one pass over the families. It judges only the selected invariants.
 class OnePass : public testing::TestWithParam<Claimed> {
  protected:
-  /// `examinee_of` maps the examinee that a test names to the one that is examined.
   template <class ExamineeOf>
   static void examine_selected(const std::vector<Claimed>& all, std::uint64_t cases, const ExamineeOf& examinee_of) {
     examination = {.cases = cases};
@@ -131,7 +130,7 @@ TEST_P(NeverHolds, ForASubjectThatObeysNoLaw) {
 
 INSTANTIATE_TEST_SUITE_P(Invariants, NeverHolds, testing::ValuesIn(claimed_by(one_of_each())), name_of_test);
 
-/// A subject that returns its input satisfies these invariants, so it tests nothing.
+/// These invariants hold if a subject returns its input.
 TEST(FindViolation, ReportsThatNothingWasTested) {
   for (const char* name : {"finite", "linear_momentum", "energy"}) {
     const auto found =
@@ -141,7 +140,7 @@ TEST(FindViolation, ReportsThatNothingWasTested) {
   }
 }
 
-/// An invariant does not hold if no case was drawn for it, even if the head-on probe alone would pass.
+/// An invariant without cases does not hold, even if the head-on probe passes.
 TEST(Examination, NoticesFamiliesThatDrawNothing) {
   const std::vector<Examinee> examinees = built_in_examinees();
   const Invariant& momentum = *invariant_named("linear_momentum");

@@ -11,15 +11,15 @@
 #include "support/known_collisions.hpp"
 #include "support/known_values.hpp"
 
-/// The residual of every invariant and its allowance, for a wrong solver. tests/oracles/judge/known_values_test.cpp
-/// explains why these numbers are stored.
+/// Stores every invariant's residual and permitted residual for a wrong solver.
+/// tests/oracles/judge/known_values_test.cpp gives the reason.
 namespace carom::properties {
 namespace {
 
 using unit::KnownCollision;
 using unit::KnownLine;
 
-/// Adds velocities that come from no impulse and depend on the origin, and reports a matrix that is not symmetric.
+/// Adds velocities that no impulse gives and that depend on the origin. Reports a matrix that is not symmetric.
 ExactAnswer wrong_answer(const Collision& c) {
   if (!validate(c).empty()) {
     return Refused{"invalid"};
@@ -37,7 +37,7 @@ ExactAnswer wrong_answer(const Collision& c) {
   return oracles::LiftedOutcome(reported);
 }
 
-/// All invariants that a law can claim, except for those about sessions.
+/// All invariants that a law can claim, except those about sessions.
 Claim whole_claim(Law law, double unit_roundoff) {
   Claim claim;
   claim.law = law;
@@ -72,7 +72,6 @@ TEST(KnownValues, OfTheInvariants) {
   unit::expect_known_lines(CAROM_KNOWN_VALUES, lines);
 }
 
-/// The exact outcome, rounded, and the collision matrix.
 ExactAnswer right_answer(const Collision& c, Law law) {
   if (!validate(c).empty()) {
     return Refused{"invalid"};
@@ -85,12 +84,12 @@ ExactAnswer right_answer(const Collision& c, Law law) {
   return oracles::LiftedOutcome(reported);
 }
 
-/// There are verdicts, or a reason why there are none.
+/// There are either verdicts or a reason why there are none.
 bool is_judged_or_unjudged(const Judgement& judgement) {
   return judgement.unjudged.has_value() != !judgement.verdicts.empty();
 }
 
-/// The number of decisions by each filter. A filter that decides less changes no verdict, but makes the judge slow.
+/// Counts the decisions of each filter. A filter that decides less changes no verdict, but slows the judge.
 TEST(KnownValues, OfTheStagesThatDecide) {
   std::vector<KnownLine> lines;
   for (const KnownCollision& known : unit::known_collisions()) {

@@ -3,7 +3,6 @@
 
 #include <carom/properties/invariants/invariant.hpp>
 
-/// The invariants about a single answer, for any law.
 namespace carom::properties {
 namespace {
 

@@ -10,8 +10,8 @@
 
 #include "support/exact.hpp"
 
-/// λI ⪯ C ⪯ 16 λI, with the collision matrix C and λ = Σ 1/m, for uniform bodies that are star-shaped from the contact
-/// point. star_shaped.v in properties/proofs proves it, and this file checks it in ℚ. The contact point is the origin.
+/// Tests star_shaped.v of properties/proofs in ℚ: λI ⪯ C ⪯ 16 λI for uniform bodies that are star-shaped from the
+/// contact point. C is the collision matrix and λ = Σ 1/m. The contact point is the origin.
 namespace carom::properties {
 namespace {
 
@@ -29,14 +29,13 @@ Rational six_volumes(const Triangle& t) { return t[0].dot(t[1].cross(t[2])); }
 
 ExactMatrix squared(const ExactVector& v) { return v * v.transpose(); }
 
-/// Mass properties of a uniform body.
 struct Shape {
   ExactVector centre;          // of mass
   ExactMatrix second_moments;  // S, about the centre, divided by the mass
 };
 
-/// A uniform tetrahedron with the origin as apex has its centre at (a + b + c)/4, and the second moments (aaᵀ + bbᵀ +
-/// ccᵀ + ssᵀ)/20 about the apex, where s = a + b + c.
+/// A uniform tetrahedron with corners 0, a, b and c has its centre at s/4, with s = a + b + c. Its second moments about
+/// 0 are (aaᵀ + bbᵀ + ccᵀ + ssᵀ)/20.
 Shape shape_of(const Surface& surface) {
   Rational volume(0);
   ExactVector centre(0, 0, 0);
@@ -56,7 +55,6 @@ bool is_star_shaped(const Surface& surface) {
   return std::all_of(surface.begin(), surface.end(), [](const Triangle& t) { return six_volumes(t) > 0; });
 }
 
-/// Whether some corner lies beyond the plane of a face.
 bool is_dented(const Surface& surface) {
   for (const Triangle& face : surface) {
     const ExactVector outwards = ExactVector(face[1] - face[0]).cross(ExactVector(face[2] - face[0]));
@@ -71,19 +69,19 @@ bool is_dented(const Surface& surface) {
   return false;
 }
 
-/// rrᵀ ⪯ 15 S, with r from the centre to the point.
+/// Whether rrᵀ ⪯ 15 S, with r from the centre to the point.
 bool dominates(const Shape& shape, const ExactVector& point) {
   const ExactVector r = point - shape.centre;
   return oracles::is_positive_semidefinite(shape.second_moments * Rational(15) - squared(r));
 }
 
-/// I/m + [r]ᵀ J⁻¹ [r], the contribution of a body of this mass to C; J = m (tr(S) I − S).
+/// The body's part of C, I/m + [r]ᵀ J⁻¹ [r], with J = m (tr(S) I − S).
 ExactMatrix share_of_matrix(const Shape& shape, const Rational& mass, const ExactVector& point) {
   const ExactVector r = point - shape.centre;
   const ExactMatrix inertia = (ExactMatrix::Identity() * shape.second_moments.trace() - shape.second_moments) * mass;
   ExactMatrix cross;  // r × x
   cross << 0, -r[2], r[1], r[2], 0, -r[0], -r[1], r[0], 0;
-  // Uses one division: the adjugate's entries are determinants.
+  // The adjugate needs only one division.
   ExactMatrix adjugate;
   for (int i = 0; i < 3; ++i) {
     adjugate.row(i) = inertia.col((i + 1) % 3).cross(inertia.col((i + 2) % 3));
@@ -92,7 +90,7 @@ ExactMatrix share_of_matrix(const Shape& shape, const Rational& mass, const Exac
   return ExactMatrix::Identity() / mass + turning / inertia.col(0).dot(adjugate.row(0).transpose());
 }
 
-/// 1 … 9 times 10⁰ … 10⁶.
+/// A number d · 10ᵏ with 1 ≤ d ≤ 9 and 0 ≤ k ≤ 6.
 Rational spiky_radius(Stream& stream) {
   Rational radius(stream.integer(1, 9));
   for (int tens = stream.integer(0, 6); tens > 0; --tens) {
@@ -101,9 +99,8 @@ Rational spiky_radius(Stream& stream) {
   return radius;
 }
 
-/// A surface with 14 corners in perturbed directions: those of an octahedron, and one in the middle of each of its
-/// faces. Each corner has its own distance. The body consists of all 24 tetrahedra, or of some of them. If it consists
-/// of some, the contact is on its surface.
+/// A surface with 14 corners in perturbed directions, at random distances: those of an octahedron, and one in the
+/// middle of each of its faces. If the body lacks some of the 24 tetrahedra, the contact is on its surface.
 template <class Radius>
 Surface random_surface(Stream& stream, const Radius& radius) {
   std::array<std::array<ExactVector, 2>, 3> directions;
@@ -112,7 +109,7 @@ Surface random_surface(Stream& stream, const Radius& radius) {
     for (int side = 0; side < 2; ++side) {
       auto& direction = directions[axis][side];
       for (int i = 0; i < 3; ++i) {
-        // The diagonal dominates, so the perturbation does not change the sign of an octant's determinant.
+        // The diagonal dominates, so no octant's determinant changes its sign.
         direction[i] = i == axis ? (side == 0 ? 8 : -8) : stream.integer(-3, 3);
       }
       radii[axis][side] = radius();
@@ -145,7 +142,7 @@ Surface spiky_surface(Stream& stream) {
   return random_surface(stream, [&] { return spiky_radius(stream); });
 }
 
-/// After the shift, some volumes may be negative.
+/// After the shift, some volumes are negative.
 TEST(StarShaped, HaveMomentsThatDoNotDependOnTheApex) {
   Stream stream = stream_from(41);
   for (int i = 0; i < 50; ++i) {
@@ -181,7 +178,7 @@ TEST(StarShaped, AreWellConditioned) {
     const Shape shape = shape_of(surface);
     const ExactVector point(0, 0, 0);
     EXPECT_TRUE(dominates(shape, point)) << i;
-    // Checks contacts with an immovable body and with the previous body.
+    // Contacts with an immovable body, and with the previous body.
     const Rational lambda = 1 / spiky_radius(stream);
     const ExactMatrix matrix = share_of_matrix(shape, 1 / lambda, point);
     EXPECT_TRUE(is_at_least(matrix, lambda) && is_at_most(matrix, 16 * lambda)) << i;
@@ -194,8 +191,8 @@ TEST(StarShaped, AreWellConditioned) {
   EXPECT_GT(closed, bodies / 3);
 }
 
-/// A tetrahedron with the contact at its apex, a thousand times as long as wide. C r = λ r, so the condition number
-/// is the largest eigenvalue divided by λ.
+/// A tetrahedron a thousand times as long as wide touches with its apex. As C r = λ r, the condition number of C is its
+/// largest eigenvalue divided by λ.
 TEST(StarShaped, HaveConditionNumbersOfNearly16AsNeedles) {
   Stream stream = stream_from(43);
   for (int i = 0; i < 200; ++i) {
@@ -219,7 +216,7 @@ TEST(StarShaped, ExceedTheBoundWhereTheContactIsFarOutside) {
   Stream stream = stream_from(44);
   for (int i = 0; i < 200; ++i) {
     const Shape shape = shape_of(spiky_surface(stream));
-    // Every coordinate of a corner is at most (8 + 3 + 3) · 9 · 10⁶. One coordinate of the point is 10¹¹.
+    // The coordinates of a corner are at most (8 + 3 + 3) · 9 · 10⁶. One coordinate of the point is 10¹¹.
     ExactVector point = unit::exact_eighths3(stream, 8);
     point[stream.integer(0, 2)] = 1000;
     point *= Rational(100000000);
@@ -230,8 +227,7 @@ TEST(StarShaped, ExceedTheBoundWhereTheContactIsFarOutside) {
   }
 }
 
-/// A hammer with a massless handle, in contact at the end of the handle. A part of the head is not visible from the
-/// contact.
+/// A hammer with a massless handle. The contact at the end of the handle does not see all of the head.
 TEST(StarShaped, ExceedTheBoundWhereABodyIsTouchedInAPointThatDoesNotSeeAllOfIt) {
   Surface hammer;
   for (int octant = 0; octant < 8; ++octant) {

@@ -23,7 +23,8 @@ TEST(Theorems, ProveInvariantsOfTheLawsThatClaimThem) {
     }
   }
   EXPECT_TRUE(invariant_named("finite")->proved_laws().empty());
-  // Momentum is conserved by any law. `coulomb` may have several answers or none, and the proofs do not cover it.
+  // Every law conserves momentum. Theorems about one answer do not cover `coulomb`, which may have several answers or
+  // none.
   EXPECT_TRUE(is_proved_of("linear_momentum", Law::coulomb));
   EXPECT_TRUE(is_proved_of("restitution", Law::rough));
   EXPECT_FALSE(is_proved_of("restitution", Law::coulomb));

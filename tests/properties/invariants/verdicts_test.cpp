@@ -14,7 +14,6 @@
 namespace carom::properties {
 namespace {
 
-/// Whether Σ_i (left_i − right_i)² ≤ allowed², in ℚ.
 bool is_near(const Vector3<oracles::Rational>& left, const Vector3<oracles::Rational>& right, double allowed) {
   const Vector3<oracles::Rational> difference = left - right;
   return difference.dot(difference) <= oracles::Rational(allowed) * oracles::Rational(allowed);
@@ -26,9 +25,8 @@ struct Counts {
   int far = 0;
 };
 
-/// Compares y + (to − from), rounded as in relations.cpp, with an outcome. The outcome differs from this sum in one
-/// component by `least` to `most` times the allowance. Whenever surely_near shows that they are near, the exact sum
-/// confirms it.
+/// Computes y + (to − from), rounded as in relations.cpp, and changes one component by `least` to `most` times the
+/// permitted error. If surely_near shows that the two are near, the exact sum confirms it.
 Counts expect_shown_to_be_near(double allowance, double least, double most) {
   Counts counts;
   Stream stream = stream_from(91);
@@ -64,8 +62,7 @@ Counts expect_shown_to_be_near(double allowance, double least, double most) {
   return counts;
 }
 
-/// A violation outranks an undecided verdict, which outranks a pass. If one verdict is outside the domain, the other
-/// one decides.
+/// From the worst: violated, undecided, holds, outside the domain.
 TEST(Both, IsTheWorseOfTwoVerdicts) {
   Verdict violated;
   violated.status = Status::violated;
@@ -99,8 +96,8 @@ TEST(Seriousness, OrdersViolations) {
   verdict.left = {1, -12};
   verdict.right = {5};
   EXPECT_EQ(verdict.relative_residual(), 0.5);
-  // If the allowance is zero, the unit is 2⁻⁵³ of the largest of these: the collision's numbers, the formula's
-  // numbers, 1.
+  // If nothing is permitted, the unit is 2⁻⁵³ times the largest number of the collision's velocities and the formula,
+  // or 2⁻⁵³ if all are zero.
   verdict.allowed = 0;
   EXPECT_TRUE(std::isinf(verdict.severity()));
   EXPECT_EQ(seriousness(verdict, c), 6 / 12.0 * 0x1p+53);
@@ -127,12 +124,12 @@ TEST(SurelyNear, ShowsOnlyWhatIsNear) {
   for (const Precision precision : {Precision::binary32, Precision::binary64, Precision::extended}) {
     const Counts counts = expect_shown_to_be_near(oracles::default_limit_ulps * unit_roundoff(precision), 0, 2);
     EXPECT_GT(counts.far, 8000);
-    // In extended, two ulps of numbers larger than the scale are a considerable part of the allowance.
+    // In extended, two ulps of numbers larger than the scale are a considerable part of the permitted error.
     EXPECT_GT(counts.shown, precision == Precision::extended ? counts.near / 2 : counts.near * 9 / 10);
   }
 }
 
-/// The allowance is eight ulps of extended, and the error is about as large. So the rounding of the numbers decides.
+/// The permitted error is eight ulps of extended, so the rounding of the compared numbers matters.
 TEST(SurelyNear, CountsTheRoundingOfWhatItCompares) {
   const Counts counts = expect_shown_to_be_near(8 * unit_roundoff(Precision::extended), 0.5, 1.1);
   EXPECT_GT(counts.far, 2000);
@@ -140,7 +137,7 @@ TEST(SurelyNear, CountsTheRoundingOfWhatItCompares) {
   EXPECT_GT(counts.shown, 100);
 }
 
-/// An allowance of one rounding of extended is no more than the rounding of the compared numbers.
+/// One rounding of extended is no more than the rounding of the compared numbers.
 TEST(SurelyNear, DecidesNothingBelowItsOwnRounding) {
   const Outcome<double> y{{{1, 2, 3}, {4, 5, 6}}, {{7, 8, 9}, {1, 2, 3}}};
   const auto reported = map_outcome<long double>(y, [](double x) { return static_cast<long double>(x); });

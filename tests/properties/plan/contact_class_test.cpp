@@ -29,7 +29,7 @@ TEST(ContactClass, IsCentralWithinTheRoundingOfThePlaces) {
   Collision c = unit::ball_on_a_plane(0.5, 1);
   c.normal = {1.0 / 3, 2.0 / 3, 2.0 / 3};
   c.point = {10.1, -7.3, 0.9};
-  c.a.position = c.point + 0.7 * c.normal;  // rounded: r × N is not zero
+  c.a.position = c.point + 0.7 * c.normal;  // rounded, so r × N is not zero
   EXPECT_EQ(contact_class_of(c), "central, one immovable");
   c.a.position[0] += 1e-12;
   EXPECT_EQ(contact_class_of(c), "equal moments, one immovable");

@@ -7,11 +7,11 @@
 
 #include "support/cases.hpp"
 
-/// Each lint has one case that triggers it, and a similar case that does not.
+/// Each lint has a case that triggers it, and a similar case that does not.
 namespace carom::properties::plan {
 namespace {
 
-/// The findings as "severity lint field".
+/// Findings as "severity lint field".
 std::vector<std::string> found(const Collision& collision) {
   std::vector<std::string> all;
   for (const LintFinding& finding : findings_of({"", collision, "here:1"})) {
@@ -38,7 +38,7 @@ Collision cube() {
 
 TEST(Lint, IsSilentOfACube) { EXPECT_EQ(found(cube()), Found{}); }
 
-/// Ignores `centre_of_mass`, because the family draws normals that fit no surface of the bodies.
+/// Ignores `centre_of_mass`, because the family's normals fit no surface of its bodies.
 TEST(Lint, IsSilentOfConvexUniformBodies) {
   for (std::uint64_t i = 0; i < 50; ++i) {
     Collision c = unit::case_of("physical", i).collision;
@@ -54,20 +54,20 @@ TEST(Lint, IsSilentOfConvexUniformBodies) {
   }
 }
 
-/// For one movable body of mass 1 and equal moments I, the largest eigenvalue of K is 1 + ‖r‖²/I.
+/// With one movable body of mass 1 and equal moments I, the largest eigenvalue of K is 1 + ‖r‖²/I.
 TEST(Lint, FindsAConditionAbove16) {
   Collision c = cube();
   c.a.position = {1, 0, 0};
   c.a.principal_inertia.setConstant(0x1p-4);  // K = diag(1, 17, 17)
   EXPECT_EQ(found(c), Found{"warning condition a"});
-  c.a.principal_inertia = {0x1p-4, 1.0 / 15, 1.0 / 15};  // slightly more or less than 15
+  c.a.principal_inertia = {0x1p-4, 1.0 / 15, 1.0 / 15};  // ‖r‖²/I is about 15
   c.a.principal_inertia.tail<2>().setConstant(0.06667);  // 1/0.06667 < 15
   EXPECT_EQ(found(c), Found{});
   c.a.principal_inertia.tail<2>().setConstant(0.06666);
   EXPECT_EQ(found(c), Found{"warning condition a"});
 }
 
-/// B is a hundred times lighter, so λ = 1/m_A + 1/m_B is so large that K stays below 16 λ.
+/// B is a hundred times lighter. This makes λ = 1/m_A + 1/m_B so large that K stays below 16 λ.
 TEST(Lint, FindsALeverArmOfOneBodyWhereKHidesIt) {
   Collision c = cube();
   c.a.position = {1, 0, 0};
@@ -91,7 +91,7 @@ TEST(Lint, FindsMomentsThatNoBodyHas) {
   EXPECT_EQ(found(c), Found{"note moments a.principal_inertia[1]"}) << "a plate, rounded in binary32";
 }
 
-/// Balls of radius 1/2 that touch at the origin, A above B.
+/// Balls of radius 1/2 touch at the origin, with A above B.
 Collision two_balls() {
   Collision c;
   c.a.principal_inertia.setConstant(0.1);
@@ -113,13 +113,13 @@ TEST(Lint, FindsACentreOfMassOnTheOtherSideOfTheContact) {
   EXPECT_EQ(found(c), (Found{"warning normal_length normal", "warning centre_of_mass b.position"})) << "however little";
 }
 
-/// A plate without thickness, hit on its face: N·(X − P) = 0.
+/// A plate without thickness is hit on its face, so N·(X − P) = 0.
 TEST(Lint, IsSilentOfACentreOfMassInThePlaneOfTheContact) {
   Collision c = two_balls();
   c.a.position = {0.25, 0, 0.125};
   c.b.position = {0, 0, 0};
   EXPECT_EQ(found(c), Found{});
-  c.normal = {3, 1, 0};  // in binary64, 3 × 0.1 differs from 0.3, so the centre lies beyond the plane
+  c.normal = {3, 1, 0};  // 3 × 0.1 > 0.3 in binary64, so the centre lies beyond the plane
   c.normal.normalize();
   c.b.position = {0, -0.5, 0};
   c.a.position = {0.1, std::nextafter(-0.3, -1.0), 0};

@@ -98,7 +98,7 @@ TEST(Plan, NamesClassesByGeometryUnlessTheyHaveAName) {
   EXPECT_EQ(plan.whole.contacts.size(), 20U);
 }
 
-/// Certification can fail: a subject with an error of about 10⁻¹⁰ on one of many contacts is never recommended.
+/// A subject with an error of about 10⁻¹⁰ on one of many contacts is never recommended.
 TEST(Plan, RejectsAPlantedWrongCandidate) {
   std::vector<Candidate> candidates = some_candidates();
   Candidate wrong = candidate("frictionless-float", 0);
@@ -128,7 +128,6 @@ TEST(Plan, RejectsAPlantedWrongCandidate) {
   EXPECT_EQ(planted.certificate.worst->result.failure, "backward error");
   EXPECT_GT(*planted.certificate.worst_backward_error, 1e4);
   EXPECT_EQ(chosen(plan), "frictionless-double");
-  // The planted candidate is right to nine digits.
   const Plan of_nine = make_plan(contacts, candidates, options_for(Law::reflection, 9));
   EXPECT_EQ(judged(of_nine, of_nine.whole, "planted").certificate.failures, 0U);
 }
@@ -147,7 +146,6 @@ TEST(Plan, RejectsWhatRefusesOrIsNotFinite) {
   EXPECT_EQ(judged(plan, plan.whole, "mute").certificate.failures, 5U);
 }
 
-/// A crate's corner on the floor.
 ClassedCollision crate_at(double x) {
   Collision c;
   c.a.principal_inertia = {0.25, 0.25, 0.1875};
@@ -174,7 +172,7 @@ TEST(Plan, RefusesFloatForOneContactFarFromTheOrigin) {
   EXPECT_LT(*certificate.least_digits, 5);
 }
 
-/// A contact that does not collide must stay unchanged, which binary32 achieves to seven digits.
+/// A contact that does not collide must stay unchanged, to the demanded digits.
 TEST(Plan, AsksForNoDigitsOfAChangeThatThereIsNot) {
   ClassedCollision parting = crate_at(0.25);
   parting.collision.a.velocity = {0.7, 1.3, 0.2};
@@ -195,8 +193,8 @@ TEST(Plan, SaysWhereNothingServes) {
   EXPECT_FALSE(of_less.serves());
 }
 
-/// Recorded positions of spheres are rounded, so r × N is not zero. `frictionless` and `reflection` agree only within
-/// the demanded accuracy.
+/// Recorded positions are rounded, so r × N is not zero. `frictionless` and `reflection` then agree only within the
+/// demanded accuracy.
 TEST(Plan, TakesOnlyTheSameLawWhereThatIsAskedFor) {
   Collision ball = unit::ball_on_a_plane(0.4, 0);
   ball.normal = {1.0 / 3, 2.0 / 3, 2.0 / 3};
@@ -268,7 +266,7 @@ TEST(Plan, IsTheSameWithAnyNumberOfThreads) {
   }
 }
 
-/// Any input works: for every family and law, planning ends with a certificate for each contact.
+/// Planning ends with a certificate for every contact of every family and law.
 TEST(Plan, IsMadeOfEveryFamily) {
   std::vector<ClassedCollision> contacts;
   for (const auto& [family, one] : unit::valid_cases(3)) {

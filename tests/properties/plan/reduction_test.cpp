@@ -23,16 +23,15 @@ bool are_same(const Outcome<T>& x, const Outcome<Rational>& y) {
   });
 }
 
-/// Whether the exact outcomes of two laws (each with one exact outcome) are the same. Precondition: the outcome of
-/// `lesser` is rational.
+/// Whether the exact outcomes of two laws are the same. Preconditions: both have one exact outcome; that of `lesser` is
+/// rational.
 bool answer_alike(const ExactCase& c, Law law, Law lesser) {
   return c.with_truth(law, c.approach(), [&]<class T>(const oracles::Truth<T>& truth) {
     return are_same<T>(truth.outcome, c.truth(lesser).outcome);
   });
 }
 
-/// Cases of every family, and cases of small dyadic numbers. Many dyadic cases satisfy conditions under which laws
-/// agree.
+/// Cases of every family, and cases of small dyadic numbers. Many of the latter meet the conditions for equal outcomes.
 std::vector<Collision> cases() {
   std::vector<Collision> all;
   for (const auto& [family, one] : unit::valid_cases(6)) {
@@ -57,8 +56,7 @@ std::vector<Collision> cases() {
   return all;
 }
 
-/// If `reduction` gives a reason why a cheaper law may replace a law, their exact outcomes are equal. Otherwise they
-/// differ.
+/// `reduction` gives a reason exactly if the exact outcomes of two laws are equal.
 TEST(Reduction, ToFrictionlessIsGivenExactlyWhereTheTruthsAreTheSame) {
   PerLaw<int> given{};
   PerLaw<int> not_given{};
@@ -91,8 +89,7 @@ TEST(Reduction, OfRoughToStickingIsGivenOnlyWhereTheTruthsAreTheSame) {
   EXPECT_GT(given, 10);
 }
 
-/// A law that replaces `coulomb` gives one of the answers of `coulomb`, which oracles::coulomb_answers computes
-/// independently.
+/// A law that replaces `coulomb` gives one of its answers. oracles::coulomb_answers finds them independently.
 TEST(Reduction, OfCoulombIsGivenOnlyWhereTheLesserLawIsAnAnswer) {
   PerLaw<int> given{};
   const std::vector<Collision> all = cases();

@@ -45,7 +45,7 @@ struct Turning {
 const std::vector<std::pair<Vector3<double>, Vector3<double>>> bodies{
     {{1, 1, 1}, {3, 0, 4}},
     {{1, 2, 3}, {3, 0.001, 4}},
-    // This body rotates about its intermediate axis, so it flips over again and again.
+    // rotates about its intermediate axis, so it flips over again and again
     {{1, 2, 3}, {0.001, 5, 0}},
     {{0.01, 0.02, 1}, {3, 2, 3}},
 };
@@ -61,12 +61,11 @@ TEST(BodyTrack, TurnsAsTheRotationPathThatTheLoopUses) {
     for (const double share : {0.0, 1e-6, 0.01, 0.3, 0.29, 0.77, 1.0}) {
       const double elapsed = share * duration;
       const scene::BoundedRotation expected = path.at(elapsed);
-      // The sum is a long double, because 3 s plus the elapsed time is no double.
+      // 3 s plus the elapsed time is no double.
       const Pose pose = track.pose(0, Real(3) + elapsed);
       const Real apart = (pose.axes - wide_rotation(Quaternion<Real>(expected.state.orientation.cast<Real>()))).norm() /
                          std::sqrt(2.0L);
-      // The limit is the error bound of the path plus the error of the track. The track takes 20 steps per radian, with
-      // an error of 10⁻¹⁶ rad each.
+      // The limit is the error bound of the path, plus 10⁻¹⁶ rad for each step of the track (20 steps per radian).
       EXPECT_LE(apart, expected.angle_error + 2000 * 1e-16L * (1 + 100)) << share;
       EXPECT_LE(apart, 1e-11L) << share;
       EXPECT_NEAR(static_cast<double>(pose.rate), expected.state.body_rate.norm(), 1e-11) << share;
@@ -74,7 +73,7 @@ TEST(BodyTrack, TurnsAsTheRotationPathThatTheLoopUses) {
   }
 }
 
-/// ω in world axes, from the matrix A of the axes: Ȧ Aᵀ by differences of fourth order, with a relative error of (ω
+/// ω in world axes from the matrix A of the axes: Ȧ Aᵀ, by differences of fourth order over h. The relative error is (ω
 /// h)⁴/30.
 WideVector rate_from(BodyTrack& track, Real time, Real h) {
   const auto axes = [&](Real t) { return track.pose(0, t).axes; };
@@ -104,7 +103,8 @@ TEST(BodyTrack, KeepsEnergyAndAngularMomentumFor100Radians) {
         energy = spin.dot(omega);
         momentum = spin;
       }
-      // ω has a relative error of (10⁻³)⁴/30. Along the thin axis of the slender body, the error is 10⁴ times as large.
+      // With ω h = 10⁻³, ω has a relative error of 10⁻¹²/30. Along the thin axis of the slender body, it is 10⁴ times
+      // as large.
       EXPECT_NEAR(static_cast<double>(spin.dot(omega) / energy), 1, 1e-10) << k;
       EXPECT_LE(static_cast<double>((spin - momentum).norm() / momentum.norm()), 1e-10) << k;
     }
@@ -130,7 +130,7 @@ TEST(BodyTrack, HasItsPlacesInAnyOrderOfTimes) {
   }
 }
 
-/// A body without angular velocity keeps its axes. A ball keeps its axes at any angular velocity.
+/// A body without angular velocity keeps its axes. A ball keeps them at any angular velocity.
 TEST(BodyTrack, KeepsWhatDoesNotTurn) {
   const Quaternion<double> orientation(std::sqrt(0.5), 0, 0, std::sqrt(0.5));
   Turning turning({1, 1, 1}, {0, 0, 0}, orientation);

@@ -7,8 +7,7 @@
 
 #include "runs.hpp"
 
-/// The checkers find a defect in the paths (history), the account of energy (ledger) or an impulse. Without a defect
-/// they find nothing.
+/// The checkers find a planted defect of the history, the ledger or an impulse, and nothing without a defect.
 namespace carom::properties {
 namespace {
 
@@ -23,7 +22,7 @@ bool has(const Validity& validity, const std::string& other, const std::string& 
   });
 }
 
-/// Two spheres move towards each other, off centre by a tenth of a radius, again and again between two walls.
+/// Two spheres meet again and again between two walls, off centre by a tenth of a radius.
 Scene duel() {
   Scene scene = unit::empty_scene(Law::frictionless, {1, 0, 0, 0, 0}, 6);
   unit::add_plane(scene, {1, 0, 0}, {-4, 0, 0});
@@ -52,7 +51,7 @@ TEST(Planted, AnArcABillionthOfARadiusInsideItsNeighbourIsFound) {
 }
 
 TEST(Planted, SpheresThatPassThroughEachOtherAreFound) {
-  // The paths have no jump, because the velocities do not change and the run ends before any wall.
+  // The velocities do not change and the run ends before any wall, so no path jumps.
   Scene scene = duel();
   scene.duration = 2;
   const unit::WatchedRun run(scene, 100, unit::first_impact([](Event& event) {
@@ -71,7 +70,6 @@ TEST(Planted, AnEventThatIsLeftOutIsFound) {
   const unit::WatchedRun run(scene, 100, unit::first_impact([](Event&) { return false; }));
   EXPECT_TRUE(has(run.validity(), "sphere", "overlap"));
   EXPECT_FALSE(has(run.validity(), "itself", ""));
-  // If more events follow, the paths also jump.
   const unit::WatchedRun longer(duel(), 100, unit::first_impact([](Event&) { return false; }));
   EXPECT_TRUE(has(longer.validity(), "itself", "jumps"));
 }
@@ -127,12 +125,12 @@ TEST(Planted, ASphereAnUlpBelowAPlaneIsFound) {
 TEST(Planted, ABulgeThroughACeilingIsFound) {
   Scene scene = unit::empty_scene(Law::frictionless, {1, 0, 0, 0, 0}, 0.875);
   scene.gravity = {0, 0, -8};
-  // The sphere rises by 1 in 1/2 s, and falls almost back. Its highest centre is at 1.5.
+  // The sphere rises by 1 in 1/2 s and falls almost back. Its centre reaches 1.5.
   unit::add_sphere(scene, 0.5, {0, 0, 0.5}, {0, 0, 4});
   unit::add_plane(scene, {0, 0, 1}, {0, 0, 0});
   const unit::WatchedRun run(scene, 100);
   EXPECT_EQ(run.validity().count, 0U);
-  // The checker would report an exact touch, because the body is not above the plane. One ulp more room is enough.
+  // An exact touch would be reported, because the sphere is not above the plane. So the plane is an ulp higher.
   unit::add_plane(scene, {0, 0, -1}, {0, 0, std::nextafter(2.0, 3.0)});
   EXPECT_EQ(check_validity(scene, run.history).count, 0U);
   scene.planes.back().point.z() = std::nextafter(2.0, 0.0);
@@ -140,7 +138,6 @@ TEST(Planted, ABulgeThroughACeilingIsFound) {
   EXPECT_TRUE(has(found, "plane 1", "not above"));
 }
 
-/// A scene with all kinds of motion: sliding, rolling, spinning, impacts with loss.
 Scene table() {
   Scene scene = unit::empty_scene(Law::rough, {0.9, 0.2, 0.25, 0.02, 0.05}, 20);
   scene.gravity = {0, 0, -9.81};
@@ -159,7 +156,6 @@ TEST(Planted, TheBooksOfATableCloseWithoutIt) {
   for (const Cause cause : {Cause::impacts, Cause::plane_impacts, Cause::sliding, Cause::rolling, Cause::spinning}) {
     EXPECT_LT(run.ledger.energy(cause), 0) << name_of(cause);
   }
-  // At the end all kinetic energy is lost.
   EXPECT_NEAR(
       static_cast<double>((run.ledger.present().translation + run.ledger.present().rotation) / run.ledger.scale()), 0,
       1e-12);

@@ -24,10 +24,10 @@ namespace carom::unit {
   return yardstick;
 }
 
-/// Changes an event before the checkers receive it. If the function returns false, they do not receive the event.
+/// Changes an event before the checkers receive it. If it returns false, they do not receive the event.
 using Alter = std::function<bool(scene::Event&)>;
 
-/// Changes the first impact of two bodies. If `change` returns false, the checkers do not receive this impact.
+/// Applies `change` to the first impact of two bodies.
 template <class Change>
 [[nodiscard]] Alter first_impact(Change change) {
   return [change, done = false](scene::Event& event) mutable {
@@ -74,7 +74,7 @@ struct WatchedRun {
   [[nodiscard]] properties::Validity validity() const {
     return properties::check_validity(simulation.scene(), history);
   }
-  /// The sum of the absolute rounding errors of the energy, relative to the ledger's scale.
+  /// Σ |rounding| of the energy, relative to the ledger's scale.
   [[nodiscard]] long double relative_rounding() const { return ledger.rounding_without_signs() / ledger.scale(); }
 
   /// The widest gap at an impact of spheres, relative to the sum of their radii.

@@ -21,20 +21,19 @@ std::string text_of(const Validity& validity) {
   return text;
 }
 
-/// Checks that a run has no overlaps, a balanced ledger and right impulses.
 void check(const Scene& scene, std::size_t most_events) {
   ASSERT_FALSE(scene::first_defect(scene)) << scene::describe(*scene::first_defect(scene));
   const unit::WatchedRun run(scene, most_events);
   const Validity validity = run.validity();
   EXPECT_EQ(validity.count, 0U) << text_of(validity);
-  // Spheres that collide touch, up to the error of the contact time. The widest error bound is that of a quartic, the
+  // Spheres touch at an impact, up to the error of the contact time. The widest error bound is that of a quartic, the
   // squared distance of the centres: 264 u L². L is the distance travelled in its span, 44 m in 3 s under gravity. The
-  // gap is half of the error over the distance of the centres.
+  // gap is half of this error divided by the distance of the centres.
   EXPECT_LE(run.widest_gap, 1e-9);
   EXPECT_GT(validity.exact_pairs, 0U);
   EXPECT_GT(validity.joints, 50U);
-  // Each entry of the ledger has a rounding error of about 8 u of a few numbers, or 10⁻¹⁵. The signs are nearly random,
-  // so the sum of thousands of entries stays far below 10⁻¹² of the scale.
+  // Each entry of the ledger has a rounding error of about 10⁻¹⁵ (8 u of a few numbers), with a nearly random sign. The
+  // sum of thousands stays far below 10⁻¹².
   const long double scale = run.ledger.scale();
   EXPECT_LE(std::abs(run.ledger.energy(Cause::rounding)), 1e-12L * scale);
   long double sum = run.ledger.initial().total();
@@ -78,7 +77,7 @@ TEST_P(RandomBoxes, AreValidInEveryPrecision) {
   }
 }
 
-/// The scene has slopes, on which no body can rest.
+/// No body can rest on the slopes of this scene.
 TEST_P(RandomBoxes, MayStandOnSlopes) {
   Scene scene = unit::box_of_spheres(GetParam(), {0.5, 0.25, 0.5, 0, 0}, 2, 2, 5);
   scene.gravity = {0, 0, -9.81};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Scenes with a structure that random ones lack: rows in contact, exact grazes, balls that are pressed together.
+// Scenes with rows in contact, exact grazes, and balls that are pressed together.
 #include <stop_token>
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ void expect_valid(const Scene& scene, std::size_t most_events = 20000) {
   EXPECT_LE(run.relative_rounding(), 1e-12L);
 }
 
-/// After the impact, spheres still approach at 10⁻¹⁶ m/s. So their contact time is known only to some seconds, in which
+/// After the impact, spheres still approach at 10⁻¹⁶ m/s. So bounds of their contact time are seconds apart. Meanwhile,
 /// spheres leave their cells (scene::CellGrid).
 TEST(StructuredScenes, ABallStrikesARowThatTouchesWithoutRestitution) {
   for (const double restitution : {0.0, 0.25, 1.0}) {
@@ -35,8 +35,8 @@ TEST(StructuredScenes, ABallStrikesARowThatTouchesWithoutRestitution) {
   }
 }
 
-/// A pair closes at 2⁻⁴⁴ m/s and touches at 1 s, within bounds of about 0.04 s. Another pair touches first, exactly at
-/// 1 − 2⁻¹⁰ s. Before both contacts, a fast sphere leaves several cells and hits a sphere at rest.
+/// A pair closes at 2⁻⁴⁴ m/s and touches at 1 s, within bounds of 0.04 s. Another pair touches exactly at 1 − 2⁻¹⁰ s.
+/// Before, a fast sphere leaves several cells and hits a sphere at rest.
 TEST(StructuredScenes, AFastSphereLeavesItsCellsWithinTheBoundsOfASlowContact) {
   Scene scene = unit::empty_scene(Law::frictionless, {1, 0, 0, 0, 0}, 0x1p22);
   unit::add_sphere(scene, 0.5, {0, 8, 0}, {0, 0, 0});
@@ -80,7 +80,7 @@ TEST(StructuredScenes, BallsThatRollArePressedTogether) {
   }
 }
 
-/// Far from the origin an ulp of a position is 10⁻¹⁰ m, and the energy has the rounding error of m g x.
+/// Far from the origin, an ulp of a position is 10⁻¹⁰ m. The energy has the rounding error of m g x.
 TEST(StructuredScenes, FarFromTheOriginTheLedgerCloses) {
   Scene scene = unit::empty_scene(Law::rough, {0.75, 0.25, 0, 0.01, 0.001}, 4);
   scene.gravity = {0, 0, -9.81};
@@ -91,7 +91,7 @@ TEST(StructuredScenes, FarFromTheOriginTheLedgerCloses) {
   expect_valid(scene);
 }
 
-/// The sphere leaves one cell after the other, and nothing else happens.
+/// The sphere leaves cell after cell, and nothing else happens.
 TEST(StructuredScenes, AStopIsHeardWhileNothingHappens) {
   Scene scene = unit::empty_scene(Law::frictionless, {1, 0, 0, 0, 0}, 1e17);
   unit::add_sphere(scene, 0.5, {0, 0, 0}, {1, 0, 0});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Random scenes with polyhedra pass the checkers. In another scene the checkers find planted defects.
+// Random scenes with polyhedra pass the checkers. In another scene, the checkers find planted defects.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -31,7 +31,6 @@ std::string text_of(const Validity& validity) {
   return text;
 }
 
-/// No bodies overlap, every impulse is right, and the ledger balances.
 void expect_sound(const Scene& scene, std::size_t most_events, std::size_t least_events) {
   const auto defect = scene::first_polyhedron_defect(scene);
   ASSERT_FALSE(defect) << describe(*defect);
@@ -43,7 +42,7 @@ void expect_sound(const Scene& scene, std::size_t most_events, std::size_t least
   EXPECT_GT(validity.planes, 0U);
   EXPECT_EQ(validity.joints, 2 * run.simulation.counts().impacts + run.simulation.counts().plane_impacts +
                                  run.simulation.counts().renewals);
-  // An overlap that the check may miss is at most 2⁻³⁰ of the smaller radius deep. This radius is at most 0.4 here.
+  // The limit is 2⁻³⁰ of the smaller radius, which is at most 0.4.
   EXPECT_LE(validity.unseen, 0.4 * 0x1p-30);
   // A stored position has coordinates of up to 2, with about eight roundings.
   EXPECT_LE(validity.largest_jump, 8 * 0x1p-52);
@@ -72,7 +71,7 @@ TEST_P(RandomRooms, OfPolyhedraAreValidAndBalanced) {
   for (const double restitution : {0.0, 0.5, 1.0}) {
     for (const double gravity : {0.0, 9.81}) {
       ++seed;
-      // Under reflection impacts may create energy. Gravity brings the bodies back, so the energy grows without limit.
+      // Reflection may create energy. Gravity brings the bodies back, so the energy would grow without limit.
       if (GetParam() == Law::reflection && gravity > 0) {
         continue;
       }
@@ -97,7 +96,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, RandomRooms,
                          testing::Values(Law::frictionless, Law::reflection, Law::sticking, Law::rough, Law::coulomb),
                          [](const auto& law) { return std::string(name_of(law.param)); });
 
-/// A brick and a tetrahedron that rotate meet after 1.07 s. They meet again after 1.35 s, but the scene ends before.
+/// A brick and a tetrahedron meet after 1.07 s. The scene ends before they meet again, after 1.35 s.
 Scene meeting() {
   Scene scene = unit::empty_scene(Law::frictionless, {0.75, 0, 0, 0, 0}, 1.25);
   unit::add_polyhedron(scene, unit::centred_box({0.5, 0.75, 1}), {-2, 0.125, 0}, {1.25, 0, 0}, {1, 2, -0.5});
@@ -214,13 +213,13 @@ TEST(PlantedInATumble, AVelocityThatChangesWithoutACauseDoesNotClose) {
                                  return true;
                                }));
     EXPECT_GT(run.relative_rounding(), 1e-12L) << kind;
-    // Only the ledger finds this defect, because the impulses are right.
+    // The impulses are right, so only the ledger finds this defect.
     EXPECT_EQ(run.judge.violated(), 0U);
   }
 }
 
 TEST(PlantedInATumble, EnergyWithoutACauseDoesNotClose) {
-  // The reported outcome has an impulse that exceeds the stored one by a billionth.
+  // The impulse in the outcome exceeds the stored one by a billionth.
   const unit::WatchedRun greater(meeting(), 100, unit::first_impact([](Event& event) {
                                    event.outcome.a.velocity +=
                                        1e-9 * (event.outcome.a.velocity - event.collision.a.velocity);
@@ -228,7 +227,7 @@ TEST(PlantedInATumble, EnergyWithoutACauseDoesNotClose) {
                                  }));
   EXPECT_GT(greater.relative_rounding(), 1e-12L);
   EXPECT_EQ(greater.judge.violated(), 1U);
-  // A body on the floor keeps hopping, because slow contacts push it. One event does not report its push.
+  // Slow contacts push a body on the floor, so it keeps hopping. One event does not report its push.
   Scene scene = unit::empty_scene(Law::frictionless, {0, 0, 0, 0, 0}, 1);
   scene.gravity = {0, 0, -9.81};
   unit::add_plane(scene, {0, 0, 1}, {0, 0, 0});
@@ -257,7 +256,6 @@ TEST(PlantedInATumble, AnArcOutOfOrderIsFound) {
   }
 }
 
-/// In a scene of a ball and a polyhedron under `coulomb`, the ledger records each cause separately.
 TEST(PlantedInATumble, BallsAndPolyhedraAreBookedTogether) {
   Scene scene = unit::empty_scene(Law::coulomb, {0.5, 0.25, 0, 0, 0}, 1.5);
   scene.gravity = {0, 0, -9.81};
@@ -284,12 +282,11 @@ TEST(PlantedInATumble, BallsAndPolyhedraAreBookedTogether) {
                                       run.ledger.plane_impulse() + run.ledger.momentum_rounding();
   EXPECT_LE(static_cast<double>((momentum - booked).norm()), 1e-13);
   EXPECT_LE(static_cast<double>(run.ledger.momentum_rounding().norm()), 1e-13);
-  // A ball's lever arm has the length of its radius. The other body's lever arm ends in the middle of the gap, up to
-  // 2⁻³¹ radii from the ball.
+  // A ball's lever arm has the length of its radius. The other lever arm ends in the middle of the gap, up to 2⁻³¹
+  // radii from the ball.
   EXPECT_LE(static_cast<double>(run.ledger.angular_momentum_rounding()),
             0x1p-30 * static_cast<double>(run.ledger.angular_momentum_scale()) *
                 static_cast<double>(run.simulation.counts().impacts));
-  // The history holds orientations only for the polyhedron.
   ASSERT_EQ(run.history.orientations().size(), 2U);
   EXPECT_TRUE(run.history.orientations()[0].empty());
   EXPECT_EQ(run.history.orientations()[1].size(), run.history.arcs()[1].size());

@@ -17,7 +17,6 @@ namespace {
 
 constexpr std::size_t ample = 100000;
 
-/// N·V in floating point, as a solver computes it.
 double normal_velocity(const Collision& c) {
   const auto cross = [](const Vector3<double>& x, const Vector3<double>& y) {
     return Vector3<double>{x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
@@ -41,8 +40,8 @@ TEST(Simpler, GivesValidAndStrictlySimplerCollisionsOnly) {
   EXPECT_GT(candidates, 1000U);
 }
 
-/// Doubling or rounding up the largest numbers overflows binary64. `simpler` must not return such collisions. The test
-/// runs in a separate process, because a number that is not finite could keep `complexity` from terminating.
+/// Doubling or rounding up the largest numbers overflows. `simpler` must not return such collisions. Runs in another
+/// process, because `complexity` might not terminate for a number that is not finite.
 void simplify_at_the_ends(double x) {
   constexpr unsigned seconds_until_it_counts_as_endless = 20;
   alarm(seconds_until_it_counts_as_endless);
@@ -113,7 +112,7 @@ TEST(Shrink, EndsWhereNothingSimplerFails) {
   EXPECT_GT(shrunk_cases, 5);
 }
 
-/// A case shrinks to two vectors with one component each, and one body, as in a textbook.
+/// A case shrinks to one body and two vectors with one component each, as in a textbook.
 TEST(Shrink, ReachesSmallDyadicNumbers) {
   int shrunk_cases = 0;
   for (std::uint64_t i = 0; i < 30; ++i) {
@@ -129,7 +128,7 @@ TEST(Shrink, ReachesSmallDyadicNumbers) {
               << i << ": " << path.text() << " = " << number;
         },
         shrunk);
-    // The normal needs one number and a velocity one. Only a few others remain.
+    // The normal and a velocity need one number each. Only a few others remain.
     EXPECT_LE(complexity(shrunk), 24) << i;
   }
   EXPECT_GT(shrunk_cases, 4);

@@ -10,15 +10,15 @@
 
 #include "support/exact.hpp"
 
-/// The promise of the yardstick (docs/reference/yardstick.md): an outcome that is exact for inputs within the allowance
-/// passes, however hard the case is.
+/// The promise of the yardstick (docs/reference/yardstick.md): an outcome that is exact for permitted inputs passes,
+/// however hard the case is.
 namespace carom::properties {
 namespace {
 
 using oracles::ExactCase;
 using oracles::Rational;
 
-/// A random direction with `count` components and a length of at most one.
+/// A random direction with `count` components and a length of at most 1.
 std::vector<double> direction(Stream& stream, std::size_t count) {
   std::vector<double> components(count);
   double squares = 0;
@@ -33,7 +33,7 @@ std::vector<double> direction(Stream& stream, std::size_t count) {
   return components;
 }
 
-/// The collision with each quantity moved by `share` of its length, in a random direction.
+/// Moves each quantity by at most `share` times its length, in a random direction.
 BasicCollision<Rational> perturbed(Stream& stream, const Collision& collision, double share) {
   std::vector<double> change;
   for (const oracles::Quantity& q : oracles::quantities_of(collision)) {
@@ -44,14 +44,13 @@ BasicCollision<Rational> perturbed(Stream& stream, const Collision& collision, d
   std::size_t next = 0;
   BasicCollision<Rational> result =
       map_numbers<Rational>(collision, [&](double x) { return Rational(x) + Rational(change[next++]); });
-  // Restitutions are in [0, 1], and e_t in [−1, 1].
   result.restitution = std::min(Rational(1), std::max(Rational(0), result.restitution));
   result.tangential_restitution = std::min(Rational(1), std::max(Rational(-1), result.tangential_restitution));
   return result;
 }
 
-/// The law's answer to a collision that is not stored in binary64. For `rough` only if the friction impulse is inside
-/// the cone, where the answer is rational.
+/// The law's exact outcome. No value for `rough` if its impulse is not inside the friction cone, because the outcome
+/// may then be irrational.
 std::optional<Outcome<Rational>> answer_to(const BasicCollision<Rational>& c, Law law) {
   const bool collides = oracles::normal_velocity_before(c) < 0;
   oracles::Branch branch = oracles::Branch::only;
@@ -65,8 +64,7 @@ std::optional<Outcome<Rational>> answer_to(const BasicCollision<Rational>& c, La
   return collides ? oracles::colliding_truth(c, law, branch).outcome : unchanged(c);
 }
 
-/// Cases near and far from the origin. Far away, the rounding of a body's position is comparable to its length or
-/// larger.
+/// Cases near and far from the origin. Far away, the rounding of a position is as large as the body or larger.
 std::vector<Collision> cases(Stream& stream) {
   std::vector<Collision> all;
   for (const char* family : {"generic", "physical", "collinear_spheres", "sticking", "grazing", "driven_wall"}) {
@@ -88,8 +86,7 @@ struct Seen {
   std::size_t blind = 0;
 };
 
-/// Checks that every claimed invariant holds for an outcome that is exact for permitted inputs. The velocities before
-/// may also have changed, so an untouched velocity may differ by this change.
+/// Checks that every claimed invariant accepts an outcome that is exact for permitted inputs.
 void expect_to_pass(const Collision& collision, Law law, Precision precision, Stream& stream, Seen& seen) {
   Subject subject;
   subject.law = law;
@@ -101,7 +98,8 @@ void expect_to_pass(const Collision& collision, Law law, Precision precision, St
   if (reason_unjudged(judged.exact(), claim.yardstick)) {
     return;
   }
-  // The rest of the allowance covers the second order, which is 1/32 of the first order except in hard cases.
+  // The other tenth of the allowance covers second-order changes. Except in hard cases, they are at most 1/32 of the
+  // first-order changes.
   constexpr double share = 0.9;
   const double allowance = claim.yardstick.allowance();
   const std::optional<Outcome<Rational>> outcome = answer_to(perturbed(stream, collision, share * allowance), law);
@@ -133,8 +131,7 @@ TEST(Permitted, OutcomesOfPermittedInputsPass) {
   EXPECT_GT(seen.blind, 100U);
 }
 
-/// The enclosure of hard cases is tight: for a ball far from the origin, the allowance is at most 20 times the greatest
-/// effect of permitted inputs.
+/// For a ball far from the origin, the permitted error is at most 20 times the largest effect of permitted inputs.
 TEST(Permitted, DistancesAreNoLargerThanTheyHaveToBe) {
   constexpr double allowance = 32 * 0x1p-24;
   Collision c = unit::ball_on_a_plane(0.4, 0);

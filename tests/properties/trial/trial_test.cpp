@@ -18,7 +18,7 @@
 namespace carom::properties {
 namespace {
 
-/// A valid collision whose fields each have their own exponent, up to `most`.
+/// A valid collision whose fields are multiplied by different powers of two, with exponents up to ±`most`.
 Case extreme_case(Stream& stream, int most) {
   Case one = unit::case_of("physical", stream.bits() % 100);
   const auto factor = [&] { return std::ldexp(1.0, stream.integer(-most, most)); };
@@ -33,8 +33,7 @@ Case extreme_case(Stream& stream, int most) {
   return one;
 }
 
-/// Judges every claim of solvers, and the matrices that they report, on extreme cases. Exits with 0 at the end. The
-/// verdicts do not matter.
+/// Judges solvers on extreme cases. Exits with 0 if every judgement ends, whatever the verdicts are.
 void judge_to_the_end(int most) {
   Stream stream = stream_from(static_cast<std::uint64_t>(most));
   for (int i = 0; i < unit::effort(20); ++i) {
@@ -51,8 +50,8 @@ void judge_to_the_end(int most) {
   std::exit(0);
 }
 
-/// Repeats the test in binary32 at the largest limit, at which an allowance can overflow. Exits with 0 if the judges
-/// with filters and in ℚ agree. Omits relations, because such numbers make long rationals.
+/// Judges solvers as if in binary32, at so large a limit that a permitted residual can overflow. Exits with 0 if the
+/// judges with and without filters agree. Relations would take long rationals.
 void judge_at_the_largest_limit(int most) {
   Stream stream = stream_from(static_cast<std::uint64_t>(most));
   for (int i = 0; i < unit::effort(4); ++i) {
@@ -78,7 +77,7 @@ void judge_at_the_largest_limit(int most) {
   std::exit(0);
 }
 
-/// At a resting contact, an answer may pull by less than the rounding of the inputs. A stronger pull violates `push`.
+/// The impulse pulls if N·F < 0. At a resting contact, a pull passes if the rounding of the inputs explains it.
 TEST(Trial, PushAllowsWhatTheInputsRoundTo) {
   Case resting;
   Collision& c = resting.collision;
@@ -99,8 +98,7 @@ TEST(Trial, PushAllowsWhatTheInputsRoundTo) {
     };
     return try_case(JudgedCase(resting), claim, pulled).verdicts.at(0).verdict.status;
   };
-  // The velocities are 1. One pull is a hundredth of their rounding, the other is ten thousand times their rounding.
-  // The limit is 32 times their rounding.
+  // The velocities are 1, so 32 × `rounding` is permitted.
   const double rounding = unit_roundoff(Precision::binary64);
   EXPECT_EQ(push_of(rounding / 100), Status::holds);
   EXPECT_EQ(push_of(10'000 * rounding), Status::violated);
@@ -130,7 +128,7 @@ TEST(Trial, ASlipThatCannotBeToldFromStickingIsNoViolation) {
   EXPECT_TRUE(undecided.is_undecided);
 }
 
-/// Runs in a separate process, because CGAL aborts it if an infinite double becomes a rational.
+/// Runs in another process, because CGAL aborts its process if an infinite double becomes a rational.
 TEST(Trial, JudgesEveryValidCollisionToTheEnd) {
   for (const int most : {50, 100, 200, 400, 900}) {
     Stream stream = stream_from(static_cast<std::uint64_t>(most));
@@ -152,8 +150,7 @@ Verdict verdict_on(const Case& one, const char* invariant, double limit_ulps, bo
   return judge_one(subject, claim, one).judgement.verdicts.at(0).verdict;
 }
 
-/// A has a mass of 10⁻²⁹⁰ kg. The scale of A's angular momentum is out of range, but not the scales of B's and of the
-/// sum.
+/// A has a mass of 10⁻²⁹⁰ kg. Only the scale of A's own angular momentum leaves the range of numbers.
 TEST(Trial, AngularMomentumIsNotDecidedWhereThatOfOneBodyIsNot) {
   const Case one = unit::case_of("physical", 3);
   ASSERT_FALSE(one.collision.a.immovable || one.collision.b.immovable);
@@ -170,7 +167,8 @@ TEST(Trial, AngularMomentumIsNotDecidedWhereThatOfOneBodyIsNot) {
   }
 }
 
-/// At velocities of 10³⁰⁰ a sound outcome is accurate to the last bits. A limit that overflows is no pass.
+/// At velocities of 10³⁰⁰ and a limit of 10²⁵ ulps, the permitted error overflows. Even a sound outcome is then
+/// undecided.
 TEST(Trial, ALimitBeyondRangeIsNoPass) {
   Case one = unit::case_of("elastic", 1);
   for (Body* body : {&one.collision.a, &one.collision.b}) {

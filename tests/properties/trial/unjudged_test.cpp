@@ -28,7 +28,7 @@ TEST(Unjudged, IsNoBallOnAFloor) {
   EXPECT_TRUE(is_judged(ball_on_floor(), Precision::binary64));
 }
 
-/// At 10⁶ m from the origin, 32 u of a position are 2 m in binary32. The lever arm is unknown, and the case is judged.
+/// At 10⁶ m from the origin, 32 u of a position are 2 m in binary32. The lever arm is unknown, but the case is judged.
 TEST(Unjudged, IsNoLeverArmShorterThanItsRounding) {
   Collision c = ball_on_floor();
   for (Vector3<double>* place : {&c.a.position, &c.b.position, &c.point}) {
@@ -47,7 +47,7 @@ TEST(Unjudged, IsNoSpinAlongNormalAndLeverArmThatDwarfsTheApproach) {
   EXPECT_TRUE(is_judged(c, Precision::binary64));
 }
 
-/// A rod of 1 m by 10⁻⁴ m at 50 m from the origin, where binary32 rounds by 3 × 10⁻⁶ m.
+/// A rod of 1 m by 10⁻⁴ m is 50 m from the origin. In binary32, 32 u of its position are also 10⁻⁴ m.
 TEST(Unjudged, IsNoRodThinnerThanTheRoundingOfItsPosition) {
   Collision c = ball_on_floor();
   c.a.principal_inertia = {1e-8, 1, 1};
@@ -67,7 +67,7 @@ TEST(Unjudged, IsAChangeOfSpinThatLeavesTheRangeOfBinary32) {
   EXPECT_TRUE(is_judged(c, Precision::binary64));
 }
 
-/// The range of numbers depends on the lever arm of each body, even if the other lever arm is 10⁹ times as long.
+/// Each body's numbers must stay in the range, whatever the other body's lever arm is.
 TEST(Unjudged, IsABodyThatTurnsLessThanBinary32Holds) {
   Collision c = ball_on_floor();
   c.a.velocity = {0, -1e-5, 0};
@@ -90,7 +90,7 @@ TEST(Unjudged, IsAMomentAtTheEndOfTheRangeOfBinary32) {
   EXPECT_TRUE(is_judged(c, Precision::binary64));
 }
 
-/// At 10²⁰⁰ m from the origin, the allowance moves the lever arm by 10¹⁸⁵ m, whose square overflows.
+/// At 10²⁰⁰ m from the origin, the allowance moves the lever arm by 10¹⁸⁵ m. The square of this distance overflows.
 TEST(Unjudged, IsAnEnclosureThatIsNotFinite) {
   Collision c = ball_on_floor();
   c.a.position = {1e200, 1, 0};

@@ -19,7 +19,7 @@ using nlohmann::json;
 using tests::small_scene;
 using tests::small_scene_with_polyhedra;
 
-/// The reader's error; empty if it accepts the file.
+/// The reader's error; empty if there is none.
 std::string error_of(const json& file) {
   try {
     (void)scene_from_json(file);
@@ -115,7 +115,7 @@ TEST(SceneJson, DrawsTheSameVelocitiesEverywhere) {
   json file = small_scene();
   file["lattices"][0]["at_rest_as_a_whole"] = false;
   const Scene scene = scene_from_json(file);
-  // Computed from the seed 7 by another program.
+  // Another program computed this from the seed 7.
   EXPECT_EQ(scene.spheres[1].velocity, Vector3<double>(0.4848048562114556, -0.022616638311467097, -0.4375740810531299));
 }
 
@@ -140,7 +140,7 @@ TEST(SceneJson, ReadsAHundredThousandSpheresInASecond) {
   const json written = scene_to_json(scene_from_json(lattice));
   const auto begin = std::chrono::steady_clock::now();
   EXPECT_EQ(scene_from_json(written).spheres.size(), 100'000);
-  // It takes some tenths of a second. The limit is not 1 s, because tests run in parallel and without optimisation.
+  // It takes some tenths of a second, but tests run in parallel and without optimisation.
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
 }
 
@@ -291,7 +291,7 @@ TEST(SceneJson, SaysWhatIsWrongWithAPolyhedronAndWhere) {
   }
 }
 
-/// The expected text is the beginning of the message, because numbers in the rest depend on rounding.
+/// These are the beginnings of the messages, because the rest depends on rounding.
 TEST(SceneJson, RefusesPolyhedraThatCannotBeThere) {
   using Change = std::function<void(json & scene)>;
   const std::vector<std::pair<std::string, Change>> changes{

@@ -39,7 +39,7 @@ using properties::Stream;
 
 [[nodiscard]] inline Quaternion<double> unit_quaternion(Stream& stream) { return stream.quaternion().normalized(); }
 
-/// Points on an ellipsoid with half axes from 1/4 to 2. Except for rounding, all of them are corners.
+/// Points on an ellipsoid with half axes from 1/4 to 2. Except for rounding, all points are corners.
 [[nodiscard]] inline Points ellipsoid_points(Stream& stream, int count) {
   const Vector axes(stream.between(0.25, 2), stream.between(0.25, 2), stream.between(0.25, 2));
   Points points;

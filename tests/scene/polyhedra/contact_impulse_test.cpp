@@ -55,7 +55,7 @@ Vector spin_of(const Body& body, const Vector& angular_velocity) {
   return axes * body.principal_inertia.cwiseProduct(axes.transpose() * angular_velocity);
 }
 
-/// Checks that A and B receive the same impulse at the contact point, within `tolerance`, for numbers of about 1.
+/// Checks that A and B receive opposite impulses at the contact point, for numbers of about 1.
 void expect_one_impulse(const Collision& collision, const Outcome<double>& outcome, double tolerance) {
   const Vector impulse = collision.a.mass * (outcome.a.velocity - collision.a.velocity);
   const auto torque_differs = [&](const Body& body, const BodyVelocity<double>& v, const Vector& on_body) {
@@ -103,7 +103,6 @@ TEST(ContactImpulse, SendsApartAtTheSpeedWhatIsSlower) {
         ++raised;
         EXPECT_NEAR(parting(collision, apart), speed, in_double);
         expect_one_impulse(collision, apart, in_double);
-        // The impulse is along the normal.
         EXPECT_LE((apart.a.velocity - collision.a.velocity).cross(collision.normal).norm(),
                   in_double * collision.normal.norm());
       } else {
@@ -118,7 +117,6 @@ TEST(ContactImpulse, SendsApartAtTheSpeedWhatIsSlower) {
 }
 
 /// The definition of each law in terms of V, the velocity of A's contact point relative to B's.
-/// tests/properties/scenes judges the last digits of an outcome.
 class Laws : public testing::TestWithParam<Precision> {};
 
 TEST_P(Laws, AreTheirDefinitions) {
@@ -160,8 +158,8 @@ TEST_P(Laws, AreTheirDefinitions) {
         case Law::coulomb:
         case Law::any: {
           // Within the friction cone `rough` has the impulse F = (1 + ε) P_I + (1 + e_t) (P_II − P_I). P_I stops the
-          // approach, and P_II stops the contact point: K P_II = −V with the collision matrix K. So V' = −e_t V + (ε −
-          // e_t) K P_I. `frictionless` changes V by (1 + ε) K P_I. For `coulomb` the contact point sticks.
+          // approach, and P_II stops the contact point: K P_II = −V. So the velocity after is V' = −e_t V + (ε − e_t) K
+          // P_I. `frictionless` changes V by (1 + ε) K P_I.
           const double e_t = collision.tangential_restitution;
           const Vector stops = (frictionless - before) / (1 + collision.restitution);
           const Vector within =

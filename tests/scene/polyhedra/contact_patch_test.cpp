@@ -114,7 +114,7 @@ TEST(ContactPatch, OfABallIsOnePoint) {
   EXPECT_LE((balls.point - Vector(0, 2.5, 0)).norm(), 1e-14);
 }
 
-/// Bodies with random faces placed on each other: every corner of the patch lies on both.
+/// Bodies with random faces placed on each other.
 TEST(ContactPatch, LiesOnBothBodies) {
   const ConvexShape point{{{Vector::Zero()}, {}, {}}, 0, 0};
   int polygons = 0;

@@ -59,7 +59,7 @@ TEST(ConvexPolyhedron, MergesTrianglesThatShareAPlane) {
   EXPECT_EQ(faces_by_corners(prism), (std::map<std::size_t, int>{{3, 1}, {4, 3}, {5, 3}}));
 }
 
-/// The corners of a prism with many sides. Its bases are faces with that many corners.
+/// A prism with 13 sides.
 TEST(ConvexPolyhedron, FindsLargeFaces) {
   Points points;
   for (int i = -6; i <= 6; ++i) {
@@ -85,7 +85,7 @@ TEST(ConvexPolyhedron, IsConvexExactlyForRandomPoints) {
   EXPECT_GT(hulls, 50);
 }
 
-/// A point one ulp above a face is a corner. A point on the face is not.
+/// A point one ulp above a face is a corner.
 TEST(ConvexPolyhedron, DecidesToTheLastPlace) {
   Points points = unit::box_points({1, 1, 1});
   points.emplace_back(0.3, 0.7, std::nextafter(1.0, 2.0));

@@ -9,8 +9,8 @@
 
 #include "bodies.hpp"
 
-/// The distance of two disjoint convex polyhedra as the minimum over all pairs of features, in long double. It is
-/// slow, and shares no code with the search that it checks.
+/// The distance of two disjoint convex polyhedra as the minimum over all pairs of features, in long double, without
+/// code of the search that it checks.
 namespace carom::scene::unit {
 
 using Extended = Vector3<long double>;
@@ -30,8 +30,7 @@ struct ExtendedPolyhedron {
   return result;
 }
 
-/// The distance from a point to a segment, or to the inside of a triangle. The distance to the inside is infinite if
-/// the nearest point of the triangle is on an edge.
+/// The distance from p to the segment from a to b.
 [[nodiscard]] inline long double to_segment(const Extended& p, const Extended& a, const Extended& b) {
   const Extended edge = b - a;
   const long double share = std::clamp((p - a).dot(edge) / edge.squaredNorm(), 0.0L, 1.0L);
@@ -61,7 +60,7 @@ struct ExtendedPolyhedron {
   const long double s = (uv * v.dot(w) - v.squaredNorm() * u.dot(w)) / determinant;
   const long double t = (u.squaredNorm() * v.dot(w) - uv * u.dot(w)) / determinant;
   const bool inside = s >= 0 && s <= 1 && t >= 0 && t <= 1;
-  // The distance along the common normal keeps its digits even if the segments almost meet.
+  // The distance along the common normal keeps its digits.
   const Extended normal = u.cross(v);
   return inside ? std::abs(w.dot(normal)) / normal.norm() : std::numeric_limits<long double>::infinity();
 }

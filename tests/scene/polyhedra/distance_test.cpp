@@ -17,8 +17,7 @@ Placement placed(properties::Stream& stream, const Vector& position) {
   return {unit::unit_quaternion(stream), position, 0, 0};
 }
 
-/// The pose of a box that sometimes makes faces and edges of two boxes parallel: quarter turns, or a rotation about
-/// z.
+/// A pose that sometimes makes faces and edges of two boxes parallel: a quarter turn, or a rotation about z.
 Placement plain_pose(properties::Stream& stream, const Vector& position) {
   Placement placement{{1, 0, 0, 0}, position, 0, 0};
   if (stream.chance(2)) {
@@ -41,7 +40,7 @@ struct Posed {
   Placement at_b;
 };
 
-/// Two bodies at a distance of about `gap`: distant bodies, moved towards each other along their shortest connection.
+/// Two bodies at a distance of about `gap`, moved towards each other along the normal of their separation.
 Posed posed(properties::Stream& stream, double gap) {
   const bool plain = stream.chance(4);
   const auto shape = [&] {
@@ -84,7 +83,6 @@ TEST(ShapePair, CertifiesNoMoreThanTheDistance) {
   }
 }
 
-/// `certified` is reduced by the errors of the placements.
 TEST(ShapePair, TakesOffWhatPlacementsMayBeWrongBy) {
   properties::Stream stream = properties::stream_from(1);
   Posed p = posed(stream, 0.5);
@@ -97,7 +95,7 @@ TEST(ShapePair, TakesOffWhatPlacementsMayBeWrongBy) {
   EXPECT_NEAR(found.certified, exact.certified - 0.01 - 0.02 * p.b.core_radius, 1e-15);
 }
 
-/// At 10⁶ times the bodies' size from the origin, only the difference of their positions counts.
+/// Far from the origin, only the difference of positions counts.
 TEST(ShapePair, KnowsItsRoundingsFarFromTheOrigin) {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     properties::Stream stream = properties::stream_from(seed);
@@ -106,7 +104,7 @@ TEST(ShapePair, KnowsItsRoundingsFarFromTheOrigin) {
     p.at_a.position += shift;
     p.at_b.position += shift;
     const Separation found = ShapePair(p.a, p.b).separation(p.at_a, p.at_b);
-    // The difference of doubles this close to each other is exact.
+    // The difference of doubles so close to each other is exact.
     p.at_a.position -= p.at_b.position;
     p.at_b.position.setZero();
     const auto truth = static_cast<double>(unit::distance_by_features(p.a, p.at_a, p.b, p.at_b));
@@ -129,7 +127,6 @@ Posed scaled(const Posed& posed, double scale) {
   return p;
 }
 
-/// The size of the bodies does not matter.
 TEST(ShapePair, ScalesExactly) {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     properties::Stream stream = properties::stream_from(seed);
@@ -144,7 +141,6 @@ TEST(ShapePair, ScalesExactly) {
   }
 }
 
-/// A small body beside a slab of 10⁴ times its size.
 TEST(ShapePair, TakesBodiesOfUnequalSizes) {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     properties::Stream stream = properties::stream_from(seed);

@@ -18,7 +18,6 @@ using unit::Vector;
 using Extended = Vector3<long double>;
 using ExtendedQuaternion = Quaternion<long double>;
 
-/// The angle of the rotation between two orientations.
 double angle_between(const Quaternion<double>& x, const ExtendedQuaternion& y) {
   const ExtendedQuaternion p = x.cast<long double>().normalized();
   const ExtendedQuaternion q = y.normalized();
@@ -30,8 +29,7 @@ struct ExtendedState {
   Extended rate;
 };
 
-/// Euler's equations, I₁ ω₁' = (I₂ − I₃) ω₂ ω₃, and q' = ½ q ω. The form J ω' = (J ω) × ω loses digits for rods in
-/// any arithmetic.
+/// Euler's equations, I₁ ω₁' = (I₂ − I₃) ω₂ ω₃, and q' = ½ q ω. The form J ω' = (J ω) × ω loses digits for rods.
 ExtendedState slope(const Extended& moments, const ExtendedState& s) {
   const Extended rate((moments[1] - moments[2]) / moments[0] * s.rate[1] * s.rate[2],
                       (moments[2] - moments[0]) / moments[1] * s.rate[2] * s.rate[0],
@@ -46,9 +44,8 @@ ExtendedState plus(const ExtendedState& s, const ExtendedState& d, long double h
   return {s.orientation + h * d.orientation, s.rate + h * d.rate};
 }
 
-/// An independent integrator that shares no code with the one under test. It extrapolates steps of the midpoint rule,
-/// in long double. Source: W. Gragg, R. Bulirsch, J. Stoer; E. Hairer, S. Nørsett, G. Wanner, "Solving Ordinary
-/// Differential Equations I", §II.9.
+/// An independent integrator: extrapolated steps of the midpoint rule, in long double (W. Gragg, R. Bulirsch, J. Stoer;
+/// E. Hairer, S. Nørsett, G. Wanner, "Solving Ordinary Differential Equations I", §II.9).
 ExtendedState integrated(const Extended& moments, ExtendedState s, long double duration) {
   const int steps = static_cast<int>(std::ceil(8 * duration * s.rate.norm())) + 1;
   const long double length = duration / steps;
@@ -85,7 +82,6 @@ struct FreeMotion {
   double duration;
 };
 
-/// The deviation of the path from the independent integration, and the bounds that the path states.
 struct Comparison {
   double angle;
   double angle_bound;
@@ -106,7 +102,7 @@ Comparison compare(const FreeMotion& motion) {
 
 RotationState turning(const Vector& body_rate) { return {{1, 0, 0, 0}, body_rate}; }
 
-/// Moments that a body can have, made from its second moments.
+/// A motion with moments that a body can have, made from its second moments.
 FreeMotion random_motion(properties::Stream& stream, double angle) {
   const Vector second = stream.vector().cwiseAbs() + Vector::Constant(stream.chance(4) ? 1e-4 : 0.1);
   const Vector moments = Vector::Constant(second.sum()) - second;
@@ -115,8 +111,8 @@ FreeMotion random_motion(properties::Stream& stream, double angle) {
   return motion;
 }
 
-/// A symmetric top rotates about its angular momentum L at the rate ‖L‖/I₁, and about its own axis at the rate (1 −
-/// I₃/I₁) ω₃.
+/// A symmetric top rotates about its angular momentum L at the rate ‖L‖/I₁, and about its axis at the rate (1 − I₃/I₁)
+/// ω₃.
 TEST(RotationPath, FollowsTheSymmetricTop) {
   for (const double axial : {0.25, 0.9, 1.1, 1.999}) {
     const Vector moments(1, 1, axial);
@@ -137,9 +133,8 @@ TEST(RotationPath, FollowsTheSymmetricTop) {
   }
 }
 
-/// A tennis racket that rotates about its intermediate axis flips over again and again. Initial errors grow by orders
-/// of magnitude. Gronwall's bound grows as well, and becomes useless. The bound by derivatives (free_rotation.hpp)
-/// remains useful.
+/// A tennis racket that rotates about its intermediate axis flips over again and again, and initial errors grow by
+/// orders of magnitude. Gronwall's bound becomes useless. The bound by derivatives (free_rotation.hpp) remains useful.
 TEST(RotationPath, FollowsTheTennisRacket) {
   for (const double disturbance : {1e-1, 1e-3, 1e-6}) {
     const FreeMotion motion{{1, 2, 2.5}, turning({disturbance, 5, 0}), 10};
@@ -148,7 +143,6 @@ TEST(RotationPath, FollowsTheTennisRacket) {
     EXPECT_LE(result.rate, result.rate_bound) << disturbance;
     EXPECT_LE(result.angle, 1e-10) << disturbance;
     EXPECT_LE(result.angle_bound, 1e-6) << disturbance;
-    // The test is not vacuous, because the racket flips over at some time.
     const RotationPath path(motion.moments, motion.start, motion.duration);
     double least = 5;
     for (int i = 0; i <= 1000; ++i) {
@@ -197,7 +191,7 @@ TEST(RotationPath, KeepsEnergyAndAngularMomentum) {
   }
 }
 
-/// A rod a thousand times as long as wide, with moments 1 : 10⁶, keeps its digits.
+/// A rod a thousand times as long as wide has moments 1 : 10⁶.
 TEST(RotationPath, KeepsTheDigitsOfRods) {
   for (const Vector& rate : {Vector(10, 1e-3, 2e-3), Vector(1e-3, 5, 1), Vector(3, 4, 5)}) {
     const FreeMotion motion{{1e-6, 1, 1 + 1e-7}, turning(rate), 5};
@@ -223,7 +217,6 @@ TEST(RotationPath, TurnsACubeAboutAFixedAxis) {
   EXPECT_EQ(at_rest.at(70).state.orientation, Quaternion<double>(1, 0, 0, 0));
 }
 
-/// The state at a time does not depend on the duration of the path.
 TEST(RotationPath, AnswersForAnyTimeWithinIt) {
   const Vector moments(1, 2, 2.5);
   const RotationState start = turning({1, 5, 0.5});
@@ -238,7 +231,7 @@ TEST(RotationPath, AnswersForAnyTimeWithinIt) {
   }
 }
 
-/// ‖ω‖ never exceeds its bound. It reaches 0.7 of the bound in each motion, and nearly the whole bound in some motion.
+/// ‖ω‖ reaches 0.7 of its bound in each motion, and nearly the whole bound in some motion.
 TEST(RotationPath, KnowsTheGreatestRate) {
   double closest = 0;
   for (std::uint64_t seed = 0; seed < 100; ++seed) {

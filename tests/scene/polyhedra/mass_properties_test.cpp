@@ -66,7 +66,7 @@ TEST(MassProperties, OfACutCubeAreADifference) {
   EXPECT_LE((body.properties.inertia - expected).norm(), 0x1p-50 * expected.norm());
 }
 
-/// The inertia of a body is the sum over the tetrahedra that form it.
+/// The inertia of a body is the sum over its tetrahedra.
 TEST(MassProperties, AddUp) {
   properties::Stream stream = properties::stream_from(5);
   for (int i = 0; i < 30; ++i) {
@@ -105,7 +105,7 @@ TEST(MassProperties, HaveAxesThatMakeTheTensorDiagonal) {
     for (int i = 0; i < 3; ++i) {  // a body with volume
       EXPECT_LT(sorted[2], sorted[0] + sorted[1]);
     }
-    // The body in its own frame has its centre at 0 and a diagonal tensor, up to the rounding of its vertices.
+    // In its own frame, the body has its centre at 0 and a diagonal tensor, up to the rounding of its vertices.
     const PolyhedralBody again = unit::body_of(body.shape.vertices.size() == 8 && body.shape.faces.size() == 6
                                                    ? unit::box_points(2 * body.shape.vertices.back().cwiseAbs())
                                                    : body.shape.vertices);
@@ -114,7 +114,6 @@ TEST(MassProperties, HaveAxesThatMakeTheTensorDiagonal) {
   }
 }
 
-/// Scaling by a power of two scales everything exactly.
 TEST(MassProperties, Scale) {
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     properties::Stream stream = properties::stream_from(seed);
@@ -137,7 +136,6 @@ TEST(MassProperties, Scale) {
   }
 }
 
-/// After an exact translation, only the centre changes.
 TEST(MassProperties, MoveWithTheBody) {
   Points points{{0, 0, 0}, {3, 0, 1}, {0, 5, 0}, {1, 1, 4}, {3, 4, 3}};
   const Vector shift(1e9, -7e8, 0x1p40);
@@ -163,7 +161,7 @@ TEST(MassProperties, TurnWithTheBody) {
   }
 }
 
-/// A needle 10⁶ times as long as wide. Its least moment is 10⁻¹² of the greatest, and accurate to the last digits.
+/// A needle 10⁶ times as long as wide.
 TEST(MassProperties, OfNeedlesKeepTheLeastMoment) {
   properties::Stream stream = properties::stream_from(1);
   for (int i = 0; i < 20; ++i) {
@@ -175,7 +173,7 @@ TEST(MassProperties, OfNeedlesKeepTheLeastMoment) {
     const MassProperties p = unit::body_of(points).properties;
     const double mass = 2e-12;
     const double least = mass / 12 * 5e-12;
-    // The rotated vertices are rounded to 2⁻⁵³ of the length, which is 10⁻¹⁰ of the width.
+    // The vertices are rounded to 2⁻⁵³ of the length, 10⁻¹⁰ of the width.
     EXPECT_NEAR(p.principal_inertia.minCoeff() / least, 1, 1e-8);
   }
 }

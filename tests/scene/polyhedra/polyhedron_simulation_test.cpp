@@ -58,28 +58,26 @@ TEST(PolyhedronSimulation, ACubeThatFallsFlatReboundsAndThenHopsNoHigherThanIsFo
   const std::vector<Event> events = events_of(scene, 300);
   ASSERT_EQ(events.size(), 300U);
   const double nearness = 1.01 * contact_tolerance * cube_radius;
-  // It falls from 2 m until it is within the contact tolerance.
+  // The cube falls from 2 m until it is within the contact tolerance.
   EXPECT_LE(events[0].time, std::sqrt(2 * 2 / g));
   EXPECT_GE(events[0].time, std::sqrt(2 * (2 - nearness) / g));
   double speed = g * events[0].time;
   std::size_t bounce = 0;
-  // The cube bounces until it rises no higher than 10⁻⁶ R. The height 0.25ⁿ · 2 m reaches this at n = 10.6.
+  // The cube bounces until it rises no higher than 10⁻⁶ R: 0.25ⁿ · 2 m at n = 10.6.
   for (; bounce < 10; ++bounce) {
     const Event& event = events[bounce];
     EXPECT_EQ(event.kind, EventKind::plane_impact);
     EXPECT_FALSE(event.was_slow) << bounce;
-    // The speed of a fall is g times its time. If the height changes by a tolerance, the speed v changes by ± g
-    // tolerance/v. The rounding of g t, for t up to 2 s, adds to this.
+    // A tolerance in the height of a fall changes its speed v by ± g tolerance/v. The rounding of g t adds to this.
     EXPECT_NEAR(event.a.after.path.velocity.z(), speed / 2, g * nearness / speed + 0x1p-48) << bounce;
     speed = event.a.after.path.velocity.z();
-    // The impact is at the middle of the face. The remaining rotation is due to a rounding error of 2⁻⁵³ in the lever
-    // arm.
+    // The impact is at the middle of the face, except for a rounding error of 2⁻⁵³ in the lever arm.
     EXPECT_LE(event.a.after.turning.angular_velocity.norm(), 0x1p-46) << bounce;
     const double fall = events[bounce + 1].time - event.time;
     EXPECT_NEAR(fall, 2 * speed / g, nearness / speed + 0x1p-48) << bounce;
   }
-  // Then the cube hops, at most 10⁻⁶ of its radius above the tolerance that it starts from. Hops after a slow contact
-  // have exactly this height. Rounding gives the cube at most 2⁻⁴⁶ rad/s per hop, so it stays flat.
+  // Then the cube hops, at most 10⁻⁶ of its radius above the tolerance, and exactly so after a slow contact. Rounding
+  // gives it at most 2⁻⁴⁶ rad/s per hop, so it stays flat.
   const double greatest = default_capture_height * cube_radius;
   int slow = 0;
   for (std::size_t hop = bounce + 1; hop < events.size(); ++hop) {
@@ -96,7 +94,7 @@ TEST(PolyhedronSimulation, ACubeThatFallsFlatReboundsAndThenHopsNoHigherThanIsFo
   EXPECT_GT(slow, 100);
 }
 
-/// The impulse by hand: j = −(1 + ε) v/λ with λ = 1/m + ‖r × n‖²/I. All moments I of the cube are m/6.
+/// By hand: j = −(1 + ε) v / (1/m + ‖r × n‖²/I). All moments I of the cube are m/6.
 TEST(PolyhedronSimulation, ACubeThatFallsOnItsFaceEdgeOrCornerTurnsAsTheArmSays) {
   for (const Quaternion<double>& orientation :
        {Quaternion<double>(1, 0, 0, 0), turn_about({0, 1, 0}, 0.5), turn_about({1, 0, 0}, std::numbers::pi / 4),
@@ -127,8 +125,7 @@ TEST(PolyhedronSimulation, ACubeThatFallsOnItsFaceEdgeOrCornerTurnsAsTheArmSays)
     const double speed = -g * event.time;
     const Vector torque = arm.cross(Vector(0, 0, 1));
     const double impulse = -1.75 * speed / (1 + 6 * torque.squaredNorm());  // of mass 1
-    // The contact point is midway between body and floor, so lever arms have an error of half a tolerance. This error
-    // is multiplied by a speed of about 8 m/s and by 1/I = 6.
+    // Lever arms have an error of half a tolerance, times a speed of about 8 m/s and 1/I = 6.
     EXPECT_NEAR(event.a.after.path.velocity.z(), speed + impulse, 100 * nearness);
     EXPECT_LE((event.a.after.turning.angular_velocity - 6 * impulse * torque).norm(), 100 * nearness);
     EXPECT_EQ(event.a.after.path.velocity.x(), 0);
@@ -136,7 +133,7 @@ TEST(PolyhedronSimulation, ACubeThatFallsOnItsFaceEdgeOrCornerTurnsAsTheArmSays)
   }
 }
 
-/// A rod moves away from a slab and swings its end into it. Their bounding balls overlap and recede all the time.
+/// A rod moves away from a slab and swings its end into it. The balls around them overlap and recede.
 TEST(PolyhedronSimulation, BodiesMeetWhoseBallsOverlapAndRecede) {
   for (const bool is_rod_first : {true, false}) {
     Scene scene = empty_scene(Law::frictionless, elastic, 3);
@@ -161,14 +158,13 @@ TEST(PolyhedronSimulation, BodiesMeetWhoseBallsOverlapAndRecede) {
       const double middle = (low + high) / 2;
       (gap(middle) > 0 ? low : high) = middle;
     }
-    // A contact is early by up to the tolerance, divided by the speed cos t − 1/16 − sin t/16 > 3/4.
+    // A contact is early by up to the tolerance over the speed cos t − 1/16 − sin t/16 > 3/4.
     EXPECT_LE(events[0].time, low + 1e-15);
     EXPECT_GE(events[0].time, low - contact_tolerance / 0.75);
     EXPECT_EQ(events[0].kind, EventKind::impact);
   }
 }
 
-/// Balls hit balls and walls in the same way in a scene with polyhedra and in a scene without.
 TEST(PolyhedronSimulation, BallsMeetBallsAndPlanesAsInASceneWithoutPolyhedra) {
   for (const Law law : {Law::frictionless, Law::rough, Law::coulomb, Law::sticking, Law::reflection}) {
     SCOPED_TRACE(name_of(law));
@@ -186,9 +182,8 @@ TEST(PolyhedronSimulation, BallsMeetBallsAndPlanesAsInASceneWithoutPolyhedra) {
     const std::vector<Event> found = events_of(scene, 8);
     ASSERT_EQ(expected.size(), 8U);
     ASSERT_EQ(found.size(), 8U);
-    // A contact is early by up to 2⁻³⁰ radii, at 1/2 m/s or more. Each impact enlarges differences by 1 + 2 l/R, at
-    // most 8 for paths of 1 m. Each of three bodies has two or three of the 8 impacts in a row, so differences stay
-    // below 2⁻³⁰ 8⁴.
+    // A contact is early by up to 2⁻³⁰ radii, at 1/2 m/s or more. Each impact enlarges a difference by 1 + 2 l/R ≤ 8,
+    // for paths of l ≤ 1 m. Each body has two or three of the 8 impacts in a row, so differences stay below 2⁻³⁰ 8⁴.
     const double tolerance = 0x1p-18;
     for (std::size_t k = 0; k < found.size(); ++k) {
       EXPECT_EQ(found[k].a.body, expected[k].a.body) << k;
@@ -221,7 +216,7 @@ TEST(PolyhedronSimulation, ABallThatMeetsACubesFaceSharesItsSpeed) {
   ASSERT_EQ(events.size(), 1U);
   EXPECT_LE(events[0].time, 0.75);
   EXPECT_GE(events[0].time, 0.75 - contact_tolerance * 0.5 / 2 * 1.01);
-  // The masses are right within some ulps, and the lever arms within half a tolerance.
+  // Masses are right within some ulps, and lever arms within half a tolerance.
   EXPECT_NEAR(events[0].a.after.path.velocity.x(), 0, 1e-9);
   EXPECT_NEAR(events[0].b->after.path.velocity.x(), 2, 1e-9);
   EXPECT_EQ(events[0].a.after.turning.angular_velocity, Vector(0.1, 0.2, 0.3));
@@ -280,7 +275,7 @@ Totals totals_of(const SceneState& state) {
   return totals;
 }
 
-/// Bodies from all sides meet in the middle: no planes, no gravity.
+/// Bodies from all sides meet in the middle, without planes and gravity.
 Scene implosion(std::uint64_t seed) {
   properties::Stream stream = properties::stream_from(seed);
   Scene scene = box_of_bodies(Law::frictionless, elastic, 3, 4, seed, seed % 2 == 0);
@@ -309,9 +304,8 @@ TEST(PolyhedronSimulation, ElasticImpactsWithoutFrictionKeepEnergyAndBothMomenta
     }
     EXPECT_GT(count, 30);
     const Totals last = totals_of(simulation.state());
-    // Each event rounds two bodies' states to about 16 u of their share, and both impulses act exactly at one point. If
-    // all errors have the same sign, 150 times 16 u of the whole is 3·10⁻¹³. The motion between events adds 10⁻¹⁵ per
-    // radian.
+    // Each event rounds the states of two bodies by about 16 u (u = 2⁻⁵³). If all errors have the same sign, 150 events
+    // give 150 · 16 u = 3·10⁻¹³ of the whole. The motion between events adds 10⁻¹⁵ per radian.
     EXPECT_NEAR(last.energy, first.energy, 1e-12 * first.energy);
     EXPECT_LE((last.momentum - first.momentum).norm(), 1e-12 * std::sqrt(2 * first.energy * 27));
     EXPECT_LE((last.angular - first.angular).norm(), 1e-12 * (first.angular_size + last.angular_size));
@@ -344,10 +338,10 @@ std::pair<std::string, std::string> who(const Scene& scene, const Event& event) 
   return event.b && b < a ? std::pair(b, a) : std::pair(a, b);
 }
 
-/// The tolerance for two runs that round differently. The gaps at a contact differ by up to 2⁻³⁰ radii of 1/2. At 1/16
-/// m/s or more, except for grazing contacts, the times then differ by 2⁻²⁷ s. Speeds of 4 m/s are as accurate. An
-/// impact enlarges a difference by 32 or more: the path to the next impact over the lever arm, times the speed of a
-/// corner. So the test compares only early events. Each body has two or three of them in a row.
+/// The tolerance for two runs that round differently. Their gaps at a contact differ by up to 2⁻³⁰ radii of 1/2. At
+/// 1/16 m/s or more (except for grazing contacts), the times differ by 2⁻²⁷ s. An impact enlarges a difference by 32 or
+/// more (path over lever arm, times the speed of a corner). So only early events are compared, of which each body has
+/// two or three in a row.
 constexpr std::size_t early_events = 8;
 constexpr double early_tolerance = 0x1p-14;
 
@@ -388,7 +382,7 @@ TEST(PolyhedronSimulation, DoesNotDependOnTheOrderOfTheBodies) {
 TEST(PolyhedronSimulation, TurnsWithTheScene) {
   const auto turned = [](const Vector& x) { return Vector(-x.y(), x.x(), x.z()); };
   const double half = std::sqrt(0.5);
-  // (half, 0, 0, half) times q
+  // (half, 0, 0, half) times q.
   const auto orientation_turned = [half](const Quaternion<double>& q) {
     return Quaternion<double>(half * (q[0] - q[3]), half * (q[1] - q[2]), half * (q[2] + q[1]), half * (q[3] + q[0]));
   };
@@ -417,8 +411,7 @@ TEST(PolyhedronSimulation, TurnsWithTheScene) {
   }
 }
 
-/// If lengths are multiplied by a power of two, every number of the run is multiplied by a power of two, and rounds in
-/// the same way.
+/// All numbers of the run are multiplied by powers of two, and round in the same way.
 TEST(PolyhedronSimulation, IsTheSameInEveryUnitOfLength) {
   Scene scene = box_of_bodies(Law::frictionless, with_restitution(0.75), 2, 1, 3, false);
   scene.gravity = {0, 0, -g};
@@ -493,9 +486,8 @@ TEST(PolyhedronSimulation, RefusesAnOverlapByBothNames) {
       << refusal_of(scene);
 }
 
-/// A small ball between two walls that approach each other. With walls of speed V, the n-th impact leaves the ball at 2
-/// n V. The walls (mass M) and the ball (mass m) need √(M/m)/4 impacts or more to slow the walls down, all within the
-/// contact tolerance.
+/// A small ball (mass m) between two walls (mass M) that approach at the speed V. The n-th impact leaves the ball at 2
+/// n V. The walls slow down only after √(M/m)/4 impacts or more, all within the contact tolerance.
 TEST(PolyhedronSimulation, EndsWhereImpactsAtOneInstantDoNot) {
   Scene scene = empty_scene(Law::frictionless, elastic, 1);
   const double nearly = 0.25 * contact_tolerance * 0x1p-4;
@@ -510,7 +502,7 @@ TEST(PolyhedronSimulation, EndsWhereImpactsAtOneInstantDoNot) {
   EXPECT_TRUE(refusal.starts_with(
       "more than 10000 impacts at the instant t = 0; the last is of sphere 0 (ball 0) and polyhedron "))
       << refusal;
-  // With walls of density 100 the sequence of impacts ends by itself.
+  // With walls of density 100 the impacts end.
   for (Polyhedron& polyhedron : scene.polyhedra) {
     polyhedron.density = 100;
   }
@@ -541,8 +533,8 @@ TEST(PolyhedronSimulation, TellsEventsInOrderOfTime) {
   }
 }
 
-/// Equal bodies at equal heights have equal impact times. These bodies are equally far from the origin, because the
-/// error of a position is proportional to this distance.
+/// Equal bodies at equal heights, and equally far from the origin, because the error of a position is proportional to
+/// this distance.
 TEST(PolyhedronSimulation, TakesOfEqualTimesTheLowerBodiesFirst) {
   Scene scene = over_a_floor(unit_cube, {3, 0, 2}, 1);
   for (const Vector& position : {Vector(-3, 0, 2), Vector(0, 3, 2), Vector(0, -3, 2)}) {
@@ -557,8 +549,7 @@ TEST(PolyhedronSimulation, TakesOfEqualTimesTheLowerBodiesFirst) {
   EXPECT_GT(events[4].time, events[3].time);
 }
 
-/// A needle and a sheet, a thousand times as long as thin, tumble in a room. No corner leaves the room, and energy is
-/// conserved.
+/// A needle and a sheet, a thousand times as long as thin, tumble in a room. Energy is conserved.
 TEST(PolyhedronSimulation, KeepsSlenderBodiesOfAllSizesInTheirRoom) {
   for (const double size : {1e-3, 1.0, 1e3}) {
     SCOPED_TRACE(size);
@@ -581,25 +572,24 @@ TEST(PolyhedronSimulation, KeepsSlenderBodiesOfAllSizesInTheirRoom) {
         const auto made = std::get<RigidBody>(rigid_body(scene.polyhedra[body]));
         for (const Vector& vertex : made.shape.core.vertices) {
           const Vector corner = position_at(state.bodies[body].arc.path, state.time) + axes * vertex;
-          // The test's own computation rounds by 10⁻¹⁵ of the sizes.
+          // The test itself rounds by 10⁻¹⁵ of the sizes.
           EXPECT_GE(corner.minCoeff(), -1e-15 * size) << count;
           EXPECT_LE(corner.maxCoeff(), (3 + 2e-15) * size) << count;
         }
       }
     }
     EXPECT_GT(count, 10);
-    // The needle's lever arms are accurate to an ulp of its length, and the arm about its axis to an ulp of its
-    // thickness. With moments of ratio 10⁶, 2⁻⁵² becomes 10⁻¹⁰ in the worst case. In practice 10⁻¹² holds.
+    // The needle's lever arms are accurate to an ulp of its length, not of its thickness. With moments of ratio 10⁶,
+    // 2⁻⁵² becomes 10⁻¹⁰ in the worst case. In practice 10⁻¹² holds.
     EXPECT_NEAR(totals_of(simulation.state()).energy, energy, 1e-12 * energy);
   }
 }
 
-/// The body rotates by 320 rad before it lands, and its state is stored again every 8 rad. Its bounding ball overlaps
-/// the floor all the time.
+/// The body rotates by 320 rad before it lands, and its state is stored every 8 rad. The ball around it overlaps the
+/// floor.
 TEST(PolyhedronSimulation, FollowsABodyThatTurnsForLong) {
   Scene scene = empty_scene(Law::frictionless, elastic, 60);
   add_plane(scene, {0, 0, 1}, {0, 0, 0});
-  // About the axis of its greatest moment.
   add_polyhedron(scene, centred_box({2, 0.5, 0.25}), {0, 0, 0.625}, {0, 0, -0x1p-6}, {0, 0, 10});
   const std::vector<Event> events = events_of(scene, 5);
   ASSERT_EQ(events.size(), 1U);
@@ -607,7 +597,7 @@ TEST(PolyhedronSimulation, FollowsABodyThatTurnsForLong) {
   EXPECT_LE(events[0].time, 32);
   EXPECT_GE(events[0].time, 32 - 64 * 1.1 * contact_tolerance);
   EXPECT_NEAR(events[0].a.after.path.velocity.z(), 0x1p-6, 1e-9);
-  // Each of the 320 rad is accurate to 10⁻¹⁵, and the state is stored forty times.
+  // Each rad is accurate to 10⁻¹⁵, and the state is stored forty times.
   const double angle = 10 * events[0].time;
   const Matrix3<double> axes = unit::matrix_of(events[0].a.orientation);
   EXPECT_NEAR((axes * Vector(1, 0, 0)).dot(Vector(0, 0, 1)), 0, 1e-12);
@@ -616,7 +606,7 @@ TEST(PolyhedronSimulation, FollowsABodyThatTurnsForLong) {
   EXPECT_LE((axes - expected * unit::matrix_of(made.orientation)).norm(), 1e-12);
 }
 
-/// Runs to the end. All events are renewals.
+/// Runs to the end, and checks that all events are renewals.
 void run_through_renewals(PolyhedronSimulation& simulation) {
   while (const Event* event = simulation.advance()) {
     ASSERT_EQ(event->kind, EventKind::renewal);
@@ -637,7 +627,7 @@ double height_of(const Scene& scene, const Event& event) {
 }
 
 /// In a rotation about the intermediate axis, an error grows by a factor of e per radian. Without renewals, the
-/// orientation would be unknown after 55 radians.
+/// orientation is unknown after 55 radians.
 TEST(PolyhedronSimulation, StrikesWhereItTouchesHoweverUnstablyItTurns) {
   for (const double rate : {10.0, 30.0, 50.0, 100.0}) {
     Scene scene = empty_scene(Law::frictionless, elastic, 2);
@@ -651,8 +641,7 @@ TEST(PolyhedronSimulation, StrikesWhereItTouchesHoweverUnstablyItTurns) {
   }
 }
 
-/// A body that would lie at rest hops as long as the run lasts. Each hop ends at the same distance from the floor, not
-/// at half the distance before.
+/// A body that would lie at rest hops as long as the run lasts. Hops must not halve the distance from the floor.
 TEST(PolyhedronSimulation, HopsOnAndOn) {
   Scene scene = empty_scene(Law::frictionless, {0.5, 0, 0, 0, 0}, 1);
   scene.gravity = {0, 0, -g};
@@ -669,7 +658,7 @@ TEST(PolyhedronSimulation, HopsOnAndOn) {
 }
 
 /// Two rotating tetrahedra slide along each other with ε = 0, and parts of a face and an edge touch. They separate
-/// along a direction that rotates with neither. If the search ignores this direction, they collide forever.
+/// along a direction that rotates with neither body. A search without this direction collides forever.
 TEST(PolyhedronSimulation, FindsAWayOutForFacesThatSlide) {
   Scene scene = empty_scene(Law::rough, {0, 0.3, 0, 0, 0}, 0.0625);
   const auto add = [&](double half_edge, const Vector& position, const Quaternion<double>& orientation,
@@ -713,7 +702,7 @@ TEST(PolyhedronSimulation, EndsAtItsDurationWhereNothingMeets) {
   EXPECT_EQ(simulation.advance(), nullptr);
   const Totals totals = totals_of(simulation.state());
   const Totals first = totals_of(PolyhedronSimulation(scene).state());
-  // Only gravity acts. Positions are about 240 m down, and the energies differ by an ulp or two of such terms.
+  // Positions are about 240 m down, and energies differ by an ulp or two of such terms.
   EXPECT_NEAR(totals.energy, first.energy, 1e-12 * 8 * g * 240);
 }
 
@@ -730,8 +719,6 @@ TEST(PolyhedronSimulation, KnowsHowBodiesTurnThatNothingHasComeNear) {
   EXPECT_LE((unit::matrix_of(body.orientation) - expected).norm(), 1e-13);
 }
 
-/// A scene of spheres uses SphereSimulation, and a scene with polyhedra PolyhedronSimulation. Both report the state of
-/// their bodies.
 TEST(SceneSimulation, IsTheLoopThatTheSceneNeeds) {
   Scene scene = empty_scene(Law::frictionless, elastic, 3);
   add_plane(scene, {0, 0, 1}, {0, 0, 0});

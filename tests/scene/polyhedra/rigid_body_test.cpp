@@ -18,15 +18,13 @@ using unit::Vector;
 
 RigidBody made_of(const Polyhedron& polyhedron) { return std::get<RigidBody>(rigid_body(polyhedron)); }
 
-/// The vertices may be given in any frame, and the principal axes may have any direction in it. The corners are at
-/// position + R x.
+/// The corners are at position + R x. The vertices x may be given in any frame.
 TEST(RigidBody, HasItsCornersWhereTheSceneSays) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     properties::Stream stream = properties::stream_from(seed);
     Polyhedron polyhedron;
     do {
       polyhedron.vertices = unit::ellipsoid_points(stream, stream.integer(4, 12));
-      // Far from the origin of its own frame, and rotated in it.
       polyhedron.vertices =
           unit::moved(polyhedron.vertices, unit::matrix_of(unit::unit_quaternion(stream)), 4 * stream.vector());
     } while (!unit::defect_of(polyhedron.vertices).empty());

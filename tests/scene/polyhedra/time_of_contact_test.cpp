@@ -39,7 +39,7 @@ TEST(TimeOfContact, OfAFallingCubeIsThatOfItsLowestCorner) {
     motion.acceleration = {0, 0, -9.81};
     const TimeOfContact found = time_of_contact(cube, motion, floor_at_0, 0, 2, contact_tolerance);
     ASSERT_EQ(found.status, ContactStatus::touches);
-    // height + v t − g t²/2 = gap
+    // height + v t − g t²/2 = gap.
     const double height = 3 + least_height(cube, motion.rotation.at(0).state.orientation);
     const auto time_of_gap = [&](double gap) {
       const double v = motion.velocity.z();
@@ -63,7 +63,7 @@ TEST(TimeOfContact, OfABallAndACubeIsThatOfTheirFaces) {
   EXPECT_LE((found.separation.normal - Vector(0, 0, 1)).norm(), 1e-15);
 }
 
-/// A rotating cube hits a ball beside it. A cosine gives the time.
+/// A rotating cube hits a ball beside it.
 TEST(TimeOfContact, OfATurningCubeIsThatOfItsEdge) {
   const PolyhedralBody cube = unit::body_of(unit::box_points({2, 2, 2}));
   const ShapePair pair(ball_shape(0.25), convex_shape(cube));
@@ -73,7 +73,7 @@ TEST(TimeOfContact, OfATurningCubeIsThatOfItsEdge) {
   const TimeOfContact found = time_of_contact(pair, ball, turning, 0, 10, contact_tolerance);
   ASSERT_EQ(found.status, ContactStatus::touches);
   // The face rotated by φ is at the distance 1.5 cos φ − 1 from the ball's centre, as long as the foot 1.5 sin φ lies
-  // on the face, below 1. With the ball's radius of 1/4, contact is at cos φ = 5/6.
+  // on the face, below 1. The ball's radius is 1/4, so cos φ = 5/6.
   EXPECT_NEAR(found.time, std::acos(5.0 / 6) / 2, 2 * contact_tolerance);
 }
 
@@ -112,7 +112,7 @@ double true_distance(const Meeting& m, double time) {
       unit::distance_by_features(m.a.shape, placement_at(m.a.motion, time), m.b.shape, placement_at(m.b.motion, time)));
 }
 
-/// The error of the result; empty if it is right.
+/// What is wrong with the result; empty if it is right.
 std::string wrong_with(const Meeting& m, const TimeOfContact& found) {
   const double end = found.status == ContactStatus::misses ? m.duration : found.time;
   if (found.status == ContactStatus::overlaps || found.status == ContactStatus::undecided) {
@@ -166,7 +166,7 @@ TEST(TimeOfContact, IsNeverPastTheContactOfAnyBodies) {
   }
 }
 
-/// Tumbling bodies hit a floor. The test compares with the height of their lowest corner at all earlier times.
+/// The height of the lowest corner is computed at all earlier times.
 TEST(TimeOfContact, OfTumblingBodiesAndAFloorIsTheirFirst) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     properties::Stream stream = properties::stream_from(seed);
@@ -187,7 +187,7 @@ TEST(TimeOfContact, OfTumblingBodiesAndAFloorIsTheirFirst) {
   }
 }
 
-/// A ball passes a corner of a box. A millionth of the tolerance decides whether they touch.
+/// A ball passes a corner of a box. A thousandth of the tolerance decides whether they touch.
 TEST(TimeOfContact, TellsGrazingFromMissing) {
   const ShapePair pair(ball_shape(0.5), convex_shape(unit::body_of(unit::box_points({2, 2, 2}))));
   const Vector away = Vector(1, 1, 0).normalized();
@@ -199,7 +199,6 @@ TEST(TimeOfContact, TellsGrazingFromMissing) {
   }
 }
 
-/// Two edges cross as they pass each other. Their distance decides whether they touch.
 TEST(TimeOfContact, TellsCrossingEdgesApart) {
   const ShapePair pair(convex_shape(unit::body_of(unit::box_points({2, 2, 2}))),
                        convex_shape(unit::body_of(unit::box_points({2, 2, 2}))));
@@ -214,7 +213,7 @@ TEST(TimeOfContact, TellsCrossingEdgesApart) {
   }
 }
 
-/// After an impact, bodies are within the tolerance and separate. The function must find the next contact.
+/// After an impact, bodies are within the tolerance and separate.
 TEST(TimeOfContact, IsNotThatOfAnImpactJustOver) {
   const ConvexShape cube = convex_shape(unit::body_of(unit::box_points({1, 1, 1})));
   for (const double speed : {1e-6, 1e-3, 1.0}) {
@@ -223,7 +222,7 @@ TEST(TimeOfContact, IsNotThatOfAnImpactJustOver) {
     motion.acceleration = {0, 0, -10};
     const TimeOfContact found = time_of_contact(cube, motion, floor_at_0, 0, 2, contact_tolerance);
     ASSERT_EQ(found.status, ContactStatus::touches) << speed;
-    // Up and down again. If the hop stays within the tolerance, the contact is after its top.
+    // Up and down again. The contact is after the top of the hop.
     EXPECT_LE(found.time, speed / 5 * (1 + 1e-4) + 1e-9 / speed) << speed;
     EXPECT_GE(found.time, speed / 10 * 0.99) << speed;
   }
@@ -233,7 +232,7 @@ TEST(TimeOfContact, IsNotThatOfAnImpactJustOver) {
   EXPECT_EQ(time_of_contact(cube, falling, floor_at_0, 0, 2, contact_tolerance).time, 0);
 }
 
-/// The same flight with a later start: position, velocity and rotation are those at that time.
+/// The same flight with a later start.
 FreeFlight told_from(const FreeFlight& motion, const Vector& inertia, double start, double duration) {
   const RotationState state = rotation_at(motion, start).state;
   return {motion.position + start * (motion.velocity + start / 2 * motion.acceleration),
@@ -266,7 +265,7 @@ TEST(TimeOfContact, DoesNotDependOnWhereTheMotionsStart) {
       // Both times are within a tolerance, at speeds of at least 1/100 m/s except for grazing contacts.
       EXPECT_NEAR(found.time, expected.time, 100 * contact_tolerance) << "seed " << seed;
     }
-    // The result is also the same for a later start with the original motion.
+    // A later begin of the search gives the same result.
     const TimeOfContact later = time_of_contact(pair, m.a.motion, m.b.motion, begin, m.duration, contact_tolerance);
     EXPECT_EQ(later.status, expected.status) << "seed " << seed;
     if (later.status == ContactStatus::touches) {
@@ -292,7 +291,6 @@ TEST(TimeOfContact, OfAFloorDoesNotDependOnWhereTheMotionStarts) {
   }
 }
 
-/// A cube slides along another cube's face and rises, at different speeds. The contact opens.
 TEST(TimeOfContact, OpensWhatSlidesAlongAnEdgeAndRises) {
   const ConvexShape cube = convex_shape(unit::body_of(unit::box_points({1, 1, 1})));
   const Vector inertia = unit::body_of(unit::box_points({1, 1, 1})).properties.principal_inertia;
@@ -309,7 +307,7 @@ TEST(TimeOfContact, OpensWhatSlidesAlongAnEdgeAndRises) {
       }
     }
   }
-  // Edge on edge at a distance within the tolerance: one body rotates away about the edge, and slides along it.
+  // Edge on edge within the tolerance: one body rotates away about the edge, and slides along it.
   for (const double turning : {0.125, 1.0, 4.0}) {
     FreeFlight above = resting({1, 0, 0, 0}, {1, 0, 1 + gap});
     above.velocity = Vector(turning / 2, 1, turning / 2);
@@ -321,9 +319,8 @@ TEST(TimeOfContact, OpensWhatSlidesAlongAnEdgeAndRises) {
   }
 }
 
-/// After an impact, edges touch along a part of themselves, and the bodies rotate apart. Neither the faces' normals nor
-/// a normal orthogonal to both edges shows this. If the search misses that the gap opens, tumbling bodies touch
-/// forever.
+/// After an impact, edges touch along a part of themselves, and the bodies rotate apart. Neither a face's normal nor
+/// the normal of both edges shows that the gap opens. If the search misses this, tumbling bodies touch forever.
 TEST(TimeOfContact, OfBodiesJustStruckApartIsALaterOne) {
   int struck = 0;
   for (std::uint64_t seed = 0; seed < 80; ++seed) {
@@ -334,14 +331,14 @@ TEST(TimeOfContact, OfBodiesJustStruckApartIsALaterOne) {
       continue;
     }
     ++struck;
-    // Like an impact: one body gets a relative velocity along the normal, and the rotations do not change.
+    // As after an impact, one body gets a relative velocity along the normal.
     const ShapePair pair(m.a.shape, m.b.shape);
     for (const double away : {16.0, 64.0}) {
       FreeFlight a = told_from(m.a.motion, m.a.body.properties.principal_inertia, first.time, m.duration);
       const FreeFlight b = told_from(m.b.motion, m.b.body.properties.principal_inertia, first.time, m.duration);
       a.velocity += away * first.separation.normal;
       const TimeOfContact next = time_of_contact(pair, a, b, first.time, a.end(), contact_tolerance);
-      // Corners move at about 2 ω = 16 m/s or more, so 64 m/s is faster than every corner.
+      // By rotation, corners move at no more than about 2 m · 8 rad/s = 16 m/s. So 64 m/s is faster than every corner.
       if (away == 64) {
         EXPECT_EQ(next.status, ContactStatus::misses) << "seed " << seed;
       } else {

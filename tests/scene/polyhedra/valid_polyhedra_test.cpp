@@ -98,7 +98,6 @@ TEST(ValidPolyhedra, AsksForBodiesThatCanBeFollowed) {
   EXPECT_NE(defect_of(scene), "");
   scene.polyhedra[0].angular_velocity = Vector(0, 0, 1e6 / scene.duration) * (1 - 1e-12);
   EXPECT_EQ(defect_of(scene), "");
-  // A quaternion may have any length except 0.
   const double least = 1e-308;
   const double greatest = 1e308;
   for (const double length : {least, greatest}) {
@@ -109,8 +108,7 @@ TEST(ValidPolyhedra, AsksForBodiesThatCanBeFollowed) {
   }
 }
 
-/// A body must be within 4096 of its radii from the origin. At the same distance, the position of a larger body is
-/// sufficiently accurate.
+/// A body must be within 4096 of its radii from the origin.
 TEST(ValidPolyhedra, AsksForPlacesThatAreKnown) {
   Scene scene = three();
   scene.planes.clear();
@@ -138,7 +136,7 @@ TEST(ValidPolyhedra, RefusesWhatTouchesWhateverItTouches) {
        [](Scene& s) { s.polyhedra[1].position.x() = 1; }, [](Scene& s) { s.polyhedra[1].position.x() += 1e-9; }},
       {"polyhedra[0]: polyhedron 0 (body 0) may overlap sphere 0 (ball 0): 0 m is ",
        [](Scene& s) { s.spheres[0].position.y() = 0.75; }, [](Scene& s) { s.spheres[0].position.y() += 1e-9; }},
-      // Completely behind the plane.
+      // Behind the plane.
       {"polyhedra[0]: polyhedron 0 (body 0) may overlap plane 0 (plane 0): -7.5 m is ",
        [](Scene& s) {
          s.planes[0].point.z() = 7;
@@ -154,14 +152,13 @@ TEST(ValidPolyhedra, RefusesWhatTouchesWhateverItTouches) {
     Scene scene = three();
     one.touch(scene);
     EXPECT_TRUE(defect_of(scene).starts_with(one.begins)) << defect_of(scene);
-    // A scene without a defect runs.
     one.part(scene);
     EXPECT_EQ(defect_of(scene), "") << one.begins;
     EXPECT_NO_THROW(PolyhedronSimulation{scene}) << one.begins;
   }
 }
 
-/// In a scene with polyhedra, spheres must also be certain to be apart. Otherwise the simulation cannot start.
+/// In a scene with polyhedra, spheres must also be certain to be apart.
 TEST(ValidPolyhedra, RefusesSpheresThatTouchWhereThereArePolyhedra) {
   Scene scene = three();
   add_sphere(scene, 0.25, {0, 2.5, 0}, {0, 0, 0});

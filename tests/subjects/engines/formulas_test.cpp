@@ -15,8 +15,8 @@
 namespace carom::formulas {
 namespace {
 
-/// Contacts of real bodies that are not slender, with friction and without spins, because the formulas omit
-/// gyroscopic torque.
+/// Contacts of real bodies that are not slender, with friction, and without spins, because the formulas omit gyroscopic
+/// torque.
 std::vector<Collision> contacts(std::uint64_t count) {
   std::vector<Collision> drawn;
   for (std::uint64_t i = 0; drawn.size() < count; ++i) {
@@ -32,7 +32,6 @@ std::vector<Collision> contacts(std::uint64_t count) {
   return drawn;
 }
 
-/// Compares the engine's velocities with those after the formula's impulse.
 void expect_reproduced(const std::string& name) {
   const Subject subject = *subjects::subject_named(name);
   if (!subject.absent.empty()) {
@@ -47,9 +46,9 @@ void expect_reproduced(const std::string& name) {
     const auto computed = map_outcome<double>(std::get<ReportedOutcome>(answers[i]),
                                               [](long double x) { return static_cast<double>(x); });
     const Outcome<double> expected = (*formula)(c);
-    // Ten iterations over three rows with about thirty roundings each, of numbers that cancel to a sixteenth
-    // (κ(K) ≤ 16, and moments to 1 : 8). So the error is at most 10 · 3 · 30 · 16 · 8 u < 2⁻³⁶ of the terms of the
-    // velocities.
+    // The velocities differ by roundings of ten iterations over three rows, with about thirty roundings each. Numbers
+    // cancel to a sixteenth (condition number of K ≤ 16), and moments differ by up to 1 : 8. So the error is at most 10
+    // · 3 · 30 · 16 · 8 u < 2⁻³⁶ of the speeds, with u the unit roundoff.
     const double scale = c.a.velocity.norm() + c.b.velocity.norm();
     for (const auto part : {&Outcome<double>::a, &Outcome<double>::b}) {
       EXPECT_LE(((computed.*part).velocity - (expected.*part).velocity).norm(), 0x1p-36 * scale)
@@ -65,8 +64,7 @@ TEST(EngineFormulas, SayWhatOdeDoes) {
   expect_reproduced("ode-double-coulomb-as-shipped");
 }
 
-/// For each engine, some contact differs by a hundredth or more from the law. A formula that equals the law would not
-/// describe the engine.
+/// For each engine, some contact differs by a hundredth or more from the law. So the law does not describe the engine.
 TEST(EngineFormulas, AreNotTheLaw) {
   const std::vector<Collision> collisions = contacts(100);
   for (const char* engine : {"bullet-double", "ode-double", "rapier", "jolt", "cannon", "physx", "oimo", "mujoco"}) {

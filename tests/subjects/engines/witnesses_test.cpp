@@ -11,7 +11,7 @@
 
 #include "formulas/formulas.hpp"
 
-/// The collisions of docs/reference/engines that a reader can compute by hand.
+/// The collisions of docs/reference/engines that a reader can compute by hand. N is along y.
 namespace carom {
 namespace {
 
@@ -24,7 +24,7 @@ Collision witness(const std::string& name) {
   return collision_from_json(nlohmann::json::parse(file));
 }
 
-/// The velocities of A after the impulse: by the subject's formula, and by the subject itself if it is installed.
+/// The velocities of A after the impulse, by the formula, and by the engine if it is installed.
 std::vector<Vector3<double>> velocities_by(const std::string& subject_name, const Collision& collision) {
   std::vector<Vector3<double>> velocities{(*formulas::formula_of(subject_name))(collision).a.velocity};
   const Subject subject = *subjects::subject_named(subject_name);
@@ -35,7 +35,7 @@ std::vector<Vector3<double>> velocities_by(const std::string& subject_name, cons
   return velocities;
 }
 
-/// F on a body of mass 1.
+/// Checks that the impulse F on a body of mass 1 is `impulse`.
 void expect_impulse(const std::string& subject_name, const Collision& collision, const Vector3<double>& impulse,
                     double rounding) {
   ASSERT_EQ(collision.a.mass, 1);
@@ -50,9 +50,9 @@ Vector3<Rational> coulomb_impulse(const Collision& collision) {
   return answers[0].truth.impulse;
 }
 
-/// K = (3, 1, −1; 1, 3, 1; −1, 1, 3), V⁻ = (1, −3, 0). Friction along x alone converges to 3 F_x + F_y = −1, F_x + 3
-/// F_y = 3. Each of Bullet's ten iterations reduces the error by a factor of nine. Along z, the point continues to slip
-/// at V_z⁺ = −F_x + F_y.
+/// K = (3, 1, −1; 1, 3, 1; −1, 1, 3), V⁻ = (1, −3, 0). Bullet's friction acts along x alone, and converges to 3 F_x +
+/// F_y = −1, F_x + 3 F_y = 3. Each of ten iterations reduces the error by a factor of nine. Along z, the point still
+/// slips.
 TEST(EngineWitnesses, BulletDoesNotStopASlipAcross) {
   const Collision c = witness("across_the_slip");
   EXPECT_EQ(coulomb_impulse(c), Vector3<Rational>(Rational(-5) / 4, Rational(7) / 4, -1));
@@ -70,8 +70,8 @@ TEST(EngineWitnesses, BulletKeepsFrictionWithoutPressure) {
   expect_impulse("bullet-double-coulomb-as-shipped", c, {1.25, 0, 0}, some_roundings);
 }
 
-/// K = (2, 1; 1, 2), V⁻ = (1, −2), μ = 1/2. Without friction F_y = 1, so ODE's box is [−1/2, 1/2]. With F_x = −1/2, F_y
-/// is 5/4, and friction is 2/5 of it.
+/// K = (2, 1; 1, 2), V⁻ = (1, −2), μ = 1/2. Without friction F_y = 1, so ODE limits F_x to [−1/2, 1/2]. With F_x =
+/// −1/2, F_y is 5/4.
 TEST(EngineWitnesses, OdeTakesTheLimitFromThePressureWithoutFriction) {
   const Collision c = witness("raised_pressure");
   EXPECT_LE((coulomb_impulse(c).unaryExpr([](const Rational& x) { return oracles::to_double(x); }) -
@@ -113,8 +113,8 @@ struct ByHand {
   double rounding;           // the allowed error, from the engine's precision [m/s]
 };
 
-/// The formula always gives the values of docs/reference/engines. The engine must give them too if it is installed. The
-/// speeds are below 16 (256 in the two rows before the last) with a few dozen roundings.
+/// The formula always gives the values of docs/reference/engines, and so does the engine if it is installed. The speeds
+/// are below 16 (256 in the rows with a factor 16), with a few dozen roundings.
 TEST(EngineWitnesses, AreAnsweredAsWorkedOutByHand) {
   constexpr double single = 16 * 0x1p-20;
   constexpr double binary = 16 * 0x1p-48;

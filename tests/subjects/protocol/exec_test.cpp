@@ -21,8 +21,6 @@ properties::GateReport gate_of(const std::vector<Subject>& subjects, unsigned jo
   return properties::run_gate(subjects, options);
 }
 
-/// A subject in this process and the same subject over the protocol get the same verdicts. No bit, case or refusal is
-/// lost.
 TEST(Exec, ChangesNoVerdict) {
   for (const char* name : {"frictionless-double", "reflection-float", "reflection-llt-long-double",
                            "sticking-world-double", "reflection-adjugate-float"}) {
@@ -51,8 +49,8 @@ TEST(Exec, ChangesNoVerdict) {
   }
 }
 
-/// For programs, each invariant that relates collisions is judged on every fourth case. All others are judged on
-/// every case.
+/// For programs, each relation (an invariant that compares the answers to related collisions) is judged on every fourth
+/// case.
 TEST(Exec, IsAskedAboutRelatedCollisionsOnEveryFourthCase) {
   const Subject subject = exec_subject(std::string("exec:") + CAROM_WELL_BEHAVED, {});
   properties::GateOptions options;
@@ -65,7 +63,7 @@ TEST(Exec, IsAskedAboutRelatedCollisionsOnEveryFourthCase) {
   EXPECT_EQ(report.results[1].count("swap").holds, 80U);
 }
 
-/// A law that does not read friction need not refuse an invalid friction. It must refuse every other defect.
+/// A law that does not read friction need not refuse an invalid friction.
 TEST(Exec, NeedNotRefuseWhatItsLawDoesNotRead) {
   Subject careless = *subject_named("frictionless-double");
   careless.open = [] {
@@ -105,7 +103,7 @@ TEST(Exec, AnswersManyAtOnceAndNone) {
   const Subject subject = exec_subject(std::string("exec:") + CAROM_WELL_BEHAVED, {});
   Session session = subject.open();
   EXPECT_TRUE(session({}).empty());
-  // More than the pipes can buffer, in both directions.
+  // More than the pipes can buffer.
   const std::vector<Collision> many(5000);
   EXPECT_EQ(session(many).size(), many.size());
   EXPECT_EQ(session(std::span(many).first(1)).size(), 1U);

@@ -30,13 +30,11 @@ std::string misbehaving(const std::string& fault, const std::string& name = "fau
   return std::string("exec:") + CAROM_MISBEHAVING + ' ' + fault + ' ' + name;
 }
 
-/// The gate's report on these subjects. All of them can solve the family. The gate asks twenty cases at once, and the
-/// fault occurs at the third of these.
+/// The gate's report on these subjects. The gate asks twenty cases at once, and the fault occurs at the third.
 struct Gate {
   RunResult run;
   json report;
 
-  /// A subject that hangs costs the timeout each time.
   explicit Gate(std::vector<std::string> subjects, const char* timeout = "0.7") {
     const TemporaryDirectory directory;
     std::vector<std::string> arguments{"gate"};
@@ -104,8 +102,7 @@ std::string name_of(const Fault& fault) {
   return name;
 }
 
-/// The gate waits ten times or more for a subject that hangs. So these subjects run at the same time, each in its own
-/// gate.
+/// The gate waits ten times or more for a subject that hangs, so these gates run at the same time.
 class Faults : public testing::TestWithParam<Fault> {
  protected:
   static void SetUpTestSuite() {
@@ -127,9 +124,8 @@ class Faults : public testing::TestWithParam<Fault> {
   static inline std::map<std::string, std::future<Gate>> waiting;
 };
 
-/// The report names the request and the reason, and the sound subject is judged to the end. If a program fails to
-/// start, it is not judged. If it fails on a collision, it violates `finite`. If it fails at the end, it has an error
-/// as well.
+/// The report names the request and the reason, and the sound subject is judged to the end. A program that fails to
+/// start is not judged. A program that fails on a collision violates the invariant `finite`.
 TEST_P(Faults, NameRequestAndReason) {
   const Gate gate = result(GetParam().fault);
   const std::string request = GetParam().says.front();
@@ -159,7 +155,6 @@ TEST(Faults, WithoutOneTheSameProgramIsSound) {
   EXPECT_EQ(gate.subject(0).at("status"), "sound");
 }
 
-/// Verdicts reached before a fault at the end are kept.
 TEST(Faults, LoseNoVerdict) {
   const Gate gate({misbehaving("hang-after-stop")});
   EXPECT_EQ(gate.subject(0).at("cases"), 120);
@@ -167,7 +162,7 @@ TEST(Faults, LoseNoVerdict) {
   EXPECT_GT(gate.subject(0).at("families").at(0).at("invariants").at("restitution").at("holds"), 0);
 }
 
-/// Verdicts of an incomplete batch are kept too: two answers before each failure, for every start.
+/// Two answers before each failure are kept, for every start.
 TEST(Faults, LoseNoVerdictOfTheSameBatch) {
   const Gate gate({misbehaving("signal")});
   const json& finite = gate.subject(0).at("families").at(0).at("invariants").at("finite");
@@ -176,7 +171,7 @@ TEST(Faults, LoseNoVerdictOfTheSameBatch) {
   EXPECT_LT(gate.subject(0).at("cases"), 120) << "a subject that fails and fails is judged no further";
 }
 
-/// A crash is a finding like others. It has a witness, which is shrunk and replays, and all other cases are judged.
+/// A crash has a witness (recorded violation), which is shrunk and replays.
 TEST(Faults, ACrashIsFoundShrunkAndReplayed) {
   const TemporaryDirectory out;
   const RunResult run = run_carom({"gate", misbehaving("crash-where-bouncy"), "--families", "generic", "--cases", "40",
@@ -204,7 +199,6 @@ TEST(Faults, ACrashIsFoundShrunkAndReplayed) {
   EXPECT_EQ(run_carom({"replay", file, "--subject", misbehaving("none")}).exit_status, 0);
 }
 
-/// If a program uses the name of another subject, it gets a number, and nothing else changes.
 TEST(Faults, AStolenNameIsNumbered) {
   const TemporaryDirectory out;
   const RunResult run =
@@ -225,7 +219,7 @@ TEST(Faults, NamesThatShareAFileNameAreToldApart) {
   EXPECT_TRUE(std::filesystem::exists(out.path() / "witnesses" / "x_y__2.finite.json"));
 }
 
-/// The protocol can express such numbers, so they are a wrong outcome, not a fault of the protocol.
+/// The protocol can express NaN, so NaN is a wrong outcome and no fault of the protocol.
 TEST(Faults, NumbersThatAreNotFiniteAreAViolation) {
   const Gate gate({misbehaving("nan-as-text")});
   EXPECT_EQ(gate.run.exit_status, 1);
@@ -249,14 +243,13 @@ TEST(Faults, AFloodOfErrorsIsCutAndDoesNoHarm) {
   EXPECT_EQ(gate.run.exit_status, 0) << gate.run.output.substr(0, 2000);
 }
 
-/// Largest resident set of any child so far [bytes].
+/// Largest resident set of any child [bytes].
 long largest_child() {
   rusage usage{};
   getrusage(RUSAGE_CHILDREN, &usage);
   return usage.ru_maxrss * 1024;
 }
 
-/// Exits with 0 if a fault uses no more memory than its bounds.
 [[noreturn]] void take_memory() {
   const Gate sound({misbehaving("none")});
   const long usual = largest_child();
@@ -264,8 +257,7 @@ long largest_child() {
     const Gate gate({misbehaving(fault)});
   }
 #ifndef __SANITIZE_ADDRESS__
-  // A line, its copy, its parts as JSON, and 64 KiB of standard error: tens of MiB, although the program writes a
-  // GiB.
+  // A line, its copy, its parts as JSON, and 64 KiB of standard error take tens of MiB, not the GiB that is written.
   constexpr long most = 64L << 20U;
   EXPECT_LE(largest_child(), usual + most);
 #else
@@ -297,7 +289,7 @@ TEST(Faults, AProgramThatCannotBeRunIsAnError) {
 
 bool is_there(pid_t process) { return kill(process, 0) == 0 || errno != ESRCH; }
 
-/// The processes of the misbehaving program whose command line contains this word.
+/// The processes of the misbehaving program with this word on the command line.
 std::vector<pid_t> processes_with(const std::string& word) {
   std::vector<pid_t> found;
   for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
@@ -313,7 +305,7 @@ std::vector<pid_t> processes_with(const std::string& word) {
   return found;
 }
 
-/// Each fault runs in its own gate. The gates run at the same time, because most of them wait.
+/// The gates run at the same time, because most of them wait.
 TEST(Faults, LeaveNoProcessBehind) {
   std::map<std::string, std::future<std::size_t>> left;
   for (const char* fault : {"none", "hang", "grandchild", "daemon", "hang-after-stop", "half-a-line", "close-output"}) {
@@ -328,14 +320,14 @@ TEST(Faults, LeaveNoProcessBehind) {
   }
 }
 
-/// The process id that a shell wrote into the file; 0 if there is none yet.
+/// The process id in the file; 0 if there is none yet.
 pid_t process_in(const std::string& file) {
   const std::string text = content_of(file);
   return text.empty() ? 0 : std::stoi(text);
 }
 
-/// A shell that becomes the gate may have background jobs. If a job ends, the gate becomes the parent of its children.
-/// The gate must end neither these children nor the jobs. It must end processes that a subject leaves behind.
+/// A shell that becomes the gate may have background jobs. If a job ends, the gate becomes the parent of the job's
+/// children. The gate must end neither jobs nor their children, but processes that a subject leaves behind.
 TEST(Faults, EndNoProcessThatASubjectDidNotStart) {
   const TemporaryDirectory directory;
   const std::string job = (directory.path() / "job").string();
@@ -361,7 +353,6 @@ exec "$@")";
 
 class Interrupted : public testing::TestWithParam<int> {};
 
-/// After Ctrl-C or SIGTERM the gate reports its results so far, and ends all processes that it started.
 TEST_P(Interrupted, GateReportsAndLeavesNoProcessBehind) {
   const TemporaryDirectory directory;
   const std::string mark = "mark-of-" + std::to_string(getpid());
@@ -393,7 +384,6 @@ TEST_P(Interrupted, GateReportsAndLeavesNoProcessBehind) {
 INSTANTIATE_TEST_SUITE_P(By, Interrupted, testing::Values(SIGINT, SIGTERM, SIGKILL),
                          [](const auto& each) { return "signal_" + std::to_string(each.param); });
 
-/// A file starts no program by itself.
 TEST(Faults, AWitnessDoesNotRunItsProgramUnasked) {
   const TemporaryDirectory directory;
   const RunResult run = run_carom({"gate", misbehaving("nan-as-text"), "--families", "structured", "--cases", "1",
@@ -410,7 +400,6 @@ TEST(Faults, AWitnessDoesNotRunItsProgramUnasked) {
   EXPECT_NE(failing.errors.find("ended with status 7"), std::string::npos) << failing.errors;
 }
 
-/// Two collisions as JSON Lines.
 std::string two_collisions() {
   std::string lines;
   for (const int mass : {1, 2}) {

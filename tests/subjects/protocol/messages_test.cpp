@@ -17,7 +17,6 @@ namespace {
 constexpr const char* sound =
     R"({"protocol":1,"name":"rapier3d","version":"0.21.0","precision":"binary32","model":"frictionless"})";
 
-/// The text with the part replaced.
 std::string with(std::string text, const std::string& part, const std::string& replacement) {
   return text.replace(text.find(part), part.size(), replacement);
 }
@@ -99,8 +98,8 @@ TEST(Reply, HasTheBitsOfTheSubjectsPrecision) {
   EXPECT_TRUE(std::isinf(std::get<ReportedOutcome>(large).a.velocity[1]));
 }
 
-/// Decimals next to the midpoint of two binary64 numbers, closer to it than extended precision resolves. If a reader
-/// first rounds them to extended, they become the midpoint, which then rounds to the wrong side.
+/// Decimals next to the midpoint of two binary64 numbers. A reader that first rounds them to extended gets the
+/// midpoint, which then rounds to the wrong side.
 TEST(Reply, RoundsADecimalOnce) {
   for (const auto& [decimal, nearest, other] : std::vector<std::tuple<std::string, double, double>>{
            {"8.68411587126273421", 0x1.15e446f7b7ef9p+3, 0x1.15e446f7b7ef8p+3},
@@ -121,7 +120,7 @@ TEST(Reply, RoundsADecimalOnce) {
 }
 
 TEST(Reply, RoundsAnIntegerOnce) {
-  // 2⁵³ + 1 is the midpoint of two binary64 numbers. One more digit makes it longer than 64 bits.
+  // 2⁵³ + 1 is the midpoint of two binary64 numbers. The last integer exceeds 64 bits.
   for (const auto& [integer, nearest] : std::vector<std::pair<std::string, double>>{
            {"9007199254740993", 0x1p53}, {"-9007199254740993", -0x1p53}, {"36893488147419103233", 0x1p65}}) {
     const auto answer = answer_from(with(reply, "2.5", integer), 5, Precision::binary64);
@@ -137,7 +136,7 @@ TEST(Reply, MayLeaveTheRangeOfBinary64) {
   }
 }
 
-/// The binary64 number nearest to 0.1 prints as 0.1 in binary64. In a wider format it needs more digits.
+/// 0.1 needs more digits in a wider format than in binary64.
 TEST(Reply, LosesNoBitOfABinary64NumberReadAsExtended) {
   ReportedOutcome outcome;
   outcome.a.velocity = {0.1, 1.0 / 3, 0.006120156079754623772160027};
@@ -202,7 +201,6 @@ TEST(Reply, IsRefusedWithThePlaceWhereItsMatrixIsWrong) {
   }
 }
 
-/// The outcome changes a velocity of a colliding contact.
 TEST(Matrix, IsOwedWhereTheContactCollides) {
   Collision hit;
   hit.a.position = {0, 1, 0};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// A sound subject with the fault that the first argument names. Its name is the second argument, or its process id if
-// there is none.
+// A sound subject (solver under test) with the fault that the first argument names. Its name is the second argument, or
+// the process id.
 #include <csignal>
 #include <cstdlib>
 #include <functional>
@@ -35,7 +35,7 @@ void write_megabytes(std::ostream& stream, int megabytes, bool with_line_ends) {
   }
 }
 
-/// The fault replaces the reply or precedes it. The result is the reply to write.
+/// The fault replaces the reply or precedes it, and returns the reply to write.
 using Fault = std::function<std::string(std::uint64_t id, std::string reply)>;
 
 const std::map<std::string, Fault>& faults() {
@@ -141,7 +141,6 @@ const std::map<std::string, Fault>& faults() {
   return all;
 }
 
-/// The changes of every reported matrix.
 const std::map<std::string, std::function<void(json& reply)>>& matrix_faults() {
   static const std::map<std::string, std::function<void(json & reply)>> all{
       {"matrix", [](json&) {}},
@@ -153,14 +152,13 @@ const std::map<std::string, std::function<void(json& reply)>>& matrix_faults() {
   return all;
 }
 
-/// Returns the exit status.
 int run(int argc, char** argv) {
   const std::string fault = argc > 1 ? argv[1] : "none";
   if (fault == "exit-at-once") {
     std::cerr << "nothing to do here\n";
     return 7;
   }
-  // The cleanup by a stopped gate must not depend on a cooperative subject.
+  // A stopped gate must clean up even if the subject ignores signals.
   std::signal(SIGTERM, SIG_IGN);
   std::signal(SIGPIPE, SIG_IGN);
   subjects::protocol::Introduction introduction{

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// A sound subject except for its reader. It misreads one of the spellings that the protocol permits: as another
-// number, as another default, or as an error. The first argument selects the spelling.
+// A sound subject (solver under test), except that it misreads one spelling that the protocol permits. The first
+// argument selects the spelling.
 #include <functional>
 #include <iostream>
 #include <map>
@@ -19,7 +19,6 @@ namespace {
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-/// Parses the text of a request.
 using Reader = std::function<ordered_json(const std::string& text)>;
 
 ordered_json with_text(const std::string& text, const char* pattern, const char* replacement) {

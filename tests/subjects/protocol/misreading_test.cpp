@@ -7,8 +7,8 @@
 
 #include "support/program.hpp"
 
-/// The gate finds programs that misread one of the permitted spellings, and the witness (the recorded violation)
-/// replays.
+/// The gate finds programs that misread a permitted spelling (way to write a collision), and each witness (recorded
+/// violation) replays.
 namespace carom::tests {
 namespace {
 
@@ -27,7 +27,7 @@ TEST_P(Misreading, IsViolatedAndItsWitnessesReplay) {
   EXPECT_EQ(subject.at("status"), "violated");
   const json& violations = subject.at("violations");
   ASSERT_FALSE(violations.empty());
-  // Only three of them, because a replay starts the program in every spelling.
+  // A replay starts the program in every spelling.
   for (std::size_t i = 0; i < violations.size(); i += (violations.size() + 2) / 3) {
     const json& violation = violations.at(i);
     const std::string witness = (out.path() / violation.at("witness").get<std::string>()).string();

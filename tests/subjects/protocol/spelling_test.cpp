@@ -22,7 +22,7 @@ using nlohmann::json;
 
 std::uint64_t bits_of(double number) { return std::bit_cast<std::uint64_t>(number); }
 
-/// Every spelling is JSON, and three decimal readers read the same bits.
+/// Every spelling of a number is JSON, and three decimal readers read the same bits.
 void expect_same_bits(double number) {
   const std::vector<std::string> ways = spellings_of(number);
   EXPECT_GE(ways.size(), 3U) << number;
@@ -105,7 +105,7 @@ TEST(Spelling, IsTheSameForTheSameBitsAndNumber) {
   }
 }
 
-/// Each free choice is made both ways often: between a tenth and nine tenths of all requests.
+/// Each free choice is made both ways, in a tenth to nine tenths of all requests.
 TEST(Spelling, TakesEveryFreedom) {
   std::map<std::string, int> seen;
   int all = 0;

@@ -29,7 +29,6 @@ class Baseline : public testing::Test {
     return run_carom(arguments);
   }
 
-  /// The report without its violations of `invariant`, as if the invariant had held.
   [[nodiscard]] std::string baseline_where_held(const std::string& invariant) const {
     json report = report_;
     for (json& family : report.at("subjects").at(0).at("families")) {

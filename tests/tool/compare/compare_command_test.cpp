@@ -12,7 +12,6 @@ namespace {
 
 using nlohmann::json;
 
-/// A report on one sound subject and one that is not sound.
 const json& real_report() {
   static const json report =
       json::parse(run_carom({"gate", "frictionless-double", "reflection-in-basis-double", "--families",

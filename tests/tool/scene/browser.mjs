@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 import { spawn } from "node:child_process";
 
-/** Headless Chromium, controlled through its debugging pipe: JSON messages, each ended by a zero byte. */
+/** Headless Chromium, controlled by JSON messages through its debugging pipe, each ended by a zero byte. */
 export class Browser {
   constructor(program, profile, options = []) {
     this.process = spawn(program, ["--headless", "--no-sandbox", "--no-first-run", "--disable-quic", "--hide-scrollbars",
@@ -69,7 +69,7 @@ export class Browser {
     return result.value;
   }
 
-  /** Opens a page anew, and waits until it reports that it is ready and its next frame is shown. */
+  /** Opens a page, and waits until it is ready and its next frame is shown. */
   async open(address) {
     await this.ask("Page.navigate", { url: "about:blank" });
     await this.ask("Page.navigate", { url: address });
@@ -77,7 +77,6 @@ export class Browser {
     await this.frame();
   }
 
-  /** Goes to another place of the open page. */
   async go(fragment) {
     await this.value(`location.hash = ${JSON.stringify(fragment)}; 0`);
     await this.frame();
@@ -88,7 +87,7 @@ export class Browser {
     return this.value("new Promise((go) => requestAnimationFrame(() => requestAnimationFrame(() => go())))");
   }
 
-  /** Waits for the condition, for at least a minute. ctest limits the time of the whole test. */
+  /** Waits for the condition, for at least a minute. */
   async until(condition) {
     for (let tries = 0; tries < 1200; ++tries) {
       if (await this.value(condition).catch(() => false)) {

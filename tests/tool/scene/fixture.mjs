@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
-// node fixture.mjs FILE: writes a replay to look at. Six balls and a cube in a room bounce, slide, roll and come to
-// rest. A ball on the ground has an angular velocity that rotates and changes. The physics is simple, in small steps.
-// It suffices to check the drawing and to compare pictures. No verdict depends on it.
+// node fixture.mjs FILE: writes a replay for checks of the drawing. Six balls and a cube in a room bounce, slide, roll
+// and come to rest. A ball on the ground has an angular velocity that rotates and changes. The physics is simple,
+// because no verdict depends on it.
 import { writeFileSync } from "node:fs";
 
 const gravity = 9.81;
@@ -32,7 +32,7 @@ const planes = [0, 1, 2].flatMap((axis) => [1, -1].map((sign) => ({
   point: [0, 1, 2].map((i) => (i === axis && sign < 0 ? size[axis] : 0)),
 })));
 
-/** Whether the body lies on the floor, and the effect of friction on its motion there. */
+/** The phase of the body, its acceleration and its angular acceleration. A body on the floor loses its fall. */
 function settle(body) {
   const radius = body.radius;
   if (body.p[2] > radius + 1e-4 || Math.abs(body.v[2]) > 0.12) {

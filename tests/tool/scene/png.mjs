@@ -3,7 +3,7 @@ import { deflateSync, inflateSync } from "node:zlib";
 
 const signature = Buffer.from([0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a]);
 
-/** A picture with 8 bits per colour, as { width, height, pixels }: red, green and blue in turn, without opacity. */
+/** Decodes a picture with 8 bits per colour to { width, height, pixels }: red, green and blue in turn. */
 export function decode(file) {
   if (!file.subarray(0, 8).equals(signature)) {
     throw new Error("not a PNG");
@@ -82,7 +82,7 @@ export function encode({ width, height, pixels }) {
   const stride = width * 3;
   const raw = Buffer.alloc((stride + 1) * height);
   for (let y = 0; y < height; ++y) {
-    // Filter 1: each pixel minus the pixel before it. This halves the size of the file.
+    // Filter 1, each pixel minus the pixel before it, halves the size of the file.
     raw[y * (stride + 1)] = 1;
     for (let x = 0; x < stride; ++x) {
       raw[y * (stride + 1) + 1 + x] = pixels[y * stride + x] - (x >= 3 ? pixels[y * stride + x - 3] : 0);
@@ -92,7 +92,7 @@ export function encode({ width, height, pixels }) {
     chunk("IEND", Buffer.alloc(0))]);
 }
 
-/** The picture in which each square of `factor` × `factor` pixels becomes one pixel, its mean. */
+/** The picture with the mean of each square of `factor` × `factor` pixels as one pixel. */
 export function shrunk({ width, height, pixels }, factor) {
   const [w, h] = [Math.floor(width / factor), Math.floor(height / factor)];
   const result = Buffer.alloc(w * h * 3);

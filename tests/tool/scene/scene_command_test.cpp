@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSL-1.0
-// Runs `carom scene` on the scenes that ship, and on invalid ones.
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -83,7 +82,7 @@ TEST(SceneCommand, SpheresSpinUnderRoughAndNeverWithoutFriction) {
   EXPECT_EQ(records[0]["spins_changed"], 0);
   EXPECT_EQ(records[1]["spins_changed"], 0);
   EXPECT_EQ(records[2]["spins_changed"], 64);
-  // For spheres `reflection` equals `frictionless`, so both runs have the same events with the same bits.
+  // For spheres `reflection` equals `frictionless`, bit for bit.
   EXPECT_EQ(records[0]["events"], records[1]["events"]);
   EXPECT_EQ(records[0]["ledger"], records[1]["ledger"]);
 }
@@ -109,8 +108,7 @@ TEST(SceneCommand, WritesWhatItPromises) {
   EXPECT_NE(content_of(out / "report.html").find("the ledger closes"), std::string::npos);
 }
 
-/// If there are more events than a replay can hold, the replay ends just before the first excess event. The output
-/// reports this.
+/// A replay that cannot hold all events ends just before the first excess event, and the output reports this.
 TEST(SceneRun, ReplaysWhatFitsIn) {
   const auto replayed = [](std::uint64_t most) {
     tool::SceneOptions options;

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSL-1.0
-// Runs `carom scene` and `carom plan` on a scene of polyhedra, and checks their output and their statements about
-// energy.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -64,7 +62,7 @@ TEST(SceneOfPolyhedra, WritesWhatItPromises) {
   EXPECT_LE(record["validity"]["unseen"].get<double>(), 0x1p-30);
   EXPECT_EQ(record["impulses"]["judged"], record["impulses"]["all"]);
 
-  // Each line has as many columns as the header. Orientations have length 1. Those of a missing second body are empty.
+  // Each line has as many columns as the header. Orientations have length 1, or are empty without a second body.
   const std::vector<std::string> lines = split(content_of(out / "events.csv"), '\n');
   ASSERT_EQ(lines.size(), 2 + record["events"]["all"].get<std::size_t>());
   const std::vector<std::string> names = split(lines[0], ',');
@@ -128,8 +126,7 @@ TEST(SceneOfPolyhedra, WritesWhatItPromises) {
   }
 }
 
-/// `reflection`, the law of docs/findings/note.md, creates energy if N is no eigenvector of the collision matrix K.
-/// `frictionless` conserves energy.
+/// If N is no eigenvector of the collision matrix, `reflection` creates energy. `frictionless` conserves it.
 TEST(SceneOfPolyhedra, GainsEnergyUnderReflectionAlone) {
   const RunResult result =
       run_carom({"scene", shipped("tumbling_polyhedra"), "--laws", "frictionless,reflection", "--format", "json"});
@@ -151,7 +148,7 @@ TEST(SceneOfPolyhedra, GainsEnergyUnderReflectionAlone) {
   }
 }
 
-/// For spheres `reflection` equals `frictionless`, so it gains no energy.
+/// For spheres `reflection` equals `frictionless`.
 TEST(SceneOfSpheres, NeverGainsEnergyUnderReflection) {
   for (const char* scene : {"bouncing_spheres", "spinning_floor", "break", "cradle"}) {
     const RunResult result = run_carom({"scene", shipped(scene), "--laws", "reflection", "--format", "json"});
@@ -189,7 +186,7 @@ TEST(PlanOfPolyhedra, NamesTheirClasses) {
   EXPECT_NE(result.output.find("\npolyhedra: wood and wood "), std::string::npos) << result.output;
   EXPECT_NE(result.output.find("\npolyhedron and plane: wood and wood "), std::string::npos);
   EXPECT_NE(result.output.find("frictionless-"), std::string::npos);
-  // The plan does not call polyhedra spheres, for which N is an eigenvector of the collision matrix K.
+  // The plan does not take polyhedra for spheres.
   EXPECT_EQ(result.output.find("spheres: "), std::string::npos);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// write_replay JSON HTML: writes the page of a replay, for the test that opens it. The exit status is 77 if the
-// program is built without replays.
+// write_replay JSON HTML: writes the page of a replay, for browser_test.mjs. The exit status is 77 in a build without
+// replays.
 #include <exception>
 #include <fstream>
 #include <iostream>

@@ -30,8 +30,8 @@ function make_body(body, sphere) {
   return made;
 }
 
-// The engine limits friction to μ times this gravity times a mass, as if the contact carried a weight. The gravity is
-// chosen so that gravity times mass is the impulse that reverses the approach of bodies that do not turn.
+// The engine limits friction to μ times this gravity times a mass. This gravity times the mass is the impulse that
+// reverses the approach of bodies that do not turn.
 function friction_gravity({ a, b, point, normal, restitution }) {
   const velocity_at_point = ({ position, velocity, angular_velocity }) =>
     new Vec3(...angular_velocity).cross(new Vec3(...point).vsub(new Vec3(...position))).vadd(new Vec3(...velocity));
@@ -57,8 +57,8 @@ function configure(world, collision) {
     world.solver.iterations = 100;
     world.solver.tolerance = 0;
   }
-  // Runs before the contact is solved. SPOOK is the engine's contact model. Its parameters are those in the limit of
-  // infinite relaxation: the contact is rigid and the overlap causes no velocity. The impulse has no limit.
+  // Runs before the contact is solved. SPOOK, the engine's contact model, gets the parameters of infinite relaxation:
+  // the contact is rigid, and the overlap causes no velocity.
   world.bodies[0].addEventListener('collide', ({ contact }) => {
     Object.assign(contact, { a: 0, b: 1, eps: 0, maxForce: Infinity });
     for (const friction of world.frictionEquations) {

@@ -36,7 +36,7 @@ function make_world() {
 
 const world = make_world();
 const bodies = world.GetPhysicsSystem().GetBodyInterface();
-// These objects are in the engine's memory, which has no garbage collection. They are reused.
+// These objects are in the engine's memory, which has no garbage collection, and are reused.
 const vector = new Jolt.Vec3();
 const position = new Jolt.RVec3();
 const rotation = new Jolt.Quat();
@@ -52,8 +52,8 @@ function set_mass(properties, { mass, principal_inertia, orientation }) {
   properties.SetInverseInertia(filled(vector, principal_inertia.map((j) => 1 / j)), filled(rotation, [x, y, z, w]));
 }
 
-// The body's axes are the world's axes, so that the sphere's position is not rounded. The principal axes are rotated
-// instead.
+// The body's axes are the world's axes, and the principal axes are rotated instead. So the sphere's position is not
+// rounded.
 function make_body(body, sphere, { friction, restitution }) {
   const shape = new Jolt.OffsetCenterOfMassShape(
     new Jolt.SphereShape(sphere.radius), filled(vector, sphere.centre_of_mass_from_centre));
@@ -88,7 +88,7 @@ function solve(collision) {
   const b = make_body(collision.b, posed.b, collision);
   world.Step(step, 1);
   const outcome = { a: velocity_of(a), b: velocity_of(b) };
-  for (const body of [b, a]) {  // the engine reuses the ID freed last, so A gets the lower ID again, and comes first
+  for (const body of [b, a]) {  // the engine reuses the ID freed last, so A keeps the lower ID and comes first
     bodies.RemoveBody(body.GetID());
     bodies.DestroyBody(body.GetID());
   }

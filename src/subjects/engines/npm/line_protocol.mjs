@@ -7,7 +7,7 @@ function number(json) {
   return typeof json === 'number' ? json : notNumbers.get(json);
 }
 
-// A malformed record becomes NaN, so that validate() reports it with the other defects.
+// A malformed record becomes NaN, which validate() reports.
 function numbers(json, count) {
   return Array.isArray(json) && json.length === count ? json.map(number) : new Array(count).fill(NaN);
 }
@@ -39,7 +39,6 @@ function read_collision(json) {
   };
 }
 
-/** Every defect of a collision as text; empty if it is valid. */
 export function validate(collision) {
   const defects = [];
   const expect = (holds, field, expected) => {

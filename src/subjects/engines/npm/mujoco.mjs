@@ -10,7 +10,8 @@ const { configured, model } = settings();
 const overlap = 64 * Number.EPSILON;  // exceeds the rounding error of the spheres' distance, about 10 roundings
 const step = configured ? 2 ** -100 : 0.002;  // [s]; as shipped, MuJoCo's default
 
-// Each collision replaces the numbers. An immovable body has no joint. The normal points from `geom1` to `geom2`.
+// A template whose numbers each collision replaces. An immovable body has no joint. The normal points from `geom1` to
+// `geom2`.
 function xml({ a, b }) {
   const body = (name, immovable) => `
     <body>
@@ -32,7 +33,7 @@ function configure(option) {
     disableflags: mujoco.mjtDisableBit.mjDSBL_AUTORESET.value,  // accelerations beyond 1e10 are valid here
     enableflags: mujoco.mjtEnableBit.mjENBL_DIAGEXACT.value,  // the softness follows N·K N instead of 1/m_A + 1/m_B
     cone: mujoco.mjtCone.mjCONE_ELLIPTIC.value,
-    impratio: 100,  // ratio of the softness along N to the tangential softness; from 1e4 on, the solver stops too early
+    impratio: 100,  // softness along N / tangential softness; from 1e4 on, the solver stops too early
   });
 }
 
@@ -62,14 +63,14 @@ function set_contact(world, { restitution, friction }) {
     const impedance = mujoco.mjMAXIMP;  // the hardest contact that MuJoCo has, at every depth
     world.pair_solimp.fill(impedance, 0, 2);
     // Zero stiffness, and a damping that demands N·V⁺ = −ε N·V⁻ and N × V⁺ = 0 at the end of the step. The engine
-    // divides the damping by the impedance. Along N, this division compensates for the softness. Friction has almost no
-    // softness, so its damping contains the impedance as a factor, which cancels the division.
+    // divides the damping by the impedance, which compensates for the softness along N. Friction has almost no
+    // softness, so its damping contains the impedance as a factor.
     world.pair_solref.set([0, -(1 + restitution) / step]);
     world.pair_solreffriction.set([0, -impedance / step]);
   }
 }
 
-// The body's origin is its centre of mass, and its axes are the world's axes. The principal axes are rotated instead.
+// The body's axes are the world's axes, and the principal axes are rotated instead.
 function set_body(world, index, body, sphere) {
   const centre = body.immovable ? sphere.centre : sphere.centre_of_mass_from_centre.map((x) => -x);
   world.geom_pos.set(centre, 3 * index);
@@ -86,7 +87,7 @@ function velocity_of_wall({ velocity: v, angular_velocity: w }, { centre_of_mass
   return v.map((x, i) => x - (w[(i + 1) % 3] * c[(i + 2) % 3] - w[(i + 2) % 3] * c[(i + 1) % 3]));
 }
 
-// MuJoCo cannot prescribe a velocity. A contact with a wall is posed in the frame of the wall's material point at P.
+// MuJoCo cannot prescribe a velocity. So a contact with a wall is posed in the frame of the wall's material point at P.
 function solve(collision) {
   const { a, b } = collision;
   if (a.immovable && b.immovable) {

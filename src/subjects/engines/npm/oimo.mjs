@@ -14,7 +14,6 @@ const { configured, model } = settings();
 const overlap = 64 * Number.EPSILON;  // exceeds the rounding error of the spheres' distance, about 10 roundings
 const step = 1 / 60;  // [s]; has no effect on the configured engine
 
-// The settings are global.
 if (configured) {
   Setting.contactEnableBounceThreshold = 0;  // [m/s]
   Setting.maxTranslationPerStep = Setting.maxRotationPerStep = Infinity;  // limits of the velocities

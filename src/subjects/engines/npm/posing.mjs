@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 
-/** v/‖v‖ for any v ≠ 0. v is first divided by its largest component, so that the length does not over- or underflow. */
+/** v/‖v‖ for any v ≠ 0, without overflow or underflow of the length. */
 export function unit(v) {
   const largest = Math.max(...v.map(Math.abs));
   const scaled = v.map((x) => x / largest);
@@ -30,8 +30,7 @@ export function spheres({ a, b, point, normal }, overlap) {
   const lever_arms = centres_of_mass.map((x) => Math.hypot(...x));
   const longer = Math.max(...lever_arms) || 1;
   const sphere = (index, side) => {
-    // A sphere larger than the lever arm would round the contact point of a small body. A smaller one would round the
-    // normal.
+    // A larger sphere would round the contact point of a small body. A smaller sphere would round the normal.
     const radius = Math.max(lever_arms[index], longer / 16);
     const centre = n.map((x) => side * (radius - (overlap * longer) / 2) * x);
     const centre_of_mass = centres_of_mass[index];

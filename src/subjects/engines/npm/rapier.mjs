@@ -9,8 +9,7 @@ const overlap = 1e-5;  // about 80 roundings of binary32, so that rounding leave
 await RAPIER.init();
 
 function configure(world) {
-  // Rapier cannot turn off the gyroscopic torque, or the limit of π/4 rad a step on the angular velocity. A short step
-  // makes both negligible.
+  // Rapier cannot turn off the gyroscopic torque, or its limit of π/4 rad a step. A short step makes both negligible.
   world.timestep = 1e-16;  // [s]
   if (model === 'frictionless') {
     world.numSolverIterations = 1;  // with friction, the default of 4 is nearer to the law
@@ -19,18 +18,18 @@ function configure(world) {
   world.lengthUnit = 1e15;  // raises the speed limit, which is 400 length units a second
 }
 
-// The body's origin is the centre of its sphere, and its axes are the world's axes. The principal axes are rotated
-// instead. Only the centre of mass is rounded.
+// The body's axes are the world's axes, and the principal axes are rotated instead. So only the centre of mass is
+// rounded.
 function make_body(world, body, sphere, { friction, restitution }) {
   const description = body.immovable ? RAPIER.RigidBodyDesc.kinematicVelocityBased() : RAPIER.RigidBodyDesc.dynamic();
   description.setTranslation(...sphere.centre).setLinvel(...body.velocity).setAngvel(xyz(body.angular_velocity));
   const made = world.createRigidBody(description);
-  const mass = body.immovable ? 1 : body.mass;  // the engine treats a kinematic body as infinitely heavy anyway
+  const mass = body.immovable ? 1 : body.mass;  // the engine ignores the mass of a kinematic body
   const moments = body.immovable ? [1, 1, 1] : body.principal_inertia;
   const [w, x, y, z] = body.immovable ? [1, 0, 0, 0] : unit(body.orientation);
   const collider = RAPIER.ColliderDesc.ball(sphere.radius)
     .setMassProperties(mass, xyz(sphere.centre_of_mass_from_centre), xyz(moments), { w, x, y, z })
-    .setFriction(model === 'coulomb' ? friction : 0)  // the engine averages two equal coefficients to the same value
+    .setFriction(model === 'coulomb' ? friction : 0)  // the mean of two equal coefficients is the coefficient
     .setRestitution(restitution);
   world.createCollider(collider, made);
   return made;

@@ -12,9 +12,8 @@
 
 namespace carom::formulas {
 
-/// The settings of cannon-es that affect one contact of two bodies, without gravity. SPOOK is the engine's contact
-/// model. Its parameters a, b and ε are the same for contact and friction. Its ε is called s here, because ε is the
-/// restitution.
+/// The settings of cannon-es that affect one contact of two bodies, without gravity. Its contact model SPOOK has the
+/// parameters a, b and ε, the same for contact and friction. ε is called s here, because ε is the restitution.
 struct CannonSettings {
   double a;                 // SPOOK's a: the share of the overlap to remove per second [1/s]
   double b;                 // SPOOK's b: the share of the velocity to remove
@@ -28,7 +27,7 @@ struct CannonSettings {
   double overlap;           // of the shapes, with which the adapter poses the contact [m]
 };
 
-/// Stiffness 1e7 and relaxation 3. Without gravity the limit on friction is 0.
+/// Stiffness 1e7 and relaxation 3. Without gravity, the limit on friction is 0.
 [[nodiscard]] inline CannonSettings cannon_as_shipped(double overlap) {
   constexpr double step = 1.0 / 60;
   constexpr double relaxation = 1 + 4 * 3;
@@ -36,9 +35,8 @@ struct CannonSettings {
   return {4 / (step * relaxation), 12 / relaxation, softness, 1e6, 0, 10, 1e-7, 0.01, step, overlap};
 }
 
-/// The limit of SPOOK for an infinite relaxation: a = 0, b = 1 and s = 0. With this `friction_gravity`, the limit on
-/// friction is μ times the impulse that would stop and reverse the two masses if they did not spin:
-/// (1 + ε) max(0, −N·V⁻) / (1/m_A + 1/m_B).
+/// SPOOK in the limit of infinite relaxation: a = 0, b = 1 and s = 0. The limit on friction is μ times the impulse that
+/// would stop and reverse the two masses if they did not spin: (1 + ε) max(0, −N·V⁻) / (1/m_A + 1/m_B).
 [[nodiscard]] inline CannonSettings cannon_configured(const Collision& collision, double overlap) {
   const Problem problem = problem_of(collision);
   const double approach = std::max(0.0, -problem.normal.dot(problem.velocity));
@@ -99,9 +97,9 @@ struct CannonSettings {
   return impulse;
 }
 
-/// The outcome of cannon-es. Each body's lever arm ends at the surface of its shape, which lies half the overlap beyond
-/// the contact point P, inside the other shape. The velocities of movable bodies are damped after the contact
-/// (World.internalStep). Precondition: the collision is valid and at least one body can move.
+/// The outcome of cannon-es. Each lever arm ends at the surface of its shape, half the overlap beyond the contact point
+/// P. Movable bodies are damped after the contact (World.internalStep). Precondition: the collision is valid and at
+/// least one body can move.
 [[nodiscard]] inline Outcome<double> cannon(const Collision& collision, const CannonSettings& settings) {
   Collision posed = collision;
   const Vector3<double> beyond = settings.overlap / 2 * problem_of(collision).normal;

@@ -32,12 +32,12 @@ namespace detail {
 
 }  // namespace detail
 
-/// Whether the subject applies gyroscopic torque to spinning bodies, which its formula omits.
+/// Whether the subject applies gyroscopic torque, which its formula omits.
 [[nodiscard]] inline bool leaves_out_gyroscopic_torque(std::string_view subject) {
   return subject.ends_with("as-shipped") && (subject.starts_with("bullet") || subject.starts_with("ode"));
 }
 
-/// The formula for the subject of this name; null if there is none.
+/// The formula of the subject with this name; null if there is none.
 [[nodiscard]] inline const OutcomeOf* formula_of(std::string_view subject) {
   static const std::map<std::string, OutcomeOf, std::less<>> formulas = [] {
     std::map<std::string, OutcomeOf, std::less<>> all;

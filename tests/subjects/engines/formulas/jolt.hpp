@@ -38,7 +38,7 @@ struct JoltSettings {
 ///    F = (F·N) N + f_1 T_1 + f_2 T_2
 ///    F·N becomes max(0, F·N − (N·V + ε' N·V⁻) / N·K N), ε' = ε if −N·V⁻ > the restitution's threshold, else 0.
 ///
-/// The friction limit is the normal impulse of the previous step, which is 0 in the first. Source: JoltPhysics:
+/// The friction limit is the normal impulse of the previous step, which is 0 in the first step. Source: JoltPhysics:
 /// ContactConstraintManager.cpp, sSolveVelocityConstraint and CalculateFrictionAndNonPenetrationConstraintProperties;
 /// Vec3::GetNormalizedPerpendicular.
 [[nodiscard]] inline Vector3<double> jolt_impulse(const Problem& problem, const JoltSettings& settings) {
@@ -68,9 +68,9 @@ struct JoltSettings {
 }
 
 /// The outcome of Jolt. Before the contact is solved, velocities of movable bodies are multiplied by 1 − damping · step
-/// and clamped to their limits (MotionProperties::ApplyForceTorqueAndDragInternal). Afterwards they are clamped again
-/// (PhysicsSystem::JobIntegrateVelocity). The damping and the limits also act if the bodies separate. Precondition: the
-/// collision is valid and at least one body can move.
+/// and clamped to their limits (MotionProperties::ApplyForceTorqueAndDragInternal), even if the bodies separate.
+/// Afterwards they are clamped again (PhysicsSystem::JobIntegrateVelocity). Precondition: the collision is valid and at
+/// least one body can move.
 [[nodiscard]] inline Outcome<double> jolt(const Collision& collision, const JoltSettings& settings) {
   const auto limit_speeds = [&](auto& body) {
     shorten(body.velocity, settings.max_linear_velocity);

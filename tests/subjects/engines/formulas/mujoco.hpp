@@ -14,8 +14,7 @@ namespace detail {
 
 inline constexpr double mujoco_step = 0.002;  // as shipped [s]
 
-/// The zero of the increasing function, or 0 if the function is not negative at 0. Precondition: the function has a
-/// zero, or is not negative at 0.
+/// The zero of an increasing function, or 0 if the function is not negative at 0. Precondition: one of these exists.
 template <class Function>
 [[nodiscard]] double root_of_increasing(const Function& function) {
   if (function(0.0) >= 0) {
@@ -36,7 +35,7 @@ template <class Function>
 }
 
 /// The impulse that minimises ½ F·Q F + c·F in the cone ‖F_T‖ ≤ μ F_N, in a basis {N, T0, T1}. For each F_N, the
-/// multiplier ν ≥ 0 of this limit gives the friction. The least cost is convex in F_N, so F_N is the zero of its
+/// multiplier ν ≥ 0 of the cone gives the friction. The least cost is convex in F_N, so F_N is the zero of its
 /// derivative.
 class LeastInCone {
  public:
@@ -72,8 +71,7 @@ class LeastInCone {
   double friction_;
 };
 
-/// The impulses f ≥ 0 along the four edges of a pyramid that minimise ½ f·Q f + c·f. The function tries every set of
-/// nonzero impulses and takes the least cost. Q is positive definite.
+/// The impulses f ≥ 0 along the four edges of a pyramid that minimise ½ f·Q f + c·f. Q is positive definite.
 [[nodiscard]] inline Eigen::Vector4d least_along_edges(const Eigen::Matrix4d& q, const Eigen::Vector4d& c) {
   Eigen::Vector4d best = Eigen::Vector4d::Zero();
   double least = 0;
@@ -108,7 +106,7 @@ class LeastInCone {
   return frame;
 }
 
-/// The change of the angular velocity by gyroscopic torque in one step, −h J⁻¹ (w × J w).
+/// The change of the angular velocity w by gyroscopic torque in one step of length h: −h J⁻¹ (w × J w).
 [[nodiscard]] inline Vector3<double> gyroscopic_change(const impulse::ContactBody<double>& body, double step) {
   if (body.inverse_mass == 0) {
     return Vector3<double>::Zero();
@@ -130,7 +128,7 @@ class LeastInCone {
   return with_velocities(collision, velocities);
 }
 
-/// The optimisation problem in the basis `frame`, {N, T0, T1}.
+/// The problem of `mujoco_impulse` in the basis `frame`, {N, T0, T1}.
 struct MujocoProblem {
   Matrix3<double> frame;
   Matrix3<double> k;  // K
@@ -162,43 +160,40 @@ struct MujocoProblem {
 
 }  // namespace detail
 
-/// Without friction: the half line F_N ≥ 0 replaces the cone of `mujoco_impulse`.
+/// The impulse if the half line F_N ≥ 0 replaces the cone of `mujoco_impulse`.
 [[nodiscard]] inline Vector3<double> mujoco_frictionless_impulse(const Collision& collision, bool configured) {
   const detail::MujocoProblem problem = detail::mujoco_problem(collision, configured);
   const double soft = problem.k(0, 0) + problem.softness;
   return problem.frame.col(0) * (problem.c[0] < 0 && soft > 0 ? -problem.c[0] / soft : 0.0);
 }
 
-/// The impulse of MuJoCo 3.14.0. One step of length h solves a convex problem. With the softness R of the contact, it
-/// minimises
+/// The impulse of MuJoCo 3.14.0. One step of length h minimises, with the softness R of the contact,
 ///
 ///  ½ F·(K + R) F + c·F   over the cone ‖F_T‖ ≤ μ F_N,   c = V⁻ + ΔV − V_r.
 ///
-/// ΔV is the change of V in a step without a contact. As shipped, this is the change by gyroscopic torque. V_r is the
-/// requested velocity. So F = 0 if c_N ≥ μ ‖c_T‖. Otherwise, for some ν ≥ 0 that is 0 inside the cone,
+/// ΔV is the change of V in a step without a contact: the effect of gyroscopic torque as shipped. V_r is the requested
+/// velocity. So F = 0 if c_N ≥ μ ‖c_T‖. Otherwise, for some ν ≥ 0 that is 0 inside the cone,
 ///
-///  (K + R + ν (P − μ² N Nᵀ)) F = −c,   P the projection across N.
 ///  (K + R + ν (P − μ² N Nᵀ)) F = −c,   P = I − N Nᵀ.
-/// If R = 0, ΔV = 0 and the term μ² N Nᵀ is left out, this is the law `coulomb`. With the term, if the contact point
-/// slips, V_T⁺ = −ν F_T as in `coulomb`, but N·V⁺ = N·V_r + μ ‖V_T⁺‖: the bodies separate faster, by μ times the slip.
 ///
-/// Configured: h → 0, and V_r = −ε N·V⁻ N up to softness. With the impedance d = 0.9999, c_N = (1+ε) N·V⁻ / d,
-/// c_T = V_T⁻, R_N = (1−d)/d N·K N and R_T = R_N / 100. Without friction the cone is a half line, and F equals that of
-/// `frictionless`.
+/// Without R, ΔV and the term μ² N Nᵀ, this is the law `coulomb`. With the term, a contact point that slips has V_T⁺ =
+/// −ν F_T as in `coulomb`, but N·V⁺ = N·V_r + μ ‖V_T⁺‖: the bodies separate faster, by μ times the slip.
 ///
-/// As shipped: h = 0.002 s, and there is no ε. c = h b V⁻ + ΔV, minus h k d r along N, with d = 0.9, b = 2/τ,
-/// k = 1/τ², τ = 0.95 · 0.02 s and the depth r. R_N = (1−d)/d λ, λ = 1/m_A + 1/m_B. With friction, the cone is a
-/// pyramid with the edges E = N ± μ T0, N ± μ T1 (`mujoco_frame`). F = Σ f_E E, f_E ≥ 0, with R = 2 μ² (1+μ²) R_N for
-/// each f_E.
+/// Configured: h → 0, and V_r = −ε N·V⁻ N up to softness. With the impedance d = 0.9999, c_N = (1+ε) N·V⁻ / d, c_T =
+/// V_T⁻, R_N = (1−d)/d N·K N and R_T = R_N / 100. At μ = 0, the contact is posed without friction.
 ///
-/// Friction below 1e-5 acts as 1e-5. The exception is μ = 0 configured: the contact is posed without friction.
+/// As shipped: h = 0.002 s, and there is no ε. c = h b V⁻ + ΔV, minus h k d r along N, with d = 0.9, b = 2/τ, k = 1/τ²,
+/// τ = 0.95 · 0.02 s and the depth r. R_N = (1−d)/d λ, λ = 1/m_A + 1/m_B. The cone is a pyramid with the edges E = N ±
+/// μ T0, N ± μ T1 (`mujoco_frame`): F = Σ f_E E, f_E ≥ 0, with R = 2 μ² (1+μ²) R_N for each f_E.
+///
+/// Any other friction coefficient below 1e-5 acts as 1e-5.
 ///
 /// Source: src/engine/engine_core_constraint.c, `mj_diagApprox` and `mj_makeImpedance` (R, b, k),
 /// `mj_referenceConstraint` (V_r) and `mj_constraintUpdate_impl` (the cost, whose dual this is).
 /// src/engine/engine_solver.c minimises it.
 ///
-/// The formula omits three effects. R_N is at least 1e-15 kg⁻¹, which matters from 1e11 kg on. d grows with the
-/// depth, which is nearly zero. The solver as shipped stops at a tolerance.
+/// The formula omits three effects: R_N is at least 1e-15 kg⁻¹, which matters from 1e11 kg on; d grows with the depth;
+/// the solver as shipped stops at a tolerance.
 [[nodiscard]] inline Vector3<double> mujoco_impulse(const Collision& collision, bool configured) {
   if ((collision.a.immovable && collision.b.immovable) || (configured && collision.friction == 0)) {
     return mujoco_frictionless_impulse(collision, configured);
@@ -218,7 +213,6 @@ struct MujocoProblem {
   return problem.frame * (edges * along_edges);
 }
 
-/// The velocities after the step.
 [[nodiscard]] inline Outcome<double> mujoco(const Collision& collision, bool configured) {
   return outcome_of(detail::after_mujoco_step(collision, configured), mujoco_impulse(collision, configured));
 }

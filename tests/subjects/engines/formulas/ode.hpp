@@ -12,8 +12,8 @@
 namespace carom::formulas {
 
 /// The x in a box, lower ≤ x ≤ upper, for which each component of A x + b is 0, or pushes x against its bound. This
-/// is a linear complementarity problem. It has one solution, because A is positive definite. The function tries all
-/// 27 combinations of bounds.
+/// linear complementarity problem has one solution, because A is positive definite. The function tries all 27
+/// combinations.
 [[nodiscard]] inline Vector3<double> in_box(const Matrix3<double>& a, const Vector3<double>& b,
                                             const Vector3<double>& lower, const Vector3<double>& upper) {
   Vector3<double> best = Vector3<double>::Zero();
@@ -61,8 +61,8 @@ struct OdeSettings {
 ///
 ///  F_N ≥ 0, |F_s| ≤ w, and V_T⁺ = 0, N·V⁺ = −ε N·V⁻ unless F is at its bound;  V⁺ = V⁻ + A F.
 ///
-/// If μ is a limit on the force, w = μ · step in N s. Otherwise w is μ times the *frictionless* F_N, because ODE sets w
-/// before it solves the rows of friction, and does not change w afterwards.
+/// If μ is a limit on the force, w = μ · step in N s. Otherwise w is μ times the *frictionless* F_N, which ODE does not
+/// update.
 [[nodiscard]] inline Vector3<double> ode_impulse(const Problem& problem, const OdeSettings& settings) {
   const Vector3<double>& n = problem.normal;
   const double approach = n.dot(problem.velocity);

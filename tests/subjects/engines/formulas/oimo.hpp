@@ -13,15 +13,14 @@ namespace carom::formulas {
 ///  F_T ← F_T − K_TT⁻¹ V_T,  and if ‖F_T‖ > μ F_N,  F_T ← F_T μ F_N / ‖F_T‖,
 ///  F_N ← max(0, F_N + (R − V_N) / K_NN).
 ///
-/// Each line updates V. R = −ε V_N⁻ if V_N⁻ < −0.5 m/s (`configured`: < 0), else 0. The two by two system is solved
-/// as a whole and the limit is a cone, so the answer does not depend on the basis. Friction comes before the normal
-/// impulse and uses the limit of the previous iteration. So there is no friction in the first iteration.
+/// Each line updates V. R = −ε V_N⁻ if V_N⁻ < −0.5 m/s (`configured`: < 0), else 0. The answer does not depend on the
+/// basis. The limit on friction is that of the previous iteration, 0 at first.
 ///
 /// Source: src/oimo/dynamics/constraint/solver/pgs/PgsContactConstraintSolver.hx, `preSolveVelocity` and
 /// `solveVelocity`. R is in src/oimo/dynamics/constraint/contact/ContactConstraint.hx, `_getVelocitySolverInfo`.
 ///
-/// The formula omits two effects. After the contact, the velocities are limited to 20 m and π rad per step;
-/// `configured` lifts these limits. Bodies whose principal moments have a product below 1e-32 (kg m²)³ do not rotate.
+/// The formula omits two effects. As shipped, the velocities after the contact are limited to 20 m and π rad per step.
+/// Bodies whose principal moments have a product below 1e-32 (kg m²)³ do not rotate.
 [[nodiscard]] inline Outcome<double> oimo(const Collision& collision, bool configured) {
   const Problem problem = problem_of(collision);
   const Vector3<double>& n = problem.normal;

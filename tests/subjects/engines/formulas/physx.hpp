@@ -32,12 +32,12 @@ namespace carom::formulas {
 ///  F_0 ← clamp(F_0 − 0.8 V_0 / K_00, ±μ F_N),
 ///  F_1 ← clamp(F_1 − 0.8 V_1 / K_11, ±μ F_N),
 ///
-/// 4 + 1 times (`configured`: 4 + 255), the first time without friction. R = −ε V_N⁻ if V_N⁻ < −2 m/s
-/// (`configured`: < 0), else 0. As shipped, the spins are damped first. Also as shipped, if R would be 0, the first 4
-/// iterations use R = 0.8 · depth · 60 Hz, which corrects the overlap.
+/// 4 + 1 times (`configured`: 4 + 255), the first time without friction. R = −ε V_N⁻ if V_N⁻ < −2 m/s (`configured`: <
+/// 0), else 0. As shipped, the spins are damped first. Also as shipped, if R would be 0, the first 4 iterations use R =
+/// 0.8 · depth · 60 Hz, which corrects the overlap.
 ///
-/// Friction is limited along each of two axes, which do not depend on the slip of the contact point. Friction changes
-/// V_N in the last iteration, and this change remains.
+/// Each axis limits friction by itself, whatever the slip of the contact point. Friction changes V_N in the last
+/// iteration, and this change remains.
 ///
 /// Source: physx/source/lowleveldynamics/src: DyContactPrep.cpp, `setupFinalizeSolverConstraints` (T0, T1, 0.8);
 /// DyContactPrepShared.h, `constructContactConstraint` (R); DySolverConstraintsShared.h, `solveDynamicContacts`, and

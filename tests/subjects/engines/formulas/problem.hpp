@@ -8,8 +8,8 @@
 #include <carom/impulse/collision_matrix.hpp>
 #include <carom/impulse/contact.hpp>
 
-/// Formulas in double for the results of engines on a contact with friction. They are written from the engines'
-/// sources, describe the engines, and are compared with their answers.
+/// Formulas in double for the results of engines on a contact with friction, written from the engines' sources, and
+/// compared with the engines' answers.
 namespace carom::formulas {
 
 /// The part of a contact that the formulas read.
@@ -28,7 +28,7 @@ struct Problem {
           collision.restitution, collision.friction};
 }
 
-/// The velocities after the impulse F on A and −F on B. F is in N s.
+/// The velocities after the impulse F on A and −F on B [N s].
 [[nodiscard]] inline Outcome<double> outcome_of(const Collision& collision, const Vector3<double>& impulse_on_a) {
   return impulse::apply_impulse(impulse::make_contact<double>(collision), impulse_on_a);
 }

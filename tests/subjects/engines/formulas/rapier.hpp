@@ -34,8 +34,8 @@ class RapierBody {
     }
   }
 
-  /// Applies the gyroscopic torque: L = J ω becomes L − t ω × L, scaled to the length of L. Source: rigid_body.rs,
-  /// gyroscopic_corrected_angvel.
+  /// Applies the gyroscopic torque over the time t: L = J ω becomes L − t ω × L, scaled to the length of L. Source:
+  /// rigid_body.rs, gyroscopic_corrected_angvel.
   void twist(Vector3<double>& angular_velocity, double time) const {
     if (body_.immovable) {
       return;
@@ -50,7 +50,8 @@ class RapierBody {
     }
   }
 
-  /// The displacement of the material point at the contact. Source: RigidBodyVelocity::integrate_linearized.
+  /// Moves the body, and returns the displacement of the material point at the contact. Source:
+  /// RigidBodyVelocity::integrate_linearized.
   [[nodiscard]] Vector3<double> move(const Vector3<double>& velocity, const Vector3<double>& angular_velocity,
                                      double time) {
     const Vector3<double> before = rotation_ * lever_arm_;
@@ -68,7 +69,7 @@ class RapierBody {
   Eigen::Quaterniond rotation_ = Eigen::Quaterniond::Identity();  // since the first substep
 };
 
-/// One contact with its changes in the substeps of Rapier.
+/// One contact, as the substeps of Rapier change it.
 class RapierContact {
  public:
   RapierContact(const Collision& collision, const RapierSettings& settings)
@@ -163,9 +164,7 @@ class RapierContact {
 };
 
 /// The outcome of Rapier. V is the current relative velocity. p and f are the normal impulse and the friction of one
-/// substep. Each change of p or f acts on V at once.
-///
-/// In each substep:
+/// substep. Each change of p or f acts on V at once. In each substep:
 ///
 ///  ω changes by the gyroscopic torque; p N + f acts again, as in the previous substep (at first 0)
 ///  p = s max(0, p − (N·V + b) / N·K N); if the shapes overlap, s = softness_ and b = distance_ · recovery_ (at least
@@ -176,17 +175,15 @@ class RapierContact {
 ///
 ///  f = f − (P K P)⁻¹ P V, P = I − N Nᵀ; if ‖f‖ > μ p, f becomes f μ p / ‖f‖
 ///
-/// After the last substep:
+/// After the last substep, if N·V⁻ < 0 and p was positive in some substep:
 ///
 ///  p = max(0, p − (N·V + ε N·V⁻) / N·K N), if ε > 0
 ///
 /// With one short substep this is an impulse of p = −N·V⁻ / N·K N, friction of at most μ p, and the rest of the
-/// restitution along N.
+/// restitution.
 ///
-/// Source: Rapier: staged_island_solver/worker.rs, run_worker; contact_constraint_element.rs, the parts with `Slim`
-/// in their names.
-///
-/// Source: contact_with_twist_friction.rs, ContactWithTwistFriction::{warmstart, solve} and
+/// Source: Rapier: staged_island_solver/worker.rs, run_worker; contact_constraint_element.rs, the parts with `Slim` in
+/// their names; contact_with_twist_friction.rs, ContactWithTwistFriction::{warmstart, solve} and
 /// ContactWithTwistFrictionBuilder::{update, update_rhs_wo_bias, apply_restitution}.
 ///
 /// Precondition: the collision is valid and at least one body can move.
