@@ -84,7 +84,7 @@ void draw(Plot& picture, const Panel& panel, const std::vector<Mark>& marks, dou
   picture.write(labels, letter);
 }
 
-constexpr double row = 21;             // of the list of methods
+constexpr double line_height = 21;     // of the list of methods
 constexpr std::size_t rows_below = 3;  // the names of the columns, and the key
 
 std::size_t rows_of(std::span<const MethodMeasurement> methods) { return (methods.size() + 1) / 2; }
@@ -92,7 +92,7 @@ std::size_t rows_of(std::span<const MethodMeasurement> methods) { return (method
 /// Writes the list of methods in two columns below the diagram: number, name, time, digits, and the number of families
 /// in which it fails.
 void write_list(Plot& picture, std::span<const MethodMeasurement> methods) {
-  const double top = row * static_cast<double>(rows_of(methods) + rows_below) - 5;
+  const double top = line_height * static_cast<double>(rows_of(methods) + rows_below) - 5;
   const auto line = [&](double left, double y, const std::array<std::string, 5>& cells, std::string_view colour) {
     picture.write(cells[0], {left + 22, y}, colour, "right");
     picture.write(cells[1], {left + 30, y}, colour);
@@ -109,7 +109,7 @@ void write_list(Plot& picture, std::span<const MethodMeasurement> methods) {
     if (place == 0) {
       line(left, top, {"", "method", "ns", "digits", "fails in"}, "#555555");
     }
-    line(left, top - row * static_cast<double>(place + 1),
+    line(left, top - line_height * static_cast<double>(place + 1),
          {std::to_string(i + 1), method.name, in_three_digits(method.nanoseconds_over_all_families().median),
           fmt::format("{:.1f}", std::min(method.over_all_families().digits.median, most_digits)),
           failing > 0 ? fmt::format("{} of {}", failing, method.families.size()) : ""},
@@ -117,10 +117,11 @@ void write_list(Plot& picture, std::span<const MethodMeasurement> methods) {
   }
   double x = 40;
   for (const auto& [text, colour] : std::span(key_of_colours).first<3>()) {
-    picture.write(text, {x, row + 10}, colour);
+    picture.write(text, {x, line_height + 10}, colour);
     x += 100;
   }
-  picture.write("mark: median case · bar: down to the worst case · grey: Pareto line", {x + 70, row + 10}, "#555555");
+  picture.write("mark: median case · bar: down to the worst case · grey: Pareto line", {x + 70, line_height + 10},
+                "#555555");
   picture.write(
       fmt::format("× fails: beyond the limit of {:g} ulps in some case of a family", oracles::default_limit_ulps),
       {40, 10}, vermillion);
@@ -140,7 +141,7 @@ std::vector<MethodMeasurement> of_law(std::span<const MethodMeasurement> methods
 
 Plot work_precision(std::span<const MethodMeasurement> methods) {
   const std::string law(name_of(methods.front().law));
-  const double bottom = row * static_cast<double>(rows_of(methods) + rows_below) + 80;
+  const double bottom = line_height * static_cast<double>(rows_of(methods) + rows_below) + 80;
   Plot picture("work-precision-" + law, 1000, bottom + 620, 14);
   const Panel panel{time_axis(methods, 70, 980), {least_digits, most_digits + 0.5, false, bottom, bottom + 580}};
   picture.begin(panel, fmt::format("{}: time against accuracy, all families", law), "time for each contact [ns]",

@@ -13,18 +13,18 @@
 namespace carom::report {
 namespace {
 
-struct Box {
+struct Rectangle {
   double left;
   double right;
   double bottom;
   double top;
 };
 
-Box box_around(Pixel middle, double width, double height) {
+Rectangle box_around(Pixel middle, double width, double height) {
   return {middle.x - width / 2, middle.x + width / 2, middle.y - height / 2, middle.y + height / 2};
 }
 
-double overlap(const Box& a, const Box& b) {
+double overlap(const Rectangle& a, const Rectangle& b) {
   const double width = std::min(a.right, b.right) - std::max(a.left, b.left);
   const double height = std::min(a.top, b.top) - std::max(a.bottom, b.bottom);
   return width > 0 && height > 0 ? width * height : 0;
@@ -77,7 +77,7 @@ double Axis::pixel_of(double value) const {
 
 void place_labels(std::vector<Label>& labels, const std::vector<Pixel>& to_keep_free, double letter,
                   const Panel& within) {
-  std::vector<Box> taken;
+  std::vector<Rectangle> taken;
   taken.reserve(to_keep_free.size() + labels.size());
   for (const Pixel& place : to_keep_free) {
     taken.push_back(box_around(place, letter * 0.6, letter * 0.6));
@@ -93,9 +93,9 @@ void place_labels(std::vector<Label>& labels, const std::vector<Pixel>& to_keep_
         const double angle = 2 * M_PI * (k + 2) / directions;  // the upper right first
         const Pixel at{label.names.x + letter * distance * std::cos(angle),
                        label.names.y + letter * distance * std::sin(angle)};
-        const Box box = box_around(at, width, height);
+        const Rectangle box = box_around(at, width, height);
         double cost = distance;
-        for (const Box& other : taken) {
+        for (const Rectangle& other : taken) {
           cost += 10 * overlap(box, other);
         }
         const bool is_inside = box.left >= within.x.first_pixel && box.right <= within.x.last_pixel &&
