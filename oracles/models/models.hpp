@@ -77,8 +77,8 @@ struct RoughImpulses {
 }  // namespace detail
 
 /// The impulse [N s] on A of the law's answer to a contact that collides. `branch` is the branch of the collision, or
-/// the other side of the cone. `matrix` is K if it is known. T is a field, with square roots if `branch` is `on_cone`.
-/// The sign of N·V⁻ is not checked. Precondition: a body is movable.
+/// the branch on the other side of the cone. `matrix` is K, or nullptr if K is not known. T is a field, with square
+/// roots if `branch` is `on_cone`. The sign of N·V⁻ is not checked. Precondition: a body is movable.
 template <class T>
 [[nodiscard]] Vector3<T> colliding_impulse(const BasicCollision<T>& c, Law law, Branch branch,
                                            const Matrix3<T>* matrix = nullptr) {
@@ -171,8 +171,8 @@ inline constexpr PerAffineEquation<bool> kept_equations_of = kept_equations<LawT
   return with_law(law, [&]<class LawType>(LawType) { return detail::kept_equations_of<LawType>[equation]; });
 }
 
-/// Whether the impulse of the law on this branch does not tend to 0 with N·V⁻. If rounding of the inputs decides
-/// whether the contact collides, an outcome may then be either of two answers.
+/// Whether the impulse of the law on this branch does not tend to 0 as N·V⁻ does. If rounding of the inputs decides
+/// whether the contact collides, either of two answers may then be right.
 [[nodiscard]] inline bool acts_at_once(Law law, Branch branch) {
   return with_law(law, branch,
                   [&]<class LawType>(LawType) { return LawType::acts_at_once && branch != Branch::on_cone; });

@@ -11,10 +11,9 @@
 
 namespace carom::oracles {
 
-/// The law `rough` (A. Chatterjee, A. Ruina 1998): F = (1 + ε) P_I + κ D with D = P_II − P_I. P_I stops the approach,
-/// and P_II stops the contact point, by two linear laws without restitution. If F lies in the friction cone for κ = 1 +
-/// e_t, with the tangential restitution e_t, κ has this value. Otherwise κ is the value that puts F on the cone's
-/// surface.
+/// The law `rough` (A. Chatterjee, A. Ruina 1998): F = (1 + ε) P_I + κ D with D = P_II − P_I. P_I stops the approach
+/// (`Frictionless` with ε = 0), and P_II stops the contact point (`Sticking` with ε = 0). κ is 1 + e_t, with the
+/// tangential restitution e_t, if F then lies in the friction cone. Otherwise κ puts F on the cone's surface.
 struct Rough {
   using StopsApproach = Frictionless;
   using StopsPoint = Sticking;

@@ -13,7 +13,7 @@
 namespace carom::oracles {
 namespace {
 
-/// V⁻ from enclosures. Its terms may cancel, and the remainder gives the direction of the slip.
+/// V⁻ from enclosures, because its terms may cancel, and the remainder gives the direction of the slip.
 template <class S>
 Vector3<S> velocity_before(const BasicCollision<Enclosure>& c) {
   Vector3<Enclosure> velocity = relative_velocity<Enclosure>(c, unchanged(c));

@@ -10,8 +10,8 @@ namespace carom::properties {
 /// As λI ⪯ K, the bound is 1 + tr(Σ [r]ᵀ J⁻¹ [r]) / λ. It is 1 for two immovable bodies.
 [[nodiscard]] double condition_number_at_most(const Collision& collision);
 
-/// The greatest principal moment of a body divided by the sum of the others, for the body with the greater quotient. No
-/// body exceeds 1. An immovable body counts as 0.
+/// The greatest principal moment of a body divided by the sum of the others, for the body with the greater quotient.
+/// For a real body it is at most 1. An immovable body counts as 0.
 [[nodiscard]] double moment_excess(const Collision& collision);
 
 /// Sets the moments so that one of them is `excess` times the sum of the others.

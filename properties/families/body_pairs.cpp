@@ -94,7 +94,7 @@ Case touching_spheres(Stream& stream) {
     const double distance = stream.integer(1, 32, 16) / 16.0;
     const double squared_radius = distance * distance * squared_length(c.normal);
     body->mass = drawn_mass(stream);
-    // A plain ball has the moment m r²/2. It is not uniform.
+    // If the draw is plain (`Stream::plainly`), the ball has the moment m r²/2 and is not uniform.
     const bool is_uniform = !stream.plainly();
     spheres.convex_uniform = spheres.convex_uniform && is_uniform;
     const double moment = body->mass * squared_radius;

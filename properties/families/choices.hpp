@@ -7,8 +7,8 @@
 
 #include <carom/properties/families/family.hpp>
 
-/// Cases with the choices that make them. A choice is an answer to a question of a draw function. Other choices make
-/// another case.
+/// Cases with the choices that make them. A draw function asks its Stream questions (`StreamQuestion`), and a choice is
+/// one answer. Other choices make another case.
 namespace carom::properties {
 
 /// `Family::generate`, or a function that calls it for several families.
@@ -27,12 +27,12 @@ struct ChosenCase {
 /// From this size of RapidCheck on, all answers are equally likely and `Stream::plainly` is false, as in the gate.
 inline constexpr int whole_size = 50;
 
-/// Draws a case with the random words of `next`. Below `whole_size`, a smaller size makes more answers the simplest
-/// ones. At size 0, all are.
+/// Draws a case with the random words of `next`. Below `whole_size`, a smaller size gives more questions their simplest
+/// answers. At size 0, all answers are simplest.
 [[nodiscard]] ChosenCase chosen_case(const Draw& draw, const std::function<std::uint64_t()>& next, int size);
 
-/// Makes the case of these choices. If a question's count differs from the recorded count, scales the answer. After the
-/// last choice, answers are simplest.
+/// Makes the case of these choices. If a question's count differs from the recorded count, scales the answer. Questions
+/// after the last choice get their simplest answers.
 [[nodiscard]] ChosenCase replayed_case(const Draw& draw, const std::vector<Choice>& choices);
 
 /// A case of a random family of valid collisions, by the families' weights.

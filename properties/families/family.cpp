@@ -56,7 +56,7 @@ Case near_head_on(Stream& stream) {
   return result;
 }
 
-/// At times, one sphere is a wall, or they meet head-on without spin. With both and ε = 0, the outcome is zero.
+/// At times, one sphere is a wall, or the spheres meet head-on without spin. With both and ε = 0, the outcome is zero.
 Case collinear_spheres(Stream& stream) {
   Case result = touching_spheres(stream);
   Collision& c = result.collision;

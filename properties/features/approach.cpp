@@ -10,7 +10,7 @@ namespace {
 
 using V = Vector3<double>;
 
-/// |N·V⁻| and ‖N × V⁻‖: v_n and v_t times the length of the normal.
+/// The normal speed v_n and the tangential speed v_t, times ‖N‖: |N·V⁻| and ‖N × V⁻‖.
 struct Parts {
   double normal;
   double tangential;
@@ -52,8 +52,8 @@ void set_approach(Stream& stream, Collision& c, const V& relative) {
 /// Stops one body, whose velocity could swamp the smaller parts of V.
 void rest_one(Stream& stream, Collision& c) { (stream.chance(2) ? c.a : c.b).velocity.setZero(); }
 
-/// Sets V to a multiple of −N + δ N × r / ‖r‖, with δ about `across`, by the spin of A alone. If r is orthogonal to N,
-/// (N × r) × r = −N r².
+/// Lets the spin of A alone cause V. r becomes orthogonal to N, so (N × r) × r = −‖r‖² N. V is a positive multiple of
+/// −N + δ N × r / ‖r‖, with δ between `across`/2 and `across`.
 void approach_by_spin_of_a(Stream& stream, Collision& c, double across) {
   const V r = with_few_bits(turned_across(stream, lever_arm(c, c.a), c.normal));
   const double spin = size_of(c.a.angular_velocity) / size_of(r) / size_of(c.normal);

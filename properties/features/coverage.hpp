@@ -10,8 +10,8 @@
 
 namespace carom::properties {
 
-/// Counts the features, and the pairs of features, of colliding contacts, because no law acts on others. Its size is
-/// fixed.
+/// Counts the features, and the pairs of features, of colliding contacts, because no law acts on others. The memory
+/// does not grow with the number of contacts.
 class FeatureCoverage {
  public:
   struct Pair {

@@ -65,7 +65,7 @@ struct Feature {
   bool makes_immovable = false;  // `sprinkle` leaves such features out, because the family decides which body can move
   // For a magnitude:
   int set_once_in = 1;                 // set in one case of this many, because other quantities may determine it
-  bool is_seldom_with_others = false;  // unless both features are chosen, as for relations
+  bool is_seldom_with_others = false;  // seldom occurs with others unless both are chosen, like a relation
   DrawnBy drawn_by = DrawnBy::itself;
 };
 

@@ -12,7 +12,7 @@ using V = Vector3<double>;
 
 constexpr const char* axis_names[] = {"x", "y", "z"};
 
-/// Whether the normal is off this half-axis by at most about 2⁻¹⁰ rad, but not zero.
+/// Whether the angle between the normal and this half-axis is at most about 2⁻¹⁰ rad, but not zero.
 bool is_near(const V& n, int axis, double sign) {
   const double squared_rest = squared_length(n) - n[axis] * n[axis];
   return !is_zero(n) && n[axis] * sign > 0 && squared_rest > 0 && squared_rest <= 0x1p-20 * n[axis] * n[axis];

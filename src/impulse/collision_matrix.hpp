@@ -16,8 +16,8 @@ template <class S, class Inertia>
 }
 
 /// K = λI + [r_A]ᵀ J_A⁻¹ [r_A] + [r_B]ᵀ J_B⁻¹ [r_B], λ = 1/m_A + 1/m_B: the change of relative velocity per unit of
-/// impulse (note eq. 24) [1/kg], in world axes. The note's C (eq. 25 to 27, without the second λ of eq. 27) is K in
-/// another basis.
+/// impulse [1/kg], in world axes. This is equation 24 of D. Eberly's note (docs/findings/note.md). The note's C
+/// (equations 25 to 27, without the second λ of equation 27) is K in another basis.
 template <class S, class Inertia>
 [[nodiscard]] Matrix3<S> collision_matrix(const Contact<S, Inertia>& contact) {
   return collision_matrix(contact.a) + collision_matrix(contact.b);

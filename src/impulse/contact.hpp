@@ -97,7 +97,8 @@ template <class S, class Inertia>
          !(S(1) < contact.tangential_restitution);
 }
 
-/// V = V_A − V_B, the relative velocity of the material points at the contact (note eq. 3).
+/// V = V_A − V_B, the relative velocity of the material points at the contact (equation 3 of D. Eberly's note,
+/// docs/findings/note.md).
 template <class S, class Inertia>
 [[nodiscard]] Vector3<S> relative_velocity(const Contact<S, Inertia>& contact) {
   const Vector3<S> velocity_a = contact.a.velocity + cross(contact.a.angular_velocity, contact.a.lever_arm);
@@ -144,7 +145,7 @@ template <class S, class Inertia>
   return is_slender(contact.a.inertia) || is_slender(contact.b.inertia);
 }
 
-/// The velocities of a body after an impulse on it at the contact (note eq. 23). The impulse is in N s.
+/// The velocities of a body after an impulse on it at the contact (the note's equation 23). The impulse is in N s.
 template <class S, class Inertia, class Condition>
 [[nodiscard]] BodyVelocity<S> apply_impulse(const ContactBody<S, Inertia>& body, const Vector3<S>& impulse,
                                             const Condition& has_slender) {

@@ -15,7 +15,8 @@ struct NormalImpulse {
   Vector3<S> change_of_spin_of_b;                             // −f J_B⁻¹ (r_B × N)
 };
 
-/// The impulse of the frictionless law, F = f N (note eq. 18, for a normal of any length):
+/// The impulse of the frictionless law, F = f N, by equation 18 of D. Eberly's note (docs/findings/note.md) for a
+/// normal of any length:
 ///
 ///   f = −(1+ε) (N·(v_A − v_B) + (w_A·(r_A×N) − w_B·(r_B×N)))
 ///       / (λ N·N + (r_A×N)ᵀ J_A⁻¹ (r_A×N) + (r_B×N)ᵀ J_B⁻¹ (r_B×N)).

@@ -10,7 +10,8 @@ namespace carom::impulse {
 
 namespace detail {
 
-/// Whether an impulse along F turns neither body, exactly.
+/// Whether an impulse along `impulse` turns neither body: for each body, the computed r × `impulse` is zero or the body
+/// is immovable.
 template <class S, class Inertia>
 [[nodiscard]] auto turns_no_body(const Contact<S, Inertia>& contact, const Vector3<S>& impulse) {
   const auto is_not_turned = [&](const ContactBody<S, Inertia>& body) {
@@ -21,8 +22,9 @@ template <class S, class Inertia>
 
 }  // namespace detail
 
-/// The impulse of the reflection law, without a tangent basis. Note eq. 17, 20 and 21 together give K F = V⁺ − V⁻ =
-/// −(1+ε) (N·V⁻)/(N·N) N, with K the collision matrix. Solve is one of solve3.hpp.
+/// The impulse of the reflection law, without a tangent basis. Equations 17, 20 and 21 of D. Eberly's note
+/// (docs/findings/note.md) together give K F = V⁺ − V⁻ = −(1+ε) (N·V⁻)/(N·N) N, with K the collision matrix. Solve is
+/// one of solve3.hpp.
 ///
 /// Preconditions: the contact was made from a valid collision; `approach` is N·V⁻.
 template <class Solve = Ldlt, class S, class Inertia, class See = UnseenMatrix>

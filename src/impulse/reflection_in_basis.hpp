@@ -10,8 +10,8 @@
 
 namespace carom::impulse {
 
-/// The basis {N, T0, T1} of note §2 as columns: T0 is the normalised tangential part of V⁻, T1 = N × T0. T0 and T1 are
-/// zero if the tangential part is exactly zero. S is a floating-point type.
+/// The basis {N, T0, T1} of D. Eberly's note (docs/findings/note.md), §2, as columns. T0 is the normalised tangential
+/// part of V⁻, and T1 = N × T0. T0 and T1 are zero if the tangential part is exactly zero. S is a floating-point type.
 template <class S>
 [[nodiscard]] Matrix3<S> tangent_basis(const Contact<S>& contact) {
   const Vector3<S> n = contact.normal / std::sqrt(contact.normal.dot(contact.normal));
@@ -41,8 +41,9 @@ template <class S>
   return basis;
 }
 
-/// C = λI + Q_Aᵀ J_A⁻¹ Q_A + Q_Bᵀ J_B⁻¹ Q_B with Q = [r × N, r × T0, r × T1] (note eq. 25 to 28, without the second λ
-/// of eq. 27). If the basis B = [N, T0, T1] is orthonormal, which is not checked, C equals Bᵀ K B.
+/// C = λI + Q_Aᵀ J_A⁻¹ Q_A + Q_Bᵀ J_B⁻¹ Q_B with Q = [r × N, r × T0, r × T1]. These are the note's equations 25 to 28,
+/// without the second λ of equation 27. If the basis B = [N, T0, T1] is orthonormal, which is not checked, C equals Bᵀ
+/// K B.
 template <class S>
 [[nodiscard]] Matrix3<S> printed_collision_matrix(const Contact<S>& contact, const Matrix3<S>& basis) {
   const auto of_body = [&](const ContactBody<S>& body) -> Matrix3<S> {
@@ -59,8 +60,8 @@ template <class S>
   return in_basis<S>(matrix, basis.transpose());
 }
 
-/// The outcome of the reflection law in a basis {N, T0, T1}, by note eq. 25 to 28 with N·V⁻ on the right-hand side of
-/// eq. 25. `see` receives the matrix C in world axes.
+/// The outcome of the reflection law in a basis {N, T0, T1}, by the note's equations 25 to 28, with N·V⁻ on the
+/// right-hand side of equation 25. `see` receives the matrix C in world axes.
 template <class S, class See = UnseenMatrix>
 [[nodiscard]] Outcome<S> reflection_in_given_basis(const Contact<S>& contact, const Matrix3<S>& basis,
                                                    const See& see = {}) {
@@ -76,9 +77,9 @@ template <class S, class See = UnseenMatrix>
   return apply_impulse<S>(contact, basis * Ldlt::solve<S>(c, right_hand_side, inverse_mass(contact)));
 }
 
-/// The outcome of the reflection law as note §2 prints it, or of eq. 18 if V⁻ has no tangential part, as in
-/// implementations of the note. It is kept because it fails: near a head-on collision T0 is rounding error and not
-/// orthogonal to N.
+/// The outcome of the reflection law as §2 of the note prints it. If V⁻ has no tangential part, the outcome is that of
+/// equation 18 (`frictionless`), as in implementations of the note. This function is kept because it fails: near a
+/// head-on collision, T0 is rounding error and not orthogonal to N.
 template <class S, class See = UnseenMatrix>
 [[nodiscard]] Outcome<S> reflection_in_basis(const Contact<S>& contact, const See& see = {}) {
   const Matrix3<S> basis = tangent_basis(contact);
@@ -89,7 +90,7 @@ template <class S, class See = UnseenMatrix>
 }
 
 /// The outcome of the reflection law with a T0 that does not depend on V⁻. If N lies along both lever arms, the outcome
-/// is that of eq. 18, so that the rounding errors of T0 and T1 turn no body.
+/// is that of `frictionless`, so that the rounding errors of T0 and T1 turn no body.
 template <class S, class See = UnseenMatrix>
 [[nodiscard]] Outcome<S> reflection_in_stable_basis(const Contact<S>& contact, const See& see = {}) {
   if (detail::turns_no_body(contact, contact.normal)) {

@@ -68,7 +68,8 @@ TEST(CellGrid, NeighboursAreFewWhereSpheresAreApart) {
   for (std::size_t i = 0; i < paths.size(); ++i) {
     grid.for_neighbours(static_cast<CellGrid::Index>(i), [&](CellGrid::Index) { ++neighbours; });
   }
-  // A cell has 0.75³ of the volume per sphere, so 27 cells hold about 12 spheres. Shared lists add about as many.
+  // A cell has 0.75³ of the volume per sphere, so 27 cells hold about 12 spheres. Other cells that share their lists
+  // add about as many.
   EXPECT_LT(neighbours, 40 * paths.size());
 }
 

@@ -67,7 +67,7 @@ std::string wrong_with(const Crossing& found, const ExactQuadratic& truth) {
 
 ExactQuadratic exactly(const UncertainQuadratic& q) { return {Rational(q.c0), Rational(q.c1), Rational(q.c2)}; }
 
-/// A random quadratic within the radii that is not negative at 0.
+/// A random quadratic that lies within the error radii of q and is not negative at 0.
 ExactQuadratic within(properties::Stream& stream, const UncertainQuadratic& q) {
   const auto moved = [&](double c, double e) { return Rational(c) + Rational(stream.integer(-8, 8), 8) * Rational(e); };
   ExactQuadratic truth{moved(q.c0, q.e0), moved(q.c1, q.e1), moved(q.c2, q.e2)};

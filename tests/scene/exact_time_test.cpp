@@ -21,7 +21,7 @@ using unit::Vector;
 const Vector at_rest = Vector::Zero();
 
 TEST(ExactTime, OfMirroredPairsIsEqual) {
-  // Contacts related by a mirror and by exchange. Their times are irrational.
+  // Two pairs that are mirror images, and one pair with its bodies exchanged. The times of contact are irrational.
   const Path middle = path_of({0, 0, 0}, {0, 0, 1}, at_rest, 0.3);
   const Path right = path_of({2, 0.25, 0.1}, {-1, 0, 1.125}, {0, 0, -0.5}, 0.7);
   const Path left = path_of({-2, 0.25, 0.1}, {1, 0, 1.125}, {0, 0, -0.5}, 0.7);
@@ -85,7 +85,7 @@ TEST(ExactTime, BoundsAreTheDoublesBeside) {
   EXPECT_GT(found, 100);
 }
 
-/// The slowest speed that keep_apart can leave is the smallest double.
+/// The slowest speed that keep_apart can leave is the smallest positive double.
 TEST(ExactTimeDeathTest, OfWhatIsBeyondAllDoublesHasBounds) {
   const Path creeping = path_of({3, 0, 0}, {-std::numeric_limits<double>::denorm_min(), 0, 0}, at_rest, 0.5);
   const Reach wall{{1, 0, 0}, 0.5};

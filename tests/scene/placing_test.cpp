@@ -42,7 +42,7 @@ TEST(RoundedAway, IsNotNearerThanThePath) {
   EXPECT_GT(moved, 1000);
 }
 
-/// The body returns almost to its start, within the rounding of v + s a/2 in long double.
+/// v + s a/2 is zero in long double, but not exactly. So after the time s, the body is almost back at its start.
 TEST(RoundedAway, IsNotNearerThanAPathThatHasAllButReturned) {
   properties::Stream stream = properties::stream_from(4);
   int returned = 0;

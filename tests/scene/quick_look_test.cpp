@@ -15,8 +15,8 @@ namespace {
 
 using unit::Vector;
 
-/// Two spheres in flight, each from its own start time, that pass each other after `now` at about the sum of their
-/// radii, times a factor that differs from 1 by at most `closeness`.
+/// Two spheres in flight, with different start times. Soon after `now`, their distance is the sum of their radii times
+/// a factor in 1 ± `closeness`.
 struct Flight {
   SphereStore store;
   Vector gravity{0, 0, 0};

@@ -77,7 +77,7 @@ inline void add_box(scene::Scene& scene, double size) {
   }
 }
 
-/// side³ spheres of mixed radii in a cube of as many cells with edge 1, each in its own cell.
+/// side³ spheres of mixed radii in a box of side³ unit cells, one in each cell.
 [[nodiscard]] inline scene::Scene box_of_spheres(Law law, const scene::MaterialPair& pair, int side, double duration,
                                                  std::uint64_t gas_seed) {
   properties::Stream stream = properties::stream_from(gas_seed);
@@ -99,8 +99,8 @@ inline void add_box(scene::Scene& scene, double size) {
   return scene;
 }
 
-/// side³ boxes and tetrahedra, and optionally balls, in a cube of as many cells with edge 1. Each body has a random
-/// orientation in its own cell.
+/// side³ boxes and tetrahedra, and optionally balls, in a box of side³ unit cells. Each cell has one body, in a random
+/// orientation.
 [[nodiscard]] inline scene::Scene box_of_bodies(Law law, const scene::MaterialPair& pair, int side, double duration,
                                                 std::uint64_t gas_seed, bool has_balls) {
   properties::Stream stream = properties::stream_from(gas_seed);

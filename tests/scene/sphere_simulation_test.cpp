@@ -79,8 +79,9 @@ TEST(SphereSimulation, BouncesAtTheTimesOfTheClosedForm) {
   double speed = g * time;
   for (std::size_t bounce = 0; bounce < 10; ++bounce) {
     EXPECT_EQ(events[bounce].kind, EventKind::plane_impact);
-    // The bounds of a time differ by about 2 · 28 u of the height's terms, over the speed (u = `roundoff`): less than
-    // 128 u of a time below 1. An event may be early by so much, and its speed is then smaller by g times this amount.
+    // The two bounds of a time differ by about 2 · 28 u of the height's terms, divided by the speed (u is `roundoff`).
+    // This is less than 128 u of a time below 1. An event may be early by this amount, and its speed is then too small
+    // by g times this amount.
     EXPECT_NEAR(events[bounce].time, time, static_cast<double>(bounce + 1) * 0x1p-46) << bounce;
     speed *= restitution;
     EXPECT_NEAR(events[bounce].a.after.path.velocity.z(), speed, static_cast<double>(bounce + 1) * g * 0x1p-46);
@@ -239,9 +240,9 @@ TEST(SphereSimulation, IsDeterministic) {
   }
 }
 
-/// The tolerance for two runs that round differently. An impact at the angle θ, after a path of length l, enlarges a
-/// difference by 1 + 2 l/(R cos θ). Except for grazing impacts, this factor is less than 32 for l < 2 and R > 0.2. In
-/// 24 events of 8 spheres, a sphere has up to 6 impacts in a row, and 32⁶ · 2⁻⁵² is 2⁻²².
+/// The tolerance for two runs that round differently. An impact at the angle of incidence θ, after a path of length l,
+/// multiplies a difference by 1 + 2 l/(R cos θ). Except for grazing impacts, this factor is less than 32 for l < 2 and
+/// R > 0.2. A sphere has up to 6 of the first 24 impacts, and 32⁶ · 2⁻⁵² is 2⁻²².
 constexpr std::size_t early_events = 24;
 constexpr double early_tolerance = 0x1p-22;
 
@@ -369,7 +370,7 @@ TEST(SphereSimulation, LosesNoEvent) {
   }
 }
 
-/// `keep_apart` can leave this speed.
+/// The sphere moves at the smallest positive double, a speed that `keep_apart` can leave.
 TEST(SimulationDeathTest, EndsWhereASphereCreepsByTheLeastOfAllSpeeds) {
   Scene scene = unit::empty_scene(Law::frictionless, elastic, 10);
   unit::add_plane(scene, {1, 0, 0}, {0, 0, 0});
@@ -377,7 +378,7 @@ TEST(SimulationDeathTest, EndsWhereASphereCreepsByTheLeastOfAllSpeeds) {
   EXPECT_EXIT(std::exit(unit::events_of(scene, 10).empty() ? 0 : 1), testing::ExitedWithCode(0), "");
 }
 
-/// A ball rolls to another ball. They must touch when they meet, for any span of the search.
+/// A ball rolls to another ball. The impact must not precede the contact, whatever span of time the search covers.
 TEST(SphereSimulation, LetsRollingBallsMeetWhereTheyTouch) {
   for (const double duration : {1.0, 1.1, 2.0, 3.0}) {
     Scene scene = unit::empty_scene(Law::coulomb, {1, 0.25, 0, 0.125, 0}, duration);

@@ -32,9 +32,9 @@ struct PageAllocator {
   friend bool operator==(const PageAllocator&, const PageAllocator&) { return true; }
 };
 
-/// Arrays of one length in one piece of memory. Each array begins at a cache line. The first array has the offset in
-/// its page that array number `before` would have. So contacts and outcomes differ in the offset; otherwise a load
-/// would wait for a recent store to the same offset in another page.
+/// Arrays of one length in one piece of memory. Each array begins at a cache line. The first array begins as far into a
+/// page as if `before` other arrays preceded it. OutcomeBatch sets `before` to the number of arrays of a ContactBatch,
+/// so the offsets within a page differ. At the same offset, a load would wait for a recent store to another page.
 template <class S>
 class ArraysInOnePiece {
  public:

@@ -76,7 +76,7 @@ double parting_speed(const Collision& collision) {
 
 Outcome<double> sent_apart(const Collision& collision, double speed) {
   impulse::Contact<double> contact = impulse::make_contact<double>(collision);
-  // A plastic impact of bodies that approach at the missing speed.
+  // The impulse of a plastic impact (ε = 0) of bodies that approach at the missing speed.
   contact.restitution = 0;
   const double missing = impulse::normal_velocity(contact) - speed * contact.normal.norm();
   return with_immovable_kept(impulse::apply_impulse(contact, impulse::frictionless_impulse(contact, missing)),

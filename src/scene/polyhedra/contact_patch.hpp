@@ -8,8 +8,8 @@
 
 namespace carom::scene {
 
-/// The features of two shapes that touch, the lower dimension first. A ball touches as a vertex, a half-space as a
-/// face.
+/// The features (vertex, edge or face) of two shapes that touch. The feature of lower dimension comes first. A ball
+/// touches as a vertex, a half-space as a face.
 enum class ContactKind { vertex_vertex, vertex_edge, vertex_face, edge_edge, edge_face, face_face };
 
 [[nodiscard]] std::string_view name_of(ContactKind kind);
@@ -25,11 +25,12 @@ struct ContactPatch {
 };
 
 /// The patch between two shapes that are separated along separation.normal. In each shape, the vertices within
-/// `flatness` [m] of the height of the foremost vertex form a corner, an edge or a face. The patch is the overlap of
-/// the projections of these features along the normal: one point for a vertex or a crossing of edges, a segment for an
-/// edge along an edge or over a face, and a polygon for two faces. The patch extends at most `flatness` beyond each
-/// side of a feature. Two edges count as parallel if they diverge by at most `flatness` over the length of the shorter
-/// edge. Precondition: the flatness is positive, and small compared with the sides of the faces.
+/// `flatness` [m] of the greatest height towards the other shape form the feature that touches: a vertex, an edge or a
+/// face. The patch is the overlap of the projections of both features along the normal: one point for a vertex or a
+/// crossing of edges, a segment for an edge along an edge or over a face, and a polygon for two faces. The patch
+/// extends at most `flatness` beyond each side of a feature. Two edges count as parallel if they diverge by at most
+/// `flatness` over the length of the shorter edge. Precondition: the flatness is positive, and small compared with the
+/// sides of the faces.
 [[nodiscard]] ContactPatch contact_patch(const ShapePair& pair, const Placement& a, const Placement& b,
                                          const Separation& separation, double flatness);
 [[nodiscard]] ContactPatch contact_patch(const ConvexShape& a, const Placement& placement, const HalfSpace& b,

@@ -65,9 +65,9 @@ std::optional<Triangle> first_triangle(const Points& points, std::size_t corner)
   return std::nullopt;
 }
 
-/// The corners of the face in the plane of a triangle, in its orientation, by A. Andrew's monotone chain ("Another
-/// efficient algorithm for convex hulls in two dimensions", Inf. Process. Lett. 9, 1979). The chain needs an order
-/// along a direction in the plane, such as that of coordinates.
+/// The corners of the face in the plane of a triangle, in the triangle's orientation, by A. Andrew's monotone chain
+/// ("Another efficient algorithm for convex hulls in two dimensions", Inf. Process. Lett. 9, 1979). The chain needs an
+/// order along a direction in the plane. The order of coordinates is one.
 Polygon face_through(const Points& points, const Polygon& order, const Triangle& t) {
   const Vector3<int> signs = normal_signs(points[t[0]], points[t[1]], points[t[2]]);
   int axis = 0;  // the axis along which the plane is projected

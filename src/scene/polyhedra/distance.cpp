@@ -21,11 +21,11 @@ namespace {
 using Vector = Vector3<double>;
 using Points = std::vector<Vector>;
 
-// Every constant was measured on 1000 pairs each of boxes and hulls, with gaps of 1, 10⁻², …, 10⁻¹² m and sizes from 1
-// : 1 to 1 : 10⁻⁶.
+// Every constant was measured on 1000 pairs each of boxes and hulls, with gaps of 1, 10⁻², …, 10⁻¹² m and size ratios
+// from 1 : 1 to 1 : 10⁻⁶.
 
-/// The tolerance of FCL's iteration, relative to the smaller body. With 10⁻⁶, the gap of sizes 1 : 10⁻⁴ is too small by
-/// 3 × 10⁻⁷ of the sizes. With 10⁻¹², it is too small only by the rounding of directions, 10⁻¹².
+/// The tolerance of FCL's iteration, relative to the smaller body. With 10⁻⁶, the gap at the size ratio 1 : 10⁻⁴ is too
+/// small by 3 × 10⁻⁷ of the sizes. With 10⁻¹², it is too small only by the rounding of directions, 10⁻¹².
 constexpr double fcl_tolerance = 1e-12;
 
 /// A gap within this share of FCL's distance is accepted, because the true distance lies between this gap and FCL's
@@ -34,12 +34,12 @@ constexpr double fcl_tolerance = 1e-12;
 constexpr double share_that_is_distance = 1e-12;
 
 /// Features within this distance of FCL's points are tried, relative to the sizes. The error of the points is at most
-/// 10⁻¹², except for 1 of 1000 pairs of sizes 1 : 10⁻⁶. All values from 10⁻¹² to 10⁻⁶ give the same gaps.
+/// 10⁻¹², except for 1 of 1000 pairs at the size ratio 1 : 10⁻⁶. All values from 10⁻¹² to 10⁻⁶ give the same gaps.
 constexpr double feature_tolerance = 1e-9;
 
 /// If a gap is smaller than FCL's distance by more than this share, FCL has failed, and the search tries every
-/// direction. FCL fails by 0.2 of the sizes for 1 of 1000 pairs that are far apart and of sizes 1 : 100 or less. With
-/// 10⁻¹², the search tries every direction for up to 5 of 1000 pairs.
+/// direction. FCL's distance is wrong by 0.2 of the sizes for 1 of 1000 pairs that are far apart and have size ratios
+/// of 1 : 100 or less. With a share of 10⁻¹², the search tries every direction for up to 5 of 1000 pairs.
 constexpr double share_that_is_failure = 1e-6;
 
 /// A placed polyhedron, relative to the position of B.
@@ -139,8 +139,8 @@ Features all_features(const PlacedPolyhedron& body) {
   return features;
 }
 
-/// Tries every direction between nearest points of two polyhedra if one lies on a face or an edge. `between` is the
-/// direction of the nearest points; for an edge and a corner, it is made perpendicular to the edge.
+/// Tries every direction that two nearest points can have if one lies on a face or an edge. `between` is the direction
+/// from the nearest point of B to that of A. For an edge and a corner, it is made perpendicular to the edge.
 void try_features(Search& search, const Features& a, const Features& b, const Vector& between) {
   for (const Vector& normal : a.normals) {
     search.try_direction(-normal);
@@ -198,7 +198,8 @@ Vector direction_from_surface(const PlacedPolyhedron& body, const Vector& point)
   return best;
 }
 
-/// Tries the direction to the ball's centre, and the faces if the centre lies inside.
+/// Tries the direction from the surface to the ball's centre. If the centre lies inside the body, also tries the face
+/// normals.
 void search_ball(Search& search, const PlacedPolyhedron& body, const Vector& point, bool ball_is_a) {
   const Vector direction = direction_from_surface(body, point);
   search.try_direction(ball_is_a ? direction : Vector(-direction));

@@ -29,8 +29,8 @@ struct Separation {
 /// products of edges (the separating axis theorem; S. Gottschalk, M. Lin, D. Manocha, SIGGRAPH 1996). For a ball and a
 /// polyhedron, the direction is that from the nearest point of all faces to the ball's centre.
 ///
-/// As measured, the gap is too small by at most 10⁻¹³ of the sizes (10⁻¹⁵ at gaps of 10⁻³ m and less), for bodies of
-/// sizes down to 1 : 10⁻⁴. At 1 : 10⁻⁶, it was too small by up to 10⁻³ of itself in 1 of 1000 pairs.
+/// In measurements, the gap was too small by at most 10⁻¹³ of the sizes for size ratios down to 1 : 10⁻⁴ (10⁻¹⁵ at gaps
+/// of 10⁻³ m and less). At the ratio 1 : 10⁻⁶, it was too small by up to 10⁻³ of itself in 1 of 1000 pairs.
 class ShapePair {
  public:
   ShapePair(ConvexShape a, ConvexShape b);

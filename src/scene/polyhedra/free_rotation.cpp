@@ -38,7 +38,7 @@ Matrix3<double> derivative(const Vector3<double>& a, const Vector3<double>& w) {
 }
 
 /// The derivative of ω at the end of a step with respect to ω at its beginning: the Taylor series of the variational
-/// equation. A step has max |aᵢ| ‖ω‖ length ≤ 0.14, so the rest after nine terms is below 2⁻⁴⁰.
+/// equation. A step has max |aᵢ| ‖ω‖ length ≤ 0.14, so the remainder after nine terms is below 2⁻⁴⁰.
 template <class Coefficients>
 Matrix3<double> derivative_of_step(const Vector3<double>& a, const Coefficients& rate, double length) {
   constexpr int terms = 9;
@@ -64,9 +64,9 @@ double growth_rate(const Vector3<double>& a) {
   return greatest * std::numbers::inv_sqrt3;
 }
 
-/// The greatest ‖v‖² of all angular velocities v with the energy and the size of the angular momentum of ω: a linear
-/// programme in yᵢ = vᵢ². At each vertex of the feasible set, one yₖ is 0, and Σ y = ωᵢ² + ωⱼ² + ωₖ² Iₖ (Iᵢ + Iⱼ −
-/// Iₖ)/(Iᵢ Iⱼ), with the moments I.
+/// The greatest ‖v‖² of all angular velocities v that have the same energy and the same size of the angular momentum as
+/// ω. This is a linear programme in yᵢ = vᵢ². At each vertex of the feasible set, one yₖ is 0, and Σ y = ωᵢ² + ωⱼ² +
+/// ωₖ² Iₖ (Iᵢ + Iⱼ − Iₖ)/(Iᵢ Iⱼ), with the moments I.
 double greatest_squared_rate(const Vector3<double>& moments, const Vector3<double>& rate) {
   const Vector3<double> squares = rate.cwiseAbs2();
   double greatest = squares.sum();
@@ -201,7 +201,7 @@ RotationPath::RotationPath(const Vector3<double>& principal_inertia, const Rotat
     const Matrix3<double> moved = derivative_of_step(a_, step.rate, step.length) * frame;
     const Eigen::HouseholderQR<Matrix3<double>> factors(moved);
     frame = factors.householderQ();
-    // The factor 1 + 2⁻²⁰ covers the rest of the series, rounding errors, and terms that are quadratic in the error.
+    // The factor 1 + 2⁻²⁰ covers the remainder, rounding errors, and terms that are quadratic in the error.
     widths = (frame.transpose() * moved).cwiseAbs() * widths * (1 + 0x1p-20) + Vector3<double>::Constant(added);
     const double by_derivatives = widths.norm();
     now.rate_error = by_derivatives < 0x1p-20 * rate ? std::min(by_norms, by_derivatives) : by_norms;

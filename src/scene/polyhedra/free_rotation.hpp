@@ -34,7 +34,7 @@ struct BoundedRotation {
 /// The bound of the error. Let aᵢ = (Iⱼ − Iₖ)/Iᵢ and α = max |aᵢ| ≤ 1 (`a` in the code), and let W = ‖ω‖ at the
 /// beginning of a step. The Taylor coefficients of ω are at most those of W/(1 − α W t), and the coefficients of q at
 /// most those of (1 − α W t)^(−1/(2α)), by induction from ‖(x₂y₃, x₃y₁, x₁y₂)‖ ≤ ‖x‖ ‖y‖. So a geometric series bounds
-/// the rest. The recurrence of the coefficients also runs for bounds of their rounding errors.
+/// the remainder of each series. A recurrence like that of the coefficients bounds their rounding errors.
 ///
 /// An error of ω grows at most by Gronwall's bound exp ∫Λ, with Λ the greatest eigenvalue of the symmetric part of the
 /// derivative of the equation. If the error is below 2⁻²⁰ ‖ω‖, the derivatives of the steps also bound its growth, in

@@ -48,8 +48,8 @@ double time_open(const GapBound& bound, double least, double limit) {
   }
   constexpr int most_rounds = 30;  // about five suffice
   for (int round = 0; round < most_rounds && closed - open > 1e-3 * open; ++round) {
-    // If h is linear, a chord down to `least` ends within rounding of `least`. So the chord ends slightly before, and
-    // earlier still if necessary.
+    // If h is linear, h at the end of a chord is `least` up to rounding. So the chord is shortened slightly, and more
+    // if necessary.
     const double whole = (closed - open) * (excess / (excess + (least - last.gap)));
     double chord = open + whole * (1 - 0x1p-30);
     double excess_there = value_at(bound, chord).gap - least;

@@ -19,7 +19,7 @@ struct MovingPoint {
 struct GapBound {
   std::vector<MovingPoint> a;
   std::vector<MovingPoint> b;
-  double lost = 0;       // [m]
+  double lost = 0;       // makes h(0) the certified gap [m]
   double curvature = 0;  // ≥ 0 [m/s²]
 };
 

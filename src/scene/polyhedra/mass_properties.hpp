@@ -39,7 +39,7 @@ struct PolyhedralBody {
 ///
 /// The body that a scene moves is the hull of the rounded vertices. `faces`, `edges` and the mass properties are those
 /// of the given vertices, so a face of more than three corners is plane within `vertex_error`. The given frame affects
-/// only the rounding of the vertices, and the choice between axes of equal moments.
+/// only the rounding of the vertices, and the choice of axes if moments are equal.
 ///
 /// Returns a defect if the density is not a positive number, or if a result would leave the range of normal doubles.
 [[nodiscard]] std::variant<PolyhedralBody, ShapeDefect> polyhedral_body(const ConvexPolyhedron& polyhedron,

@@ -6,9 +6,9 @@
 namespace carom::scene {
 
 /// The exact sign of (b − a) × (c − a) · (d − a): +1 if d lies on the side from which a, b, c appear counterclockwise,
-/// and 0 if the four points share a plane. The error bound is that of J. Shewchuk ("Adaptive precision floating-point
-/// arithmetic and fast robust geometric predicates", Discrete Comput. Geom. 18, 1997, `o3derrboundA`); otherwise
-/// rational numbers decide. Precondition: every number is finite.
+/// and 0 if the four points share a plane. If the error bound of J. Shewchuk ("Adaptive precision floating-point
+/// arithmetic and fast robust geometric predicates", Discrete Comput. Geom. 18, 1997, `o3derrboundA`) leaves the sign
+/// open, rational numbers decide. Precondition: every number is finite.
 [[nodiscard]] int orientation(const Vector3<double>& a, const Vector3<double>& b, const Vector3<double>& c,
                               const Vector3<double>& d);
 

@@ -11,8 +11,8 @@ namespace carom::scene {
 using PlanePoint = Eigen::Vector2d;
 using PlanePolygon = std::vector<PlanePoint>;
 
-/// The hull of points, by A. Andrew's monotone chain: a segment if it is narrower than `slack`, and a point if it is
-/// shorter.
+/// The hull of points, by A. Andrew's monotone chain. It becomes a segment if its width is at most `slack`, and a point
+/// if its length is at most `slack`.
 [[nodiscard]] PlanePolygon hull_in_plane(std::vector<PlanePoint> points, double slack);
 
 /// The part of a polygon within `slack` of another polygon, which has at least three corners (I. Sutherland, G.

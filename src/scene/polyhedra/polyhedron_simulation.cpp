@@ -22,12 +22,12 @@ namespace {
 /// The limit of impacts at one instant. Every observed sequence that ends by itself needs fewer.
 constexpr unsigned long long most_at_one_instant = 10'000;
 
-/// The `flatness` of a contact patch (contact_patch.hpp), in tolerances, so that it includes corners that were struck
-/// earlier at the same instant.
+/// The `flatness` of a contact patch (contact_patch.hpp), in contact tolerances. The patch then includes corners that
+/// were struck earlier at the same instant.
 constexpr double flatness_in_tolerances = 4;
 
-/// The least speed after an impact, relative to the greatest speeds of the bodies. Rounding cannot reverse it, because
-/// the speed of a gap is accurate to 2⁻⁴⁷ of the bodies' speeds.
+/// The least speed after an impact, relative to the greatest speeds of the bodies. Rounding cannot reverse this speed,
+/// because the speed of a gap is accurate to 2⁻⁴⁷ of the bodies' speeds.
 constexpr double least_speed_share = 0x1p-40;
 
 RigidBody body_of(const Scene& scene, std::size_t index) {
@@ -41,7 +41,8 @@ RigidBody body_of(const Scene& scene, std::size_t index) {
   return std::get<RigidBody>(std::move(body));
 }
 
-/// A time up to which the balls around two bodies are certain not to overlap. `gap` is the gap between the balls.
+/// A time up to which the bounding sphere of a body is certain not to overlap another sphere or a plane. `gap` is
+/// positive while they are apart.
 double balls_touch_from(const UncertainQuadratic& gap, double now) {
   if (!(gap.c0 > gap.e0)) {
     return now;
@@ -158,7 +159,7 @@ PolyhedronSimulation::Prediction PolyhedronSimulation::predict_from(double begin
                          ? text_of(who, "with a rounding error of up to ", unknown, " m, which is too large")
                          : text_of(who, "and they approach by more than this within one ulp of the time"));
   }
-  // Too small a gap to be resolved counts as a contact.
+  // A gap that is too small to be resolved counts as a contact.
   return {found.time, true};
 }
 
@@ -167,7 +168,7 @@ PolyhedronSimulation::Prediction PolyhedronSimulation::predict(std::size_t a, st
   const Path& of_b = bodies_[b].path();
   const RelativeState balls(state_at(of_a, now_), state_at(of_b, now_), of_a.radius + of_b.radius);
   const UncertainQuadratic gap = squared_gap(balls);
-  // Balls that overlap may recede while the bodies in them meet.
+  // Bounding spheres that overlap may recede while the bodies in them meet.
   if (gap.c0 > gap.e0 && stay_apart(of_a, of_b, balls, now_, scene_.duration)) {
     return {};
   }
@@ -377,7 +378,7 @@ double PolyhedronSimulation::least_speed_of(const Where& where, double restituti
   if (where.kind == Kind::bodies) {
     consider(where.second);
   }
-  // A hop that stays within the tolerance would be the next contact at once.
+  // A hop that stays within the tolerance would at once be a contact again.
   const double out_of_touch = std::sqrt(2 * acceleration * flatness_in_tolerances * tolerance_of(where));
   return std::max({least_speed(scene_, acceleration, radius, restitution), out_of_touch, least_speed_share * speeds});
 }

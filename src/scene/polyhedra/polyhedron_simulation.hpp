@@ -19,8 +19,8 @@
 namespace carom::scene {
 
 /// Runs a scene that has polyhedra, one event at a time. All bodies fly, also spheres: nothing slides, rolls or rests.
-/// An approach slower than the least speed (least_speed.hpp) becomes an elastic impact, after which the bodies part at
-/// that speed. So a body that would lie at rest hops instead.
+/// If an approach is slower than the least speed (least_speed.hpp), the impact is elastic, and the bodies part at the
+/// least speed. So a body that would lie at rest hops instead.
 ///
 /// A contact is the first instant at which two bodies are within `contact_tolerance` of each other and do not draw
 /// apart. At the contact, the bodies are still certain not to touch (time_of_contact.hpp). If all corners of the

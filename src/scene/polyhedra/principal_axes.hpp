@@ -18,8 +18,8 @@ struct PrincipalAxes {
 /// 2¹⁰⁰.
 [[nodiscard]] PrincipalAxes principal_axes(Matrix3<impulse::DoubleDouble> inertia);
 
-/// The quaternion of a rotation, whose columns are a right-handed frame. Its greatest component is positive, and each
-/// component is accurate to an ulp of 1.
+/// The quaternion of a rotation matrix, whose columns are a right-handed frame. The component of greatest size is
+/// positive, and each component is accurate to an ulp of 1.
 [[nodiscard]] Quaternion<double> quaternion_of(const Matrix3<impulse::DoubleDouble>& rotation);
 
 }  // namespace carom::scene

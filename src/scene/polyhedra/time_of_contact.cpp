@@ -59,8 +59,8 @@ Moving moving(const ConvexShape& shape, const FreeFlight& motion, double time) {
 constexpr int most_trials = 24;
 
 /// The gap along a direction n that turns at a constant rate Ω, up to a time `limit`. Speeds of vertices are relative
-/// to B's centre, in axes that turn with n. Heights are relative to each body's own centre, which from_certified
-/// corrects.
+/// to B's centre, in axes that turn with n. Heights are relative to each body's own centre, which `from_certified`
+/// makes up for.
 GapBound along(const Moving& a, const Moving& b, const Vector& n, const Vector& turning, double limit) {
   const Vector between = a.placement.position - b.placement.position;
   const Vector velocity = a.velocity - b.velocity;
@@ -146,7 +146,7 @@ TimeOfContact advance(const SeparationAt& separation_at, const OpenFor& open_for
     const Separation separation = separation_at(result.time);
     result.separation = separation;
     if (!(separation.certified > 0) || !std::isfinite(separation.gap)) {
-      // After the first step, only the growth of the errors can close the gap.
+      // After the first step, the certified gap can vanish only because the error bounds grow.
       result.status = result.time == begin ? ContactStatus::overlaps : ContactStatus::undecided;
       return result;
     }
@@ -191,8 +191,8 @@ TimeOfContact time_of_contact(const ShapePair& pair, const FreeFlight& a, const 
   CAROM_EXPECTS(tolerance > 0, tolerance);
   const auto separation_at = [&](double time) { return pair.separation(placement_at(a, time), placement_at(b, time)); };
   std::optional<Vector> way_out;  // the rate of a direction along which the shapes draw apart
-  // Calls use(Ω) for the rates Ω of a direction that does not turn, or turns with a face of a body or with an edge of
-  // each.
+  // Calls use(Ω) for the rates Ω of a direction that does not turn, or turns with a face of a body, with an edge of
+  // each, or at the rate `way_out`.
   const auto for_each_turning = [&](const Moving& at_a, const Moving& at_b, const Vector& n, const auto& use) {
     use(Vector::Zero());
     if (at_b.greatest_rate > 0 && at_b.radius > 0) {

@@ -26,9 +26,10 @@ struct TimeOfContact {
 /// draw apart. Up to and at that time, the shapes are certain not to touch, in the exact motion from the given numbers.
 ///
 /// Conservative advancement (B. Mirtich, "Impulse-based dynamic simulation of rigid body systems", 1996) starts from a
-/// certified separation along n. It advances the time as far as the gap along n is certain to stay open, and then finds
-/// a new n. Mirtich's step is gap / (greatest speed of any point), which is of first order. Here every vertex has its
-/// own velocity along n, and only the changes of velocities are bounded. So the steps are of second order:
+/// certified separation along n at a time s. It advances the time as far as the gap along n is certain to stay open,
+/// and then finds a new n. Mirtich's step is gap / (greatest speed of any point), which is of first order. Here every
+/// vertex has its own velocity along n, and only the changes of velocities are bounded. So the steps are of second
+/// order:
 ///
 ///     n·(x_v(s+Δ) − y_u(s+Δ)) ≥ n·(x_v − y_u) + Δ n·(ẋ_v − ẏ_u) + ½ Δ² n·(a_A − a_B) − ½ Δ² (C_A + C_B),
 ///     C = r ω² (1 + α/√3).

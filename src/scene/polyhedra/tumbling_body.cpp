@@ -7,8 +7,8 @@
 namespace carom::scene {
 namespace {
 
-/// The angle for which a rotation is computed at first [rad], which each extension doubles. A body that lies on another
-/// body hops long before it turns so far.
+/// The angle for which a rotation is computed at first [rad]. Each extension doubles it. A body that lies on another
+/// body has its next impact long before it turns so far.
 constexpr double first_turn = 0.25;
 
 }  // namespace

@@ -8,8 +8,8 @@
 
 namespace carom::scene {
 
-/// The gap at which two bodies are struck, relative to the lesser radius. Up to some thousand radii from the origin,
-/// stored positions are a hundred times more accurate.
+/// The gap at which two bodies collide, relative to the lesser radius. Up to some thousand radii from the origin,
+/// stored positions are a hundred times more accurate than this.
 inline constexpr double contact_tolerance = 0x1p-30;
 
 /// The angle by which a body turns before its state is stored again [rad]. An error of the angular velocity grows at
@@ -35,8 +35,8 @@ class TumblingBody {
   [[nodiscard]] const RigidBody& body() const { return body_; }
   [[nodiscard]] const FreeFlight& motion() const { return motion_; }
   [[nodiscard]] const Quaternion<double>& orientation_at_start() const { return orientation_; }
-  /// The path of the ball around the body. The ball is slightly too wide, so that rounding cannot let the bodies touch
-  /// while the balls are apart.
+  /// The path of the body's bounding sphere. The sphere is slightly too large, so that rounding cannot let two bodies
+  /// touch while their spheres are apart.
   [[nodiscard]] const Path& path() const { return path_; }
   [[nodiscard]] Arc arc() const;
 

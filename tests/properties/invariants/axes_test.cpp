@@ -113,7 +113,7 @@ Claim claim_of_outcome(Law law, Precision precision) {
 Law like(Law law) { return law == Law::coulomb ? Law::sticking : law; }
 
 /// Either C with an error in one entry, or λI with an error, with λ = Σ 1/m. The error of C is `share` of the permitted
-/// error. That of λI is 1 to 64 times as large, near the permitted error of `definite`.
+/// error. The error of λI is 1 to 64 times as large as that, near the permitted error of `definite`.
 Matrix3<Rational> planted_matrix(Stream& stream, const Collision& c, double allowance, double share) {
   Matrix3<Rational> matrix = impulse::collision_matrix(unit::exact_contact(c));
   const double off =
@@ -202,8 +202,8 @@ TEST(Verdicts, AreTheSameWhenACollisionIsTurned) {
   }
 }
 
-/// A solver that rotates torques into the body frame and back answers an impulse along an axis with a small spin. This
-/// rounding error passes, although only one component of the velocities is not zero.
+/// If a solver rotates torques into the body frame and back, an impulse along an axis causes a small spin by rounding.
+/// This error passes, although only one component of the velocities is not zero.
 TEST(Verdicts, AllowRoundingAcrossAnAxis) {
   Collision c = unit::ball_on_a_plane(0.4, 0);
   c.a.velocity = {0, -4, 0};

@@ -10,9 +10,9 @@
 
 #include "examination.hpp"
 
-/// Relations that change only signs, exponents or names. A solver rounds corresponding numbers alike, so the outcomes
-/// correspond bit for bit, except for the sign of zeros. The solvers are compiled with -ffp-contract=off, because a
-/// fused x·y + z rounds only one of two products that a relation exchanges.
+/// Relations between two collisions that change only signs, exponents, or the names A and B. A solver rounds
+/// corresponding numbers alike, so the outcomes correspond bit for bit, except for the sign of zeros. The solvers are
+/// compiled with -ffp-contract=off, because a fused x·y + z rounds only one of two products that a relation exchanges.
 namespace carom::properties {
 namespace {
 
@@ -123,8 +123,8 @@ Relation units_changed_by(int mass, int length, int time) {
 
 constexpr const char* bits_differ = "the bits differ";
 
-/// Whether the outcome of the related collision is exactly the related outcome. `prepared` changes the collision
-/// before.
+/// Whether the outcome of the related collision is exactly the related outcome. `prepared` is applied to the collision
+/// first.
 Question bit_for_bit(
     const Relation& relation,
     const std::function<Collision(const Collision&)>& prepared = [](const Collision& c) { return c; }) {
@@ -208,8 +208,8 @@ std::vector<Examinee> examinees_of_single_numbers() {
 class QuarterTurns : public testing::TestWithParam<Examinee> {};
 
 /// A quarter turn exchanges two terms of sums of three, which are added in a fixed order. So it does not keep the bits,
-/// and `rotation` is judged within rounding. Double-double is excluded: it has twice the digits of its answer, so
-/// nearly every answer keeps its bits.
+/// and the invariant `rotation` is judged within rounding. Double-double is excluded: it has twice the digits of its
+/// answer, so nearly every answer keeps its bits.
 TEST_P(QuarterTurns, AreNotBitForBit) {
   EXPECT_TRUE(differs_somewhere(GetParam(), bit_for_bit(moved_by(turn_about_x))));
   EXPECT_TRUE(differs_somewhere(GetParam(), bit_for_bit(moved_by(turn_about_y))));
@@ -239,7 +239,7 @@ Collision as_upright_spheres(Collision c) {
 class FrictionlessBitForBit : public testing::TestWithParam<Examinee> {};
 
 /// For unrotated spheres, only a dot product of the frictionless law depends on the order of the axes. It is (x + y) +
-/// z (products.hpp), so a turn may exchange x and y.
+/// z (products.hpp), so a turn that exchanges x and y keeps the bits.
 TEST_P(FrictionlessBitForBit, OneQuarterTurnOfUprightSpheres) {
   const Question about_x = bit_for_bit(moved_by(turn_about_x), as_upright_spheres);
   const Question about_z = bit_for_bit(moved_by(turn_about_z), as_upright_spheres);

@@ -14,28 +14,28 @@
 
 namespace carom::properties {
 
-/// A test on one case: the verdict on an examinee.
+/// A check of an examinee (a solver under test, examinee.hpp) on one case.
 using Question = std::function<Verdict(const Examinee&, const JudgedCase&)>;
 
-/// The verdict of one invariant. It is skipped outside the invariant's domain.
+/// The check of one invariant. Outside the invariant's domain, its verdict is skipped.
 [[nodiscard]] Question invariant_holds(const Invariant& invariant);
 
 struct Examination {
   std::uint64_t cases = 0;  // for each family
-  /// Whether `structured` is among the families. Its sizes underflow in binary32, so questions about bits have no
-  /// meaning there.
+  /// Whether to include the family `structured`. Its sizes underflow in binary32, so checks that compare bits leave it
+  /// out.
   bool structured = true;
   std::span<const Family> families = all_families();
 };
 
-/// Asks an examinee about cases of every family, and about one head-on collision. Returns an objection in words in
-/// three cases:
-/// - A case violates the question.
-/// - No family's case is in the question's domain.
-/// - No answer to a family's colliding case changes the velocities.
+/// Checks an examinee on one head-on collision and on cases of every family. Returns a message if one of these is true:
+/// - The verdict is violated on a case.
+/// - The verdict is skipped on all cases of the families.
+/// - All answers to colliding cases of the families keep the velocities.
 [[nodiscard]] std::optional<std::string> find_violation(const Examinee& examinee, const Question& question,
                                                         const Examination& examination);
 
+/// An examinee and the invariants to check.
 struct Claimant {
   Examinee examinee;
   std::vector<const Invariant*> invariants;
@@ -43,9 +43,9 @@ struct Claimant {
 
 /// The results of a claimant on all cases.
 struct Seen {
-  bool responded = false;                     // in a colliding case of a family, the answer changed the velocities
-  std::set<const Invariant*> in_domain = {};  // these held in some case of a family
-  std::set<const Invariant*> violated = {};   // these were violated in some case, and are not tested again
+  bool responded = false;                     // an answer to a colliding case of a family changed the velocities
+  std::set<const Invariant*> in_domain = {};  // invariants that held for a case of a family
+  std::set<const Invariant*> violated = {};   // invariants that were violated, and are not tested again
 };
 
 /// Draws the cases of `find_violation` once, for all claimants. The results are in the claimants' order.

@@ -44,7 +44,7 @@ std::vector<Claimed> claimed_by(const std::vector<Examinee>& examinees) {
   return claimed;
 }
 
-/// The tests of a suite share one pass over the families. It judges only the selected invariants.
+/// The tests of a suite share one pass over the families. The pass judges only the selected invariants.
 class OnePass : public testing::TestWithParam<Claimed> {
  protected:
   template <class ExamineeOf>
@@ -130,7 +130,7 @@ TEST_P(NeverHolds, ForASubjectThatObeysNoLaw) {
 
 INSTANTIATE_TEST_SUITE_P(Invariants, NeverHolds, testing::ValuesIn(claimed_by(one_of_each())), name_of_test);
 
-/// These invariants hold if a subject returns its input.
+/// These invariants hold if a solver keeps the velocities.
 TEST(FindViolation, ReportsThatNothingWasTested) {
   for (const char* name : {"finite", "linear_momentum", "energy"}) {
     const auto found =

@@ -26,7 +26,7 @@ struct Solved {
 
   [[nodiscard]] const Matrix& matrix() const { return *outcome.collision_matrix; }
 
-  /// From the lighter movable body.
+  /// The impulse on A, from the change of momentum of the lighter movable body.
   [[nodiscard]] Vector impulse() const {
     const Collision& c = one.collision;
     const bool off_a = oracles::reads_impulse_off_a(c);
@@ -110,7 +110,7 @@ TEST(ShownMatrix, MayBeRounded) {
       {});
 }
 
-/// No rounding explains a thousandth, even if V⁻ is a small difference of large velocities.
+/// Rounding does not explain an error of a thousandth, even if V⁻ is a small difference of large velocities.
 TEST(ShownMatrix, IsNotUsedWhereItIsOffByAThousandth) {
   expect_violated([](const Solved& one) -> Matrix { return one.matrix() * (1 + 1e-3L); }, {"matrix_used"});
 }

@@ -99,8 +99,8 @@ Rational spiky_radius(Stream& stream) {
   return radius;
 }
 
-/// A surface with 14 corners in perturbed directions, at random distances: those of an octahedron, and one in the
-/// middle of each of its faces. If the body lacks some of the 24 tetrahedra, the contact is on its surface.
+/// A surface with 14 corners at random distances: in perturbed directions of the 6 corners of an octahedron, and in the
+/// middle of each of its 8 faces. If the body lacks some of the 24 tetrahedra, the contact is on its surface.
 template <class Radius>
 Surface random_surface(Stream& stream, const Radius& radius) {
   std::array<std::array<ExactVector, 2>, 3> directions;
@@ -142,7 +142,7 @@ Surface spiky_surface(Stream& stream) {
   return random_surface(stream, [&] { return spiky_radius(stream); });
 }
 
-/// After the shift, some volumes are negative.
+/// The shift moves the surface away from the apex, so some volumes are negative.
 TEST(StarShaped, HaveMomentsThatDoNotDependOnTheApex) {
   Stream stream = stream_from(41);
   for (int i = 0; i < 50; ++i) {

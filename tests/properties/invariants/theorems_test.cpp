@@ -23,8 +23,7 @@ TEST(Theorems, ProveInvariantsOfTheLawsThatClaimThem) {
     }
   }
   EXPECT_TRUE(invariant_named("finite")->proved_laws().empty());
-  // Every law conserves momentum. Theorems about one answer do not cover `coulomb`, which may have several answers or
-  // none.
+  // Every law conserves momentum. Theorems about one answer do not cover `coulomb`, which may have several answers.
   EXPECT_TRUE(is_proved_of("linear_momentum", Law::coulomb));
   EXPECT_TRUE(is_proved_of("restitution", Law::rough));
   EXPECT_FALSE(is_proved_of("restitution", Law::coulomb));

@@ -25,8 +25,9 @@ struct Counts {
   int far = 0;
 };
 
-/// Computes y + (to − from), rounded as in relations.cpp, and changes one component by `least` to `most` times the
-/// permitted error. If surely_near shows that the two are near, the exact sum confirms it.
+/// Computes y + (to − from), rounded as in relations.cpp. The second vector differs from it in one component, by
+/// `least` to `most` times the permitted error. If surely_near shows that the two vectors are near, exact arithmetic
+/// confirms it.
 Counts expect_shown_to_be_near(double allowance, double least, double most) {
   Counts counts;
   Stream stream = stream_from(91);
@@ -62,7 +63,7 @@ Counts expect_shown_to_be_near(double allowance, double least, double most) {
   return counts;
 }
 
-/// From the worst: violated, undecided, holds, outside the domain.
+/// The order from the worst verdict: violated, undecided, holds, outside the domain.
 TEST(Both, IsTheWorseOfTwoVerdicts) {
   Verdict violated;
   violated.status = Status::violated;
@@ -137,7 +138,7 @@ TEST(SurelyNear, CountsTheRoundingOfWhatItCompares) {
   EXPECT_GT(counts.shown, 100);
 }
 
-/// One rounding of extended is no more than the rounding of the compared numbers.
+/// The permitted error, one rounding of extended, is no more than the rounding of the compared numbers.
 TEST(SurelyNear, DecidesNothingBelowItsOwnRounding) {
   const Outcome<double> y{{{1, 2, 3}, {4, 5, 6}}, {{7, 8, 9}, {1, 2, 3}}};
   const auto reported = map_outcome<long double>(y, [](double x) { return static_cast<long double>(x); });

@@ -9,8 +9,8 @@
 
 #include "bodies.hpp"
 
-/// The distance of two disjoint convex polyhedra as the minimum over all pairs of features, in long double, without
-/// code of the search that it checks.
+/// The distance of two disjoint convex polyhedra as the minimum over all pairs of features, in long double. It shares
+/// no code with the search that it checks.
 namespace carom::scene::unit {
 
 using Extended = Vector3<long double>;

@@ -95,7 +95,7 @@ TEST(ShapePair, TakesOffWhatPlacementsMayBeWrongBy) {
   EXPECT_NEAR(found.certified, exact.certified - 0.01 - 0.02 * p.b.core_radius, 1e-15);
 }
 
-/// Far from the origin, only the difference of positions counts.
+/// The distance depends only on the difference of the positions, also far from the origin.
 TEST(ShapePair, KnowsItsRoundingsFarFromTheOrigin) {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     properties::Stream stream = properties::stream_from(seed);

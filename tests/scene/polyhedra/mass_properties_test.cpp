@@ -55,7 +55,8 @@ TEST(MassProperties, OfACutCubeAreADifference) {
   const double volume = 8 - 1.0 / 6;
   const Vector corner_centre = Vector::Constant(1.75);
   const Vector centre = (8 * Vector::Ones() - corner_centre / 6) / volume;
-  // About its own centre a corner of edge 1 has ∫x² = 1/160 and ∫xy = −1/480, both for the volume V = 1/6.
+  // About its own centre, the tetrahedron that is cut off (edge 1) has ∫x² = 1/160 and ∫xy = −1/480, both for the
+  // volume V = 1/6.
   Matrix3<double> second = Matrix3<double>::Constant(-1.0 / 480);
   second.diagonal().setConstant(3.0 / 480);
   const Matrix3<double> corner =

@@ -63,7 +63,7 @@ TEST(PolyhedronSimulation, ACubeThatFallsFlatReboundsAndThenHopsNoHigherThanIsFo
   EXPECT_GE(events[0].time, std::sqrt(2 * (2 - nearness) / g));
   double speed = g * events[0].time;
   std::size_t bounce = 0;
-  // The cube bounces until it rises no higher than 10⁻⁶ R: 0.25ⁿ · 2 m at n = 10.6.
+  // The cube bounces until it rises at most 10⁻⁶ of its radius R: 0.25ⁿ · 2 m at n = 10.6.
   for (; bounce < 10; ++bounce) {
     const Event& event = events[bounce];
     EXPECT_EQ(event.kind, EventKind::plane_impact);
@@ -76,8 +76,8 @@ TEST(PolyhedronSimulation, ACubeThatFallsFlatReboundsAndThenHopsNoHigherThanIsFo
     const double fall = events[bounce + 1].time - event.time;
     EXPECT_NEAR(fall, 2 * speed / g, nearness / speed + 0x1p-48) << bounce;
   }
-  // Then the cube hops, at most 10⁻⁶ of its radius above the tolerance, and exactly so after a slow contact. Rounding
-  // gives it at most 2⁻⁴⁶ rad/s per hop, so it stays flat.
+  // After these bounces, each hop rises by at most 10⁻⁶ R. After a slow contact, it rises by exactly 10⁻⁶ R. Rounding
+  // gives the cube at most 2⁻⁴⁶ rad/s per hop, so it stays flat.
   const double greatest = default_capture_height * cube_radius;
   int slow = 0;
   for (std::size_t hop = bounce + 1; hop < events.size(); ++hop) {
@@ -94,7 +94,8 @@ TEST(PolyhedronSimulation, ACubeThatFallsFlatReboundsAndThenHopsNoHigherThanIsFo
   EXPECT_GT(slow, 100);
 }
 
-/// By hand: j = −(1 + ε) v / (1/m + ‖r × n‖²/I). All moments I of the cube are m/6.
+/// By hand, the impulse is j = −(1 + ε) v / (1/m + ‖r × n‖²/I), with v the velocity along the floor's normal n and r
+/// the lever arm. All moments I of the cube are m/6.
 TEST(PolyhedronSimulation, ACubeThatFallsOnItsFaceEdgeOrCornerTurnsAsTheArmSays) {
   for (const Quaternion<double>& orientation :
        {Quaternion<double>(1, 0, 0, 0), turn_about({0, 1, 0}, 0.5), turn_about({1, 0, 0}, std::numbers::pi / 4),
@@ -125,7 +126,7 @@ TEST(PolyhedronSimulation, ACubeThatFallsOnItsFaceEdgeOrCornerTurnsAsTheArmSays)
     const double speed = -g * event.time;
     const Vector torque = arm.cross(Vector(0, 0, 1));
     const double impulse = -1.75 * speed / (1 + 6 * torque.squaredNorm());  // of mass 1
-    // Lever arms have an error of half a tolerance, times a speed of about 8 m/s and 1/I = 6.
+    // Lever arms have an error of half a tolerance. A speed of about 8 m/s and 1/I = 6 multiply it.
     EXPECT_NEAR(event.a.after.path.velocity.z(), speed + impulse, 100 * nearness);
     EXPECT_LE((event.a.after.turning.angular_velocity - 6 * impulse * torque).norm(), 100 * nearness);
     EXPECT_EQ(event.a.after.path.velocity.x(), 0);
@@ -133,7 +134,8 @@ TEST(PolyhedronSimulation, ACubeThatFallsOnItsFaceEdgeOrCornerTurnsAsTheArmSays)
   }
 }
 
-/// A rod moves away from a slab and swings its end into it. The balls around them overlap and recede.
+/// A rod moves away from a slab, but its rotation swings an end into the slab. The bounding spheres overlap from the
+/// beginning, and their centres recede.
 TEST(PolyhedronSimulation, BodiesMeetWhoseBallsOverlapAndRecede) {
   for (const bool is_rod_first : {true, false}) {
     Scene scene = empty_scene(Law::frictionless, elastic, 3);
@@ -158,7 +160,7 @@ TEST(PolyhedronSimulation, BodiesMeetWhoseBallsOverlapAndRecede) {
       const double middle = (low + high) / 2;
       (gap(middle) > 0 ? low : high) = middle;
     }
-    // A contact is early by up to the tolerance over the speed cos t − 1/16 − sin t/16 > 3/4.
+    // The contact is early by at most the tolerance divided by the speed cos t − 1/16 − sin t/16 > 3/4.
     EXPECT_LE(events[0].time, low + 1e-15);
     EXPECT_GE(events[0].time, low - contact_tolerance / 0.75);
     EXPECT_EQ(events[0].kind, EventKind::impact);
@@ -182,8 +184,8 @@ TEST(PolyhedronSimulation, BallsMeetBallsAndPlanesAsInASceneWithoutPolyhedra) {
     const std::vector<Event> found = events_of(scene, 8);
     ASSERT_EQ(expected.size(), 8U);
     ASSERT_EQ(found.size(), 8U);
-    // A contact is early by up to 2⁻³⁰ radii, at 1/2 m/s or more. Each impact enlarges a difference by 1 + 2 l/R ≤ 8,
-    // for paths of l ≤ 1 m. Each body has two or three of the 8 impacts in a row, so differences stay below 2⁻³⁰ 8⁴.
+    // A contact is early by up to 2⁻³⁰ radii, at 1/2 m/s or more. Each impact multiplies the difference of the two runs
+    // by at most 8. A body takes part in two or three of the 8 impacts, so differences stay below 2⁻³⁰ 8⁴.
     const double tolerance = 0x1p-18;
     for (std::size_t k = 0; k < found.size(); ++k) {
       EXPECT_EQ(found[k].a.body, expected[k].a.body) << k;
@@ -338,10 +340,9 @@ std::pair<std::string, std::string> who(const Scene& scene, const Event& event) 
   return event.b && b < a ? std::pair(b, a) : std::pair(a, b);
 }
 
-/// The tolerance for two runs that round differently. Their gaps at a contact differ by up to 2⁻³⁰ radii of 1/2. At
-/// 1/16 m/s or more (except for grazing contacts), the times differ by 2⁻²⁷ s. An impact enlarges a difference by 32 or
-/// more (path over lever arm, times the speed of a corner). So only early events are compared, of which each body has
-/// two or three in a row.
+/// The tolerance for two runs that round differently. At a contact, their gaps differ by up to 2⁻³⁰ radii of 1/2 m. At
+/// 1/16 m/s or more (except for grazing contacts), their times differ by 2⁻²⁷ s. Each impact multiplies a difference by
+/// 32 or more. So only the first events are compared, and each body takes part in two or three of them.
 constexpr std::size_t early_events = 8;
 constexpr double early_tolerance = 0x1p-14;
 
@@ -411,7 +412,7 @@ TEST(PolyhedronSimulation, TurnsWithTheScene) {
   }
 }
 
-/// All numbers of the run are multiplied by powers of two, and round in the same way.
+/// The change of units multiplies all numbers of the run by powers of two, so they round in the same way.
 TEST(PolyhedronSimulation, IsTheSameInEveryUnitOfLength) {
   Scene scene = box_of_bodies(Law::frictionless, with_restitution(0.75), 2, 1, 3, false);
   scene.gravity = {0, 0, -g};
@@ -486,8 +487,9 @@ TEST(PolyhedronSimulation, RefusesAnOverlapByBothNames) {
       << refusal_of(scene);
 }
 
-/// A small ball (mass m) between two walls (mass M) that approach at the speed V. The n-th impact leaves the ball at 2
-/// n V. The walls slow down only after √(M/m)/4 impacts or more, all within the contact tolerance.
+/// A small ball of mass m bounces between two walls of mass M that approach each other, each at the speed V. The n-th
+/// impact leaves the ball at the speed 2 n V. The walls slow down only after √(M/m)/4 impacts or more. All of them are
+/// at one instant, because the gaps are within the contact tolerance.
 TEST(PolyhedronSimulation, EndsWhereImpactsAtOneInstantDoNot) {
   Scene scene = empty_scene(Law::frictionless, elastic, 1);
   const double nearly = 0.25 * contact_tolerance * 0x1p-4;
@@ -533,8 +535,8 @@ TEST(PolyhedronSimulation, TellsEventsInOrderOfTime) {
   }
 }
 
-/// Equal bodies at equal heights, and equally far from the origin, because the error of a position is proportional to
-/// this distance.
+/// Equal bodies fall from equal heights. They are equally far from the origin, because the error of a position is
+/// proportional to this distance.
 TEST(PolyhedronSimulation, TakesOfEqualTimesTheLowerBodiesFirst) {
   Scene scene = over_a_floor(unit_cube, {3, 0, 2}, 1);
   for (const Vector& position : {Vector(-3, 0, 2), Vector(0, 3, 2), Vector(0, -3, 2)}) {
@@ -579,25 +581,25 @@ TEST(PolyhedronSimulation, KeepsSlenderBodiesOfAllSizesInTheirRoom) {
       }
     }
     EXPECT_GT(count, 10);
-    // The needle's lever arms are accurate to an ulp of its length, not of its thickness. With moments of ratio 10⁶,
-    // 2⁻⁵² becomes 10⁻¹⁰ in the worst case. In practice 10⁻¹² holds.
+    // The needle's lever arms are accurate to an ulp of its length, not of its thickness. The ratio of its moments,
+    // 10⁶, can enlarge this error of 2⁻⁵² to 10⁻¹⁰. In practice 10⁻¹² holds.
     EXPECT_NEAR(totals_of(simulation.state()).energy, energy, 1e-12 * energy);
   }
 }
 
-/// The body rotates by 320 rad before it lands, and its state is stored every 8 rad. The ball around it overlaps the
-/// floor.
+/// The body rotates by 320 rad before it lands, and its state is stored every 8 rad. Its bounding sphere overlaps the
+/// floor all the time.
 TEST(PolyhedronSimulation, FollowsABodyThatTurnsForLong) {
   Scene scene = empty_scene(Law::frictionless, elastic, 60);
   add_plane(scene, {0, 0, 1}, {0, 0, 0});
   add_polyhedron(scene, centred_box({2, 0.5, 0.25}), {0, 0, 0.625}, {0, 0, -0x1p-6}, {0, 0, 10});
   const std::vector<Event> events = events_of(scene, 5);
   ASSERT_EQ(events.size(), 1U);
-  // Half a metre at 1/64 m/s, minus a tolerance.
+  // The body falls half a metre at 1/64 m/s, minus a tolerance.
   EXPECT_LE(events[0].time, 32);
   EXPECT_GE(events[0].time, 32 - 64 * 1.1 * contact_tolerance);
   EXPECT_NEAR(events[0].a.after.path.velocity.z(), 0x1p-6, 1e-9);
-  // Each rad is accurate to 10⁻¹⁵, and the state is stored forty times.
+  // Each radian adds an error of 10⁻¹⁵ or less, and the state is stored forty times.
   const double angle = 10 * events[0].time;
   const Matrix3<double> axes = unit::matrix_of(events[0].a.orientation);
   EXPECT_NEAR((axes * Vector(1, 0, 0)).dot(Vector(0, 0, 1)), 0, 1e-12);
@@ -626,8 +628,8 @@ double height_of(const Scene& scene, const Event& event) {
   return least;
 }
 
-/// In a rotation about the intermediate axis, an error grows by a factor of e per radian. Without renewals, the
-/// orientation is unknown after 55 radians.
+/// The box rotates about its intermediate axis, so errors grow by a factor of e^0.48 per radian at first. Without
+/// renewals, a rounding error of 2⁻⁵³ exceeds the contact tolerance, 2⁻³⁰, after 34 rad: e^(0.48 · 34) > 2²³.
 TEST(PolyhedronSimulation, StrikesWhereItTouchesHoweverUnstablyItTurns) {
   for (const double rate : {10.0, 30.0, 50.0, 100.0}) {
     Scene scene = empty_scene(Law::frictionless, elastic, 2);
@@ -641,7 +643,8 @@ TEST(PolyhedronSimulation, StrikesWhereItTouchesHoweverUnstablyItTurns) {
   }
 }
 
-/// A body that would lie at rest hops as long as the run lasts. Hops must not halve the distance from the floor.
+/// A body that would lie at rest hops as long as the run lasts. At each impact, its gap to the floor must be at least a
+/// quarter of the contact tolerance.
 TEST(PolyhedronSimulation, HopsOnAndOn) {
   Scene scene = empty_scene(Law::frictionless, {0.5, 0, 0, 0, 0}, 1);
   scene.gravity = {0, 0, -g};
@@ -658,7 +661,8 @@ TEST(PolyhedronSimulation, HopsOnAndOn) {
 }
 
 /// Two rotating tetrahedra slide along each other with ε = 0, and parts of a face and an edge touch. They separate
-/// along a direction that rotates with neither body. A search without this direction collides forever.
+/// along a direction that rotates with neither body (`way_out` in time_of_contact.cpp). A search without this direction
+/// finds contacts at the same instant without end.
 TEST(PolyhedronSimulation, FindsAWayOutForFacesThatSlide) {
   Scene scene = empty_scene(Law::rough, {0, 0.3, 0, 0, 0}, 0.0625);
   const auto add = [&](double half_edge, const Vector& position, const Quaternion<double>& orientation,
@@ -696,13 +700,13 @@ TEST(PolyhedronSimulation, EndsAtItsDurationWhereNothingMeets) {
   PolyhedronSimulation simulation(scene);
   run_through_renewals(simulation);
   EXPECT_EQ(simulation.time(), 7);
-  // Both rotate by √14 · 7 = 26.2 rad.
+  // Each polyhedron rotates by √14 · 7 = 26.2 rad.
   EXPECT_EQ(simulation.counts().renewals, 6U);
   EXPECT_EQ(simulation.counts().events, 6U);
   EXPECT_EQ(simulation.advance(), nullptr);
   const Totals totals = totals_of(simulation.state());
   const Totals first = totals_of(PolyhedronSimulation(scene).state());
-  // Positions are about 240 m down, and energies differ by an ulp or two of such terms.
+  // The bodies fall about 240 m, and energies differ by an ulp or two of m g · 240 m.
   EXPECT_NEAR(totals.energy, first.energy, 1e-12 * 8 * g * 240);
 }
 

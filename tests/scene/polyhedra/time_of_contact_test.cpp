@@ -72,8 +72,8 @@ TEST(TimeOfContact, OfATurningCubeIsThatOfItsEdge) {
   const FreeFlight ball = resting({1, 0, 0, 0}, {1.5, 0, 0});
   const TimeOfContact found = time_of_contact(pair, ball, turning, 0, 10, contact_tolerance);
   ASSERT_EQ(found.status, ContactStatus::touches);
-  // The face rotated by φ is at the distance 1.5 cos φ − 1 from the ball's centre, as long as the foot 1.5 sin φ lies
-  // on the face, below 1. The ball's radius is 1/4, so cos φ = 5/6.
+  // The face rotated by φ is at the distance 1.5 cos φ − 1 from the ball's centre, as long as the foot of the
+  // perpendicular, at 1.5 sin φ, lies on the face: 1.5 sin φ < 1. The ball's radius is 1/4, so cos φ = 5/6.
   EXPECT_NEAR(found.time, std::acos(5.0 / 6) / 2, 2 * contact_tolerance);
 }
 
@@ -166,7 +166,7 @@ TEST(TimeOfContact, IsNeverPastTheContactOfAnyBodies) {
   }
 }
 
-/// The height of the lowest corner is computed at all earlier times.
+/// At 100 earlier times, the lowest corner must be above the contact tolerance.
 TEST(TimeOfContact, OfTumblingBodiesAndAFloorIsTheirFirst) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     properties::Stream stream = properties::stream_from(seed);
@@ -213,7 +213,7 @@ TEST(TimeOfContact, TellsCrossingEdgesApart) {
   }
 }
 
-/// After an impact, bodies are within the tolerance and separate.
+/// After an impact, bodies are within the tolerance and separate. This is not a contact.
 TEST(TimeOfContact, IsNotThatOfAnImpactJustOver) {
   const ConvexShape cube = convex_shape(unit::body_of(unit::box_points({1, 1, 1})));
   for (const double speed : {1e-6, 1e-3, 1.0}) {
@@ -222,7 +222,7 @@ TEST(TimeOfContact, IsNotThatOfAnImpactJustOver) {
     motion.acceleration = {0, 0, -10};
     const TimeOfContact found = time_of_contact(cube, motion, floor_at_0, 0, 2, contact_tolerance);
     ASSERT_EQ(found.status, ContactStatus::touches) << speed;
-    // Up and down again. The contact is after the top of the hop.
+    // The cube hops. The contact is on the way down.
     EXPECT_LE(found.time, speed / 5 * (1 + 1e-4) + 1e-9 / speed) << speed;
     EXPECT_GE(found.time, speed / 10 * 0.99) << speed;
   }
@@ -262,7 +262,8 @@ TEST(TimeOfContact, DoesNotDependOnWhereTheMotionsStart) {
       ++touching;
       EXPECT_GT(true_distance(m, found.time), 0) << "seed " << seed;
       EXPECT_LE(true_distance(m, found.time), 1.01 * contact_tolerance) << "seed " << seed;
-      // Both times are within a tolerance, at speeds of at least 1/100 m/s except for grazing contacts.
+      // At each of the two times, the gap is within the tolerance. Except for grazing contacts, it closes at 1/100 m/s
+      // or more.
       EXPECT_NEAR(found.time, expected.time, 100 * contact_tolerance) << "seed " << seed;
     }
     // A later begin of the search gives the same result.
@@ -286,7 +287,7 @@ TEST(TimeOfContact, OfAFloorDoesNotDependOnWhereTheMotionStarts) {
     const TimeOfContact found =
         time_of_contact(flight.shape, told, floor_at_0, start + 0.0625, told.end(), contact_tolerance);
     ASSERT_EQ(found.status, ContactStatus::touches) << "seed " << seed;
-    // Two tolerances at about 8 m/s.
+    // The gaps at the two times differ by at most a tolerance, and the speed is about 8 m/s.
     EXPECT_NEAR(found.time, expected.time, contact_tolerance) << "seed " << seed;
   }
 }
@@ -320,7 +321,7 @@ TEST(TimeOfContact, OpensWhatSlidesAlongAnEdgeAndRises) {
 }
 
 /// After an impact, edges touch along a part of themselves, and the bodies rotate apart. Neither a face's normal nor
-/// the normal of both edges shows that the gap opens. If the search misses this, tumbling bodies touch forever.
+/// the normal of both edges shows that the gap opens. A search that misses this finds the same contact forever.
 TEST(TimeOfContact, OfBodiesJustStruckApartIsALaterOne) {
   int struck = 0;
   for (std::uint64_t seed = 0; seed < 80; ++seed) {

@@ -126,7 +126,7 @@ TEST(ValidPolyhedra, RefusesWhatTouchesWhateverItTouches) {
   struct Case {
     std::string begins;
     std::function<void(Scene&)> touch;
-    std::function<void(Scene&)> part;  // by a billionth of a radius, after `touch`
+    std::function<void(Scene&)> part;  // moves the bodies apart by a billionth of a radius, after `touch`
   };
   const std::vector<Case> cases{
       {"polyhedra[0]: polyhedron 0 (body 0) may overlap plane 0 (plane 0): 0 m is the computed gap, with a rounding "
