@@ -8,7 +8,7 @@
 namespace carom::properties::diagnosis {
 
 /// The number of violated cases that a hint needs. A property that at most half of all violated cases have is seen in
-/// each of five with a probability of at most 2⁻⁵, and in each of four with more than 1/20.
+/// each of five with a probability of at most 2⁻⁵ < 1/20. For four, the bound is 1/16.
 inline constexpr std::uint64_t least_violated = 5;
 
 /// A bound of the probability that at least `found` of `drawn` cases lie in a part, if they are drawn by chance from

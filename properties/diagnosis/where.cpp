@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <carom/oracles/judge/yardstick.hpp>
 #include <carom/properties/diagnosis/evidence.hpp>
 #include <carom/properties/diagnosis/where.hpp>
 #include <carom/properties/features/quantities.hpp>
@@ -68,9 +69,10 @@ constexpr std::array most_left_out{0.05, 0.2};
 /// A condition must exclude this fraction of the other cases.
 constexpr double least_taken_away = 0.3;
 
-/// The usual cause of violations if the quantity is large; empty if none is known.
-const char* usual_cause_if_large(const ComparedQuantity& quantity) {
-  if (quantity.name != ratio_of_moments) {
+/// The usual cause of violations if the quantity is at least `limit`; empty if none is known. With moments of the ratio
+/// ρ, a matrix J⁻¹ in world axes has errors of ρ ulps of its least entry. The judge permits 32 ulps.
+const char* usual_cause_from(double limit, const ComparedQuantity& quantity) {
+  if (quantity.name != ratio_of_moments || limit < oracles::default_limit_ulps) {
     return "";
   }
   return "the inverse inertia: J⁻¹ as a matrix in world axes loses digits of the smaller 1/I; divide "
@@ -198,7 +200,7 @@ class Sample {
         });
         add(fmt::format("{} is at most {:.2g}", quantities[q].name, std::pow(10, highest)), Plainness::size, below);
         add(fmt::format("{} is at least {:.2g}", quantities[q].name, std::pow(10, lowest)), Plainness::size, above,
-            usual_cause_if_large(quantities[q]));
+            usual_cause_from(std::pow(10, lowest), quantities[q]));
       }
     }
   }
@@ -225,7 +227,7 @@ class Sample {
   std::vector<Literal> approaches_;
 };
 
-/// The greatest probability that some condition is found by chance: at most five more searches follow the first one.
+/// The greatest probability that one search finds a condition by chance. A subject has at most six searches.
 constexpr double greatest_chance = 1e-3;
 
 /// Whether the part is at least nine tenths of the whole.
@@ -303,6 +305,9 @@ Where where_violated(const GateReport& report, const Violations& violations) {
     if (!where.conditions.empty() || is_nearly_all(where.violated_there, where.cases_there)) {
       break;
     }
+  }
+  if (where.violated < least_violated) {
+    where.conditions.clear();
   }
   return where;
 }

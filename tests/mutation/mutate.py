@@ -226,6 +226,8 @@ def main():
     parser.add_argument("--share-alone", action="store_true", help="for a new sample: a survivor need not be named")
     options = parser.parse_args()
     found, places = drawn(options.seed, options.count)
+    if unknown := set(options.only or []) - set(places):
+        parser.error(f"--only: the sample has no change {', '.join(map(str, sorted(unknown)))}")
     if options.list:
         print("\n".join(f"{number:4} {place.lines[-1]:4} {place.name}" for number, place in places.items()))
         return 0

@@ -78,6 +78,7 @@ double contrast_with_white(const char* colour) {
 
 /// A README is about 830 pixels wide.
 TEST_F(Chart, TextIsReadableAtTheWidthOfAReadme) {
+  int texts = 0;
   for (const auto& entry : std::filesystem::directory_iterator(out())) {
     if (entry.path().extension() != ".svg") {
       continue;
@@ -95,14 +96,16 @@ TEST_F(Chart, TextIsReadableAtTheWidthOfAReadme) {
       const std::string where = entry.path().string() + ": " + found.node().text().get();
       EXPECT_GE(style.attribute("font-size").as_double() * 830 / width, 10) << where;
       EXPECT_GE(contrast_with_white(style.attribute("fill").value()), 4.5) << where;
+      ++texts;
     }
   }
+  EXPECT_GT(texts, 100);
 }
 
 TEST_F(Chart, NamesLinesAtTheirEnds) {
   pugi::xml_document document;
   ASSERT_TRUE(document.load_file((out() / "stability-reflection-tangential_velocity.svg").c_str()));
-  for (const char* name : {"reflection-in-basis-double", "1 that stay below the limit"}) {
+  for (const char* name : {"reflection-in-basis-double", "1 method that stays below the limit"}) {
     EXPECT_TRUE(document.select_node((std::string("//*[local-name()='text'][.='") + name + "']").c_str())) << name;
   }
 }
@@ -200,6 +203,20 @@ TEST(ChartUsage, AMethodThatIsNotThereIsNamed) {
   EXPECT_EQ(run.exit_status, 2);
   EXPECT_NE(run.errors.find("no-such-method"), std::string::npos) << run.errors;
   EXPECT_NE(run.errors.find("reflection-double"), std::string::npos) << run.errors;
+}
+
+TEST(ChartUsage, IfGnuplotWritesNoPictureTheDataAreThere) {
+  const TemporaryDirectory directory;
+  const std::string gnuplot =
+      directory.write("gnuplot", "#!/bin/sh\nfor last; do :; done\necho '<svg/>' > $(basename $last .gp).svg\n");
+  std::filesystem::permissions(gnuplot, std::filesystem::perms::owner_all);
+  const std::string out = (directory.path() / "out").string();
+  const RunResult run =
+      run_program("/usr/bin/env", {"PATH=" + directory.path().string() + ":/usr/bin:/bin", carom_program(), "chart",
+                                   "frictionless-double", "--cases", "2", "--repetitions", "1", "--out", out});
+  EXPECT_EQ(run.exit_status, 2);
+  EXPECT_NE(run.errors.find("gnuplot wrote no picture"), std::string::npos) << run.errors;
+  EXPECT_TRUE(std::filesystem::exists(out + "/chart.json"));
 }
 
 TEST(ChartUsage, WithoutGnuplotTheDataAreThereAndTheErrorSaysWhatIsMissing) {

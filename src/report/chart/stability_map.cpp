@@ -78,7 +78,8 @@ Plot stability_map(const SweepMeasurement& sweep, Law law, double limit_ulps) {
   }
   if (!staying.empty()) {
     names.push_back(staying[staying.size() / 2]);
-    names.back().text = fmt::format("{} that stay below the limit", staying.size());
+    names.back().text = staying.size() == 1 ? "1 method that stays below the limit"
+                                            : fmt::format("{} methods that stay below the limit", staying.size());
   }
   picture.name_ends(names, panel);
   picture.write(

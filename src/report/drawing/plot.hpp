@@ -69,7 +69,7 @@ class Plot {
   /// Writes placed labels on white. A line joins a label to its place if the two are apart.
   void write(const std::vector<Label>& labels, double letter);
   /// Writes the names of lines in a column to the right of a diagram, each beside the end of its line. A thin line
-  /// joins a name to its end. Returns the left end of the lowest name. Call it before the curves.
+  /// joins a name to its end. Returns the left end of the lowest name. Call it before end().
   Pixel name_ends(std::vector<Label> names, const Panel& panel);
   /// Adds a curve or marks through points, in the gnuplot style `with`. Each point has two numbers (x and y) or four
   /// (the two ends of an arrow). Without points, it adds nothing.

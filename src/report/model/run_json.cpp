@@ -288,6 +288,17 @@ void family_fields(A& archive, const std::string& family, Is<FamilyResult> auto&
   archive.detail("skipped", result.skipped);
   archive.detail("not_judged", result.unjudged);
   archive("violated", result.violated);
+  if constexpr (A::reads) {
+    std::vector<std::uint64_t> parts{result.skipped, result.violated};
+    parts.insert(parts.end(), result.unjudged.begin(), result.unjudged.end());
+    std::uint64_t rest = result.cases;
+    for (const std::uint64_t part : parts) {
+      if (part > rest) {
+        archive.record.at("cases").fail("at least the sum of the skipped, not judged and violated cases");
+      }
+      rest -= part;
+    }
+  }
 }
 
 template <class A>

@@ -106,7 +106,7 @@ int run_program(int argc, char** argv, const std::vector<void (*)(CLI::App&, Cho
   } catch (const std::bad_alloc&) {
     std::fputs(out_of_memory, stderr);
   } catch (const std::system_error& error) {
-    if (error.code() == std::errc::broken_pipe) {
+    if (std::ferror(stdout) != 0 && error.code() == std::errc::broken_pipe) {
       end_by_closed_pipe();
     }
     complain((std::ferror(stdout) != 0 ? "standard output: " : "") + std::string(error.what()));

@@ -31,7 +31,7 @@ void add_badge(CLI::App& app, Chosen& chosen);
 void add_replay(CLI::App& app, Chosen& chosen);
 
 /// Runs a program with these commands and returns its exit status, even if a command throws. Errors are reported on
-/// standard error.
+/// standard error. If the reader of standard output is gone, the function ends the program by SIGPIPE.
 [[nodiscard]] int run_program(int argc, char** argv, const std::vector<void (*)(CLI::App&, Chosen&)>& commands);
 
 }  // namespace carom::tool

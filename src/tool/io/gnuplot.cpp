@@ -15,8 +15,12 @@ namespace {
 /// In a dark page the picture is dark too: light and dark change places, and the hues stay.
 void add_dark_style(const std::filesystem::path& svg) {
   std::string text = content_of_file(svg.string());
+  const std::size_t begin = text.find("<g ");
+  if (begin == std::string::npos) {
+    throw UsageError(fmt::format("{}: gnuplot wrote no picture into this file", svg.string()));
+  }
   text.insert(
-      text.find("<g "),
+      begin,
       "<style>@media (prefers-color-scheme: dark) { svg { filter: invert(0.93) hue-rotate(180deg) } }</style>\n");
   write_file(svg, text);
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -11,20 +13,21 @@
 namespace carom::properties::diagnosis {
 namespace {
 
-/// The diagnosis of a built-in subject that a gate with these options rejects.
-Diagnosis diagnosis_of(const std::string& subject, GateOptions options, const std::vector<const char*>& families) {
+/// The diagnosis of a subject that a gate with these options rejects.
+Diagnosis diagnosis_of(const Subject& subject, GateOptions options, const std::vector<const char*>& families) {
   options.shrinks = false;
   for (const char* name : families) {
     options.families.push_back(family_named(name));
   }
-  const GateReport report = run_gate({subjects::subject_named(subject).value()}, options);
+  const GateReport report = run_gate({subject}, options);
   return diagnose_all(report).at(0);
 }
 
 TEST(Diagnosis, OfASingleViolatedCaseSaysThatItIsTooFewForAHint) {
   GateOptions options;
   options.fail_fast = true;
-  const Diagnosis diagnosis = diagnosis_of("reflection-in-basis-double", options, {"structured", "near_head_on"});
+  const Diagnosis diagnosis = diagnosis_of(subjects::subject_named("reflection-in-basis-double").value(), options,
+                                           {"structured", "near_head_on"});
   EXPECT_EQ(diagnosis.violated, 1U);
   EXPECT_EQ(
       diagnosis.what,
@@ -38,12 +41,37 @@ TEST(Diagnosis, OfASingleViolatedCaseSaysThatItIsTooFewForAHint) {
 TEST(Diagnosis, OfSlenderBodiesNamesTheInverseInertiaInWorldAxes) {
   GateOptions options;
   options.cases = 200;
-  const Diagnosis slender = diagnosis_of("frictionless-world-double", options, {"physical", "structured"});
+  const Diagnosis slender =
+      diagnosis_of(subjects::subject_named("frictionless-world-double").value(), options, {"physical", "structured"});
   EXPECT_NE(slender.where.find("If a body's greatest moment over its least is at least "), std::string::npos)
       << slender.where;
   EXPECT_TRUE(slender.look_at.starts_with("the inverse inertia: J⁻¹ as a matrix in world axes ")) << slender.look_at;
-  const Diagnosis others = diagnosis_of("reflection-in-basis-double", options, {"near_head_on", "head_on"});
+  const Diagnosis others =
+      diagnosis_of(subjects::subject_named("reflection-in-basis-double").value(), options, {"near_head_on", "head_on"});
   EXPECT_EQ(others.look_at.find("world axes"), std::string::npos) << others.look_at;
+}
+
+/// A's spin changes by 5 % too much if A's moments differ by more than 1 : 3. These are no lost digits.
+TEST(Diagnosis, OfAWrongFormulaForSomeInertiasDoesNotNameLostDigits) {
+  Subject subject = subjects::subject_named("frictionless-double").value();
+  subject.open = [sound = subject.open] {
+    return Session([session = sound()](std::span<const Collision> collisions) mutable {
+      std::vector<Answer> answers = session(collisions);
+      for (std::size_t i = 0; i < answers.size(); ++i) {
+        const Body& a = collisions[i].a;
+        auto* outcome = std::get_if<ReportedOutcome>(&answers[i]);
+        if (outcome != nullptr && a.principal_inertia.maxCoeff() > 3 * a.principal_inertia.minCoeff()) {
+          outcome->a.angular_velocity += 0.05L * (outcome->a.angular_velocity - a.angular_velocity.cast<long double>());
+        }
+      }
+      return answers;
+    });
+  };
+  GateOptions options;
+  options.cases = 200;
+  const Diagnosis diagnosis = diagnosis_of(subject, options, {"physical"});
+  EXPECT_NE(diagnosis.where.find("greatest moment over its least is at least "), std::string::npos) << diagnosis.where;
+  EXPECT_EQ(diagnosis.look_at.find("world axes"), std::string::npos) << diagnosis.look_at;
 }
 
 }  // namespace

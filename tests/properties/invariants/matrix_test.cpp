@@ -140,11 +140,14 @@ TEST(ShownMatrix, IsPrintedBesideItsTranspose) {
   const Solved one = solved("physical", 3, *subjects::subject_named("reflection-double"));
   const Matrix c = asymmetric(one);
   const Verdict verdict = verdict_of("matrix_used", one, c, true);
-  const auto sides = [](long double x, long double y, long double z) {
-    return std::vector{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
-  };
-  EXPECT_EQ(verdict.left, sides(c(2, 1), c(0, 2), c(1, 0)));
-  EXPECT_EQ(verdict.right, sides(c(1, 2), c(2, 0), c(0, 1)));
+  const Vector left(c(2, 1), c(0, 2), c(1, 0));
+  const Vector right(c(1, 2), c(2, 0), c(0, 1));
+  ASSERT_EQ(verdict.left.size(), 3U);
+  ASSERT_EQ(verdict.right.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {  // printed numbers are rounded to binary64
+    EXPECT_DOUBLE_EQ(verdict.left[i], static_cast<double>(left[static_cast<Eigen::Index>(i)]));
+    EXPECT_DOUBLE_EQ(verdict.right[i], static_cast<double>(right[static_cast<Eigen::Index>(i)]));
+  }
 }
 
 /// C changes, but C F does not.

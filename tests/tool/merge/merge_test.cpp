@@ -217,6 +217,8 @@ TEST_F(Merge, NamesFileAndPlaceOfWhatIsWrong) {
        }},
       {"/cases_of_each_family: expected", [](json& r) { r["cases_of_each_family"] = nullptr; }},
       {"/families/0/name: expected", [](json& r) { r["families"][0]["name"] = "no_such"; }},
+      {"/subjects/1/families/0/cases: expected at least the sum",
+       [](json& r) { r["subjects"][1]["families"][0]["skipped"] = r["subjects"][1]["families"][0]["cases"]; }},
       {"/subjects/0/model: expected", [](json& r) { r["subjects"][0]["model"] = "no_such"; }},
       {"/subjects/1/violations/0/invariant: expected",
        [](json& r) { r["subjects"][1]["violations"][0]["invariant"] = "../../etc"; }},
