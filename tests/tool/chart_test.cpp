@@ -207,8 +207,9 @@ TEST(ChartUsage, AMethodThatIsNotThereIsNamed) {
 
 TEST(ChartUsage, IfGnuplotWritesNoPictureTheDataAreThere) {
   const TemporaryDirectory directory;
+  // carom runs: gnuplot -e "cd 'DIRECTORY'" gnuplot/NAME.gp
   const std::string gnuplot =
-      directory.write("gnuplot", "#!/bin/sh\nfor last; do :; done\necho '<svg/>' > $(basename $last .gp).svg\n");
+      directory.write("gnuplot", "#!/bin/sh\neval \"$2\"\necho '<svg/>' > $(basename $3 .gp).svg\n");
   std::filesystem::permissions(gnuplot, std::filesystem::perms::owner_all);
   const std::string out = (directory.path() / "out").string();
   const RunResult run =
