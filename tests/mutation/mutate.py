@@ -2,12 +2,8 @@
 # SPDX-License-Identifier: BSL-1.0
 """Changes one operator, sign, number, comparison or term of the judge at a time, and checks that a test fails.
 
-The copy of the sources is build-mutation. In it, each drawn change is behind a switch (change.hpp). The tests of
-tests.txt run once for each change, with CAROM_MUTANT=NUMBER set. A test detects the change if it fails, crashes or
-takes too long. Code that is evaluated at compile time (static_assert, if constexpr, template arguments,
-enumerators) is not changed. A change that does not compile is dropped, and the reason is printed. The exit status
-is 1 in three cases: fewer than 92 of 100 changes are detected, more than 5 of 100 are dropped, or a survivor is
-missing in docs/internals/mutation.md.
+docs/internals/mutation.md explains the method. The exit status is 1 in three cases: fewer than 92 of 100 changes are
+noticed, more than 5 of 100 do not compile, or the page does not name a survivor.
 """
 import argparse
 import collections
@@ -208,8 +204,8 @@ def noticed_by(number):
     """The first test that detects the change; empty if none does."""
     for program, tests in TESTS:
         run = subprocess.run([*LIMITS, WORK / "build/tests" / program, f"--gtest_filter={tests}", "--gtest_fail_fast",
-                              "--gtest_brief=1"], env={**os.environ, "CAROM_EFFORT": "0.15", "CAROM_MUTANT": str(number)},
-                             text=True, errors="replace", capture_output=True)
+                              "--gtest_brief=1"], env={**os.environ, "CAROM_MUTANT": str(number)}, text=True,
+                             errors="replace", capture_output=True)
         if run.returncode != 0:
             failed = re.search(r"\[  FAILED  \] ([^,\s]+)", run.stdout)
             return f"{program}: {failed.group(1) if failed else f'ends in {run.returncode}'}"
