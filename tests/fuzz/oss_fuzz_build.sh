@@ -11,6 +11,7 @@ flags=${CXXFLAGS:-}
 flags=${flags//-stdlib=libc++/}
 
 # Targets run on machines without the shared libraries, which are copied beside them.
+# shellcheck disable=SC2016 # $ORIGIN is the loader's
 cmake -S "$source" -B "$WORK/carom" -G Ninja -Wno-dev -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS="$flags" \
   -DCAROM_BUILD_FUZZERS=ON -DCAROM_BUILD_TESTS=OFF -DCAROM_UNITY=ON -DCAROM_WARNINGS_AS_ERRORS=OFF \
   -DCMAKE_BUILD_RPATH='$ORIGIN/lib'
