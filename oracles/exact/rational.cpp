@@ -82,13 +82,11 @@ int sign_of(const Rational& number) { return mpq_sgn(Rational::Number::of(number
 
 RootBelow root_below(const Rational& number) {
   CAROM_EXPECTS(number >= 0, number);
-  // √(n/d) = √(n d 4^k) / (d 2^k). The integer root of a number of `least_bits` bits has a relative error below 2⁻¹⁶⁰.
-  constexpr std::size_t least_bits = 322;
+  // √(n/d) = √(n d 4^k) / (d 2^k). The integer root exceeds 2^k, so its relative error is below 2^−k.
   const CGAL::Gmpq& x = Rational::Number::of(number);
   const CGAL::Gmpz product = x.numerator() * x.denominator();
   const bool is_exact = mpz_perfect_square_p(product.mpz()) != 0;
-  const std::size_t bits = mpz_sizeinbase(product.mpz(), 2);
-  const mp_bitcnt_t k = is_exact || bits >= least_bits ? 0 : (least_bits - bits + 1) / 2;
+  const mp_bitcnt_t k = is_exact ? 0 : 160;
   CGAL::Gmpz shifted;
   mpz_mul_2exp(shifted.mpz(), product.mpz(), 2 * k);
   CGAL::Gmpz root;

@@ -41,9 +41,14 @@ bool is_known_to_six_digits(const Enclosure& x) {
   return x.is_exactly_zero() || x.radius() < bounded_case_bounds::known_radius_of_normal_velocity * x.magnitude_below();
 }
 
-double norm_below(const Vector3<Approximation>& y) {
-  return std::sqrt(y[0].magnitude_below() * y[0].magnitude_below() + y[1].magnitude_below() * y[1].magnitude_below() +
-                   y[2].magnitude_below() * y[2].magnitude_below());
+/// The Frobenius norm of the lower bounds of the entries.
+template <int Columns>
+double norm_below(const Eigen::Matrix<Approximation, 3, Columns>& of) {
+  double squares = 0;
+  for (const Approximation& entry : of.reshaped()) {
+    squares += entry.magnitude_below() * entry.magnitude_below();
+  }
+  return std::sqrt(squares);
 }
 
 }  // namespace
@@ -153,19 +158,13 @@ const Enclosure& BoundedCase::enclosed_inverse_mass() const {
 double BoundedCase::collision_matrix_sensitivity_below() const {
   CAROM_EXPECTS(is_moderate());
   return collision_matrix_sensitivity_below_.get([this] {
-    double squares = 0;
-    for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) {
-        squares += collision_matrix()(i, j).magnitude_below() * collision_matrix()(i, j).magnitude_below();
-      }
-    }
     double largest_terms = 0;
     for (const Body* body : {&collision_.a, &collision_.b}) {
       if (!body->immovable) {
         largest_terms += lever_arm(*body, collision_.point).squaredNorm() / body->principal_inertia.minCoeff();
       }
     }
-    const double norm = std::sqrt(squares);
+    const double norm = norm_below(collision_matrix());
     const double lambda = approximate_inverse_mass().magnitude_below();
     return norm >= bounded_case_bounds::least_share_of_largest_terms * largest_terms ? std::max(norm, lambda) / 2
                                                                                      : lambda / 2;

@@ -14,11 +14,6 @@ inline constexpr double known_share_of_normal_velocity = 0x1p-28;
 /// The limit for an `Enclosure` of N·V⁻, as the ratio of its radius to its size.
 inline constexpr double known_radius_of_normal_velocity = 0x1p-20;
 
-/// `ExactCase::is_grazing` compares |v̂| with α Ŝ, for the allowance α and the computed sensitivity Ŝ of N·V⁻. The
-/// exact sensitivity is at most S. Ŝ and S as computed have relative errors below a quarter. So |v̂| > α Ŝ if |v̂|
-/// exceeds 2 α times the computed S.
-inline constexpr double factor_for_grazing = 2;
-
 /// A lower bound of the sensitivity Q = Σ_q ‖∂K/∂q‖ ‖q‖ of the collision matrix K. Q̂ is Q as the judge computes it in
 /// binary64, and T is the sum of ‖r‖² / min I over the movable bodies:
 ///

@@ -37,9 +37,9 @@ inline constexpr double noise_of_energy_slope = 0x1p-40;
 inline constexpr double share_for_noise = 0x1p-21;
 
 /// The least size σ_k of (6).
-inline constexpr double least_size = 0x1p-500;
+inline constexpr double least_size = 0x1p-620;
 
 /// The least Σ_k ŝ_k σ_k that closeness accepts for the energy, because (6) does not apply to its slopes.
-inline constexpr double least_scale_of_energy = 0x1p-800;
+inline constexpr double least_scale_of_energy = 0x1p-899;
 
 }  // namespace carom::oracles::closeness_bounds

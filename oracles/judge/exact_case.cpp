@@ -5,7 +5,6 @@
 #include <utility>
 
 #include <carom/collision/expects.hpp>
-#include <carom/oracles/filters/bounded_case_bounds.hpp>
 #include <carom/oracles/filters/definiteness_bounds.hpp>
 #include <carom/oracles/judge/exact_case.hpp>
 #include <carom/oracles/laws/certify.hpp>
@@ -104,10 +103,6 @@ bool ExactCase::is_grazing(double allowance) const {
   const PermittedInputs* permitted = permitted_inputs(allowance);
   if (permitted != nullptr && permitted->normal_velocity().contains(0)) {
     return true;
-  }
-  if (bounds_.is_moderate() && std::abs(normal_velocity().value) > bounded_case_bounds::factor_for_grazing * allowance *
-                                                                       bounds_.normal_velocity_sensitivity_above()) {
-    return false;
   }
   return std::abs(normal_velocity().value) <= allowance * normal_velocity_sensitivity();
 }

@@ -136,16 +136,15 @@ PermittedInputs::RoughParts PermittedInputs::rough_parts() const {
 
 VectorBall PermittedInputs::rough(const Vector3<double>& impulse) const {
   const RoughParts parts = rough_parts();
-  const ScalarBall approach_share = ScalarBall{1, 0} + restitution_;
+  const VectorBall along = (ScalarBall{1, 0} + restitution_) * parts.stops_approach;
   const Vector3<double>& d = parts.difference.centre;
-  const Vector3<double> friction = impulse - approach_share.centre * parts.stops_approach.centre;
+  const Vector3<double> friction = impulse - along.centre;
   const double length = norm_of(d);
   const double share = length > 0 ? friction.dot(d / length) / length : 0;
   const double least = std::min(std::max(whole_share_.least(), 0.0), parts.least_share);
   const double largest = std::min(whole_share_.largest(), parts.largest_share);
   const double change = std::max({largest - share, share - least, 0.0});
-  return {impulse,
-          (approach_share * parts.stops_approach).radius + largest * parts.difference.radius + change * length};
+  return {impulse, along.radius + largest * parts.difference.radius + change * length};
 }
 
 VectorBall PermittedInputs::impulses(const Vector3<double>& impulse, Law law, Branch branch) const {

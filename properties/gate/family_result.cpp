@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
+#include <numeric>
 
 #include <carom/properties/gate/family_result.hpp>
 
@@ -10,6 +11,10 @@ Count& Count::operator+=(const Count& other) {
   violated += other.violated;
   skipped += other.skipped;
   return *this;
+}
+
+std::uint64_t FamilyResult::judged() const {
+  return cases - skipped - std::accumulate(unjudged.begin(), unjudged.end(), std::uint64_t{0});
 }
 
 void FamilyResult::keep_if_worst(const std::string& invariant, const WorstViolation& violation) {

@@ -18,6 +18,8 @@ struct Count {
   std::uint64_t violated = 0;
   std::uint64_t skipped = 0;
 
+  [[nodiscard]] std::uint64_t judged() const { return holds + violated; }
+
   Count& operator+=(const Count& other);
 };
 
@@ -55,6 +57,9 @@ struct FamilyResult {
   // show that the answers are wrong.
   std::vector<ViolatedCase> first_violated;
   std::vector<ViolatedCase> first_violated_by_relations;
+
+  /// The number of cases that are neither skipped nor unjudged.
+  [[nodiscard]] std::uint64_t judged() const;
 
   /// Keeps the violation if it is more serious than the stored violation of the invariant.
   void keep_if_worst(const std::string& invariant, const WorstViolation& violation);

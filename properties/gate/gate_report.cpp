@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include <carom/properties/gate/gate_report.hpp>
 
@@ -74,9 +73,7 @@ Count SubjectResult::count(const std::string& invariant) const {
   for (const FamilyResult& family : families) {
     const auto found = family.counts.find(invariant);
     if (found != family.counts.end()) {
-      sum.holds += found->second.holds;
-      sum.violated += found->second.violated;
-      sum.skipped += found->second.skipped;
+      sum += found->second;
     }
   }
   return sum;
@@ -101,13 +98,11 @@ std::string why_not_judged(const SubjectResult& result, const std::vector<const 
     if (family.cases == 0) {
       return "no case of the family " + std::string(families[f]->name) + " was judged";
     }
-    const std::uint64_t judged =
-        family.cases - std::accumulate(family.unjudged.begin(), family.unjudged.end(), std::uint64_t{0});
     const bool is_of_valid = coverage[f].invalid < coverage[f].cases;
-    if (is_of_valid && judged > 0 && family.skipped >= judged) {
+    if (is_of_valid && family.skipped > 0 && family.judged() == 0) {
       return "every case of the family " + std::string(families[f]->name) + " was skipped";
     }
-    valid += is_of_valid ? judged : 0;
+    valid += is_of_valid ? family.judged() + family.skipped : 0;
     skipped_of_valid += is_of_valid ? family.skipped : 0;
   }
   constexpr std::uint64_t one_in = 10;  // at most this share of the cases may be skipped

@@ -93,7 +93,7 @@ void SubjectTally::name_counts() {
   for (std::size_t f = 0; f < counts.size(); ++f) {
     for (std::size_t i = 0; i < counts[f].size(); ++i) {
       const Count& count = counts[f][i];
-      if (count.holds + count.violated + count.skipped > 0) {
+      if (count.judged() + count.skipped > 0) {
         families[f].counts[std::string(all_invariants()[i].name)] += count;
       }
     }

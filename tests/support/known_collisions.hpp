@@ -51,11 +51,12 @@ struct KnownCollision {
 
 [[nodiscard]] inline std::vector<KnownCollision> known_collisions() {
   std::vector<KnownCollision> all{
-      {"plain", plain_collision()},         {"much_friction", plain_collision()}, {"no_friction", plain_collision()},
-      {"b_immovable", plain_collision()},   {"a_immovable", plain_collision()},   {"far", plain_collision()},
-      {"farther", plain_collision()},       {"separating", plain_collision()},    {"needles", plain_collision()},
-      {"spheres", known_spheres()},         {"head_on", known_spheres()},         {"grazing", grazing_collision(-1)},
-      {"just_apart", grazing_collision(1)}, {"huge", plain_collision()},          {"unlike", plain_collision()}};
+      {"plain", plain_collision()},           {"much_friction", plain_collision()}, {"no_friction", plain_collision()},
+      {"b_immovable", plain_collision()},     {"a_immovable", plain_collision()},   {"far", plain_collision()},
+      {"farther", plain_collision()},         {"separating", plain_collision()},    {"needles", plain_collision()},
+      {"spheres", known_spheres()},           {"head_on", known_spheres()},         {"grazing", grazing_collision(-1)},
+      {"just_apart", grazing_collision(1)},   {"huge", plain_collision()},          {"unlike", plain_collision()},
+      {"spins_about_normal", known_spheres()}};
   const auto named = [&](const char* name) -> Collision& {
     for (KnownCollision& one : all) {
       if (one.name == name) {
@@ -90,6 +91,7 @@ struct KnownCollision {
   named("unlike").b.mass *= 0x1p+30;
   named("unlike").b.principal_inertia *= 0x1p+36;
   named("unlike").b.position *= 8;
+  named("spins_about_normal").a.angular_velocity = 512 * named("spins_about_normal").normal;
   return all;
 }
 

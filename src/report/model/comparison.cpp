@@ -151,10 +151,10 @@ std::optional<Change> change_of(const Count& before, const Count& now) {
     if (before.violated > 0) {
       return Change::known;
     }
-    return judged(before) > 0 ? Change::newly_violated : Change::violated_unknown;
+    return before.judged() > 0 ? Change::newly_violated : Change::violated_unknown;
   }
   if (before.violated > 0) {
-    return judged(now) > 0 ? Change::fixed : Change::no_longer_judged;
+    return now.judged() > 0 ? Change::fixed : Change::no_longer_judged;
   }
   return std::nullopt;
 }

@@ -7,7 +7,6 @@
 #include <carom/report/model/comparison_record.hpp>
 #include <carom/report/model/comparison_words.hpp>
 #include <carom/report/model/version.hpp>
-#include <carom/report/model/words.hpp>
 
 namespace carom::report {
 namespace {
@@ -43,7 +42,7 @@ json violations_record(const Comparison& comparison, std::initializer_list<Chang
                         {"invariant", violation.invariant},
                         {"family", violation.family},
                         {"counts", subject.counts},
-                        {"judged_before", judged(violation.before) > 0},
+                        {"judged_before", violation.before.judged() > 0},
                         {"before", count_record(violation.before)},
                         {"now", count_record(violation.now)}});
       }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 #include <chrono>
-#include <numeric>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -32,11 +31,6 @@ std::string in_tenths(const std::optional<double>& number) {
 std::string in_words(const Digits& digits) {
   return digits.p50 ? fmt::format("{} / {} / {}", in_tenths(digits.p50), in_tenths(digits.p99), in_tenths(digits.worst))
                     : no_number;
-}
-
-std::uint64_t judged(const properties::FamilyResult& family) {
-  return family.cases - family.skipped -
-         std::accumulate(family.unjudged.begin(), family.unjudged.end(), std::uint64_t{0});
 }
 
 std::string limit_in_words(const oracles::Yardstick& yardstick) {
@@ -88,7 +82,7 @@ std::string worst_in_words(const JudgedSubject& subject) {
 }
 
 std::string violated_of_judged(const properties::Count& count) {
-  return fmt::format("{} of {}", count.violated, judged(count));
+  return fmt::format("{} of {}", count.violated, count.judged());
 }
 
 std::string violated_of_judged_cases(const properties::Count& count) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,12 +12,6 @@ namespace carom::report {
 
 /// A third party's text, as one line that is safe to print.
 [[nodiscard]] std::string shown(const std::string& text);
-
-/// The number of cases in which the invariant held or was violated.
-[[nodiscard]] inline std::uint64_t judged(const properties::Count& count) { return count.holds + count.violated; }
-
-/// The number of the family's cases that were posed and judged.
-[[nodiscard]] std::uint64_t judged(const properties::FamilyResult& family);
 
 /// "32 ulps" or "8 digits".
 [[nodiscard]] std::string limit_in_words(const oracles::Yardstick& yardstick);

@@ -26,7 +26,7 @@ std::string families_in_words(const Run& run, const SubjectResult& result) {
   for (std::size_t f = 0; f < result.families.size(); ++f) {
     const properties::FamilyResult& family = result.families[f];
     if (family.violated > 0) {
-      shares.push_back({f, (100 * family.violated + judged(family) - 1) / judged(family)});
+      shares.push_back({f, (100 * family.violated + family.judged() - 1) / family.judged()});
     }
   }
   std::stable_sort(shares.begin(), shares.end(), [](const Share& x, const Share& y) { return x.percent > y.percent; });

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <carom/report/document/markup.hpp>
-#include <carom/report/model/words.hpp>
 #include <carom/report/pages/parts.hpp>
 
 namespace carom::report {
@@ -173,12 +172,12 @@ Document deviations_part(const Run& run) {
 }
 
 std::string boundary_in_words(const FamilyResult& family) {
-  if (judged(family) == 0) {
+  if (family.judged() == 0) {
     return no_number;
   }
   return family.boundary
-             ? fmt::format("from {:.2g}: {} of {}", family.boundary->quantity, family.violated, judged(family))
-             : fmt::format("nowhere, of {}", judged(family));
+             ? fmt::format("from {:.2g}: {} of {}", family.boundary->quantity, family.violated, family.judged())
+             : fmt::format("nowhere, of {}", family.judged());
 }
 
 Document beyond_domain_part(const Run& run, Subjects which) {

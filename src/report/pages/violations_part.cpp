@@ -31,7 +31,7 @@ Cell family_cell(const Run& run, std::size_t s, std::size_t f, const std::string
   const SubjectResult& result = run.subjects[s].result;
   const FamilyResult& family = result.families[f];
   const auto count = family.counts.find(invariant);
-  if (count == family.counts.end() || judged(count->second) == 0) {
+  if (count == family.counts.end() || count->second.judged() == 0) {
     return Cell("○", "nothing");
   }
   if (count->second.violated == 0) {

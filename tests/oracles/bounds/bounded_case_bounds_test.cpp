@@ -28,12 +28,6 @@ TEST(BoundedCase, KnowANormalVelocityToSixDigits) {
   EXPECT_TRUE(covers(ten_to_minus_6, bounded_case_bounds::known_radius_of_normal_velocity + u, 1.1));
 }
 
-/// The grazing band compares two sums of 30 terms, with eight roundings each.
-TEST(BoundedCase, LeaveRoomForTheRoundingOfTheGrazingBand) {
-  constexpr double roundings = 30 + 8;
-  EXPECT_GE(bounded_case_bounds::factor_for_grazing * (1 - roundings * u), 1 + roundings * u);
-}
-
 template <class S, class Convert>
 BasicCollision<oracles::Dual<S, 8>> with_inertia_as_inputs(BasicCollision<oracles::Dual<S, 8>> c,
                                                            const Convert& convert) {

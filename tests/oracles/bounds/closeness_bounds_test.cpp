@@ -95,8 +95,9 @@ TEST(ClosenessBounds, SetAsideMoreThanIsLost) {
 
 /// (6).
 TEST(ClosenessBounds, LeaveAScaleThatTheJudgeTakes) {
-  EXPECT_GE(oracles::least_slope_of_moderate * closeness::least_size, oracles::smallest_scale);
-  EXPECT_GE(closeness::least_scale_of_energy * (1 - 2 * closeness::share_for_noise), oracles::smallest_scale);
+  EXPECT_EQ(oracles::least_slope_of_moderate * closeness::least_size, oracles::smallest_scale);
+  EXPECT_TRUE(
+      covers(closeness::least_scale_of_energy, oracles::smallest_scale / (1 - 2 * closeness::share_for_noise), 2));
   EXPECT_LE(oracles::largest_scale_of_moderate, oracles::largest_scale);
 }
 

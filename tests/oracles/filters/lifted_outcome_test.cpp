@@ -23,5 +23,18 @@ TEST(LiftedOutcome, IsModerateIfEachNumberIs) {
   }
 }
 
+TEST(LiftedOutcome, IsExactlyRoundedIfEachNumberIsADouble) {
+  EXPECT_TRUE(LiftedOutcome(ReportedOutcome{}).is_exactly_rounded());
+  for (const OutcomeVector k : all_outcome_vectors) {
+    for (int i = 0; i < 3; ++i) {
+      ReportedOutcome reported;
+      (*vectors(reported)[k])[i] = 1 + 0x1p-52L;
+      EXPECT_TRUE(LiftedOutcome(reported).is_exactly_rounded()) << i;
+      (*vectors(reported)[k])[i] += 0x1p-60L;
+      EXPECT_FALSE(LiftedOutcome(reported).is_exactly_rounded()) << i;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace carom::oracles

@@ -281,9 +281,10 @@ TEST(PermittedInputs, AreAskedForWhereABodySpinsAboutTheNormal) {
   c.point = {0, 0, 0.5};
   c.a.velocity = {0, 0, -1};
   c.b.immovable = true;
-  for (const double spin : {0x1p+3, 0x1p+9}) {
+  // ‖N‖ ‖w‖ ‖r‖ = ‖w‖ / 2 against 32 times the sensitivity, ‖V⁻‖ + ‖v‖ = 2.
+  for (const double spin : {96.0, 160.0}) {
     c.a.angular_velocity = {0, 0, spin};
-    EXPECT_EQ(ExactCase(c).permitted_inputs(0x1p-48) != nullptr, spin > 256) << spin;
+    EXPECT_EQ(ExactCase(c).permitted_inputs(0x1p-48) != nullptr, spin / 2 > 64) << spin;
   }
 }
 
@@ -424,6 +425,23 @@ TEST(Range, AnAllowanceThatOverflowsDecidesNothing) {
     EXPECT_TRUE(decided());
     yardstick.limit_ulps = 1e16;
     EXPECT_FALSE(decided()) << filtered;
+  }
+}
+
+/// The momentum m v lies beyond binary64, although m and v do not.
+TEST(Range, AScaleBeyondBinary64DecidesNothing) {
+  Collision c;
+  c.a.mass = 0x1p1000;
+  c.a.velocity = {0, -0x1p60, 0};
+  ReportedOutcome outcome;
+  outcome.a.velocity = {0, 0x1p60L, 0};
+  Yardstick yardstick;
+  yardstick.unit_roundoff = unit_roundoff(Precision::binary64);
+  for (const bool filtered : {true, false}) {
+    yardstick.filtered = filtered;
+    EXPECT_FALSE(compare(equation::LinearMomentum{}, Relation::equal, ExactCase(c), LiftedOutcome(outcome), yardstick)
+                     .is_decided)
+        << filtered;
   }
 }
 

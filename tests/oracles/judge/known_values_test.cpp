@@ -78,22 +78,72 @@ std::vector<Asked> asked_equations() {
   return all;
 }
 
-/// The residual and the permitted residual of each equation for three outcomes: moved far, far in the opposite
-/// direction, and a little.
-void add_comparisons(const KnownCollision& known, double allowance, std::vector<KnownLine>& lines) {
-  const ExactCase exact_case(known.collision);
-  for (const double times : {1.0, -1.0, 0x1p-12}) {
-    const LiftedOutcome outcome(moved(known.collision, times));
-    KnownLine line{name_of_line(known, allowance, "equations by " + std::to_string(times)), {}};
-    for (const Asked& asked : asked_equations()) {
-      if ((asked.needs_a && known.collision.a.immovable) || (asked.needs_b && known.collision.b.immovable)) {
-        continue;
-      }
-      const Comparison result = compare(asked.equation, asked.relation, exact_case, outcome, yardstick_of(allowance));
-      line.numbers.insert(line.numbers.end(), {result.is_decided ? 1.0 : 0.0, result.residual, result.allowed});
+/// The residual and the permitted residual of each equation.
+KnownLine comparisons(const std::string& name, const Collision& collision, double times, const Yardstick& yardstick) {
+  const ExactCase exact_case(collision);
+  const LiftedOutcome outcome(moved(collision, times));
+  KnownLine line{name, {}};
+  for (const Asked& asked : asked_equations()) {
+    if ((asked.needs_a && collision.a.immovable) || (asked.needs_b && collision.b.immovable)) {
+      continue;
     }
-    lines.push_back(std::move(line));
+    const Comparison result = compare(asked.equation, asked.relation, exact_case, outcome, yardstick);
+    line.numbers.insert(line.numbers.end(), {result.is_decided ? 1.0 : 0.0, result.residual, result.allowed});
   }
+  return line;
+}
+
+/// For three outcomes: moved far, far in the opposite direction, and a little.
+void add_comparisons(const KnownCollision& known, double allowance, std::vector<KnownLine>& lines) {
+  for (const double times : {1.0, -1.0, 0x1p-12}) {
+    lines.push_back(comparisons(name_of_line(known, allowance, "equations by " + std::to_string(times)),
+                                known.collision, times, yardstick_of(allowance)));
+  }
+}
+
+/// As if outputs underflowed at a quarter of the unit of velocity.
+void add_underflow(const KnownCollision& known, std::vector<KnownLine>& lines) {
+  Yardstick yardstick = yardstick_of(0x1p-19);
+  yardstick.least_size = 0.25;
+  lines.push_back(comparisons(known.name + ", equations with underflow", known.collision, 1, yardstick));
+}
+
+/// Counts the allowances at which each fact holds. A limit that moves by a fifth changes a count.
+void add_facts(const KnownCollision& known, std::vector<KnownLine>& lines) {
+  const ExactCase exact_case(known.collision);
+  double grazing = 0;
+  double permitted = 0;
+  PerLaw<double> two_answers{};
+  PerLaw<double> open{};
+  for (int i = 4; i < 4 * 52; ++i) {
+    const double allowance = std::exp2(-i / 4.0);
+    grazing += exact_case.is_grazing(allowance) ? 1 : 0;
+    permitted += exact_case.permitted_inputs(allowance) != nullptr ? 1 : 0;
+    for (const Law law : laws_with_truth) {
+      two_answers[law] += exact_case.has_two_answers(law, allowance) ? 1 : 0;
+      open[law] += exact_case.is_open(law, allowance) ? 1 : 0;
+    }
+  }
+  KnownLine line{known.name + ", facts", {grazing, permitted}};
+  for (const Law law : laws_with_truth) {
+    line.numbers.insert(line.numbers.end(), {two_answers[law], open[law]});
+  }
+  lines.push_back(std::move(line));
+}
+
+/// The bounds that let the filters decide.
+void add_bounds(const KnownCollision& known, std::vector<KnownLine>& lines) {
+  const ExactCase exact_case(known.collision);
+  const BoundedCase& bounds = exact_case.bounds();
+  KnownLine line{known.name + ", bounds", {bounds.normal_velocity_sensitivity_above()}};
+  append(line.numbers, bounds.norms_before());
+  if (bounds.is_moderate()) {
+    line.numbers.push_back(bounds.collision_matrix_sensitivity_below());
+    for (const Law law : laws_with_truth) {
+      append(line.numbers, bounds.colliding_sensitivity_below(law, exact_case.branch(law)));
+    }
+  }
+  lines.push_back(std::move(line));
 }
 
 void add_accuracies(const KnownCollision& known, double allowance, std::vector<KnownLine>& lines) {
@@ -152,6 +202,9 @@ TEST(KnownValues, OfTheJudge) {
   std::vector<KnownLine> lines;
   for (const KnownCollision& known : unit::known_collisions()) {
     add_truths(known, lines);
+    add_bounds(known, lines);
+    add_facts(known, lines);
+    add_underflow(known, lines);
     for (const double allowance : allowances) {
       add_comparisons(known, allowance, lines);
       add_accuracies(known, allowance, lines);

@@ -281,7 +281,7 @@ TEST(Sensitivity, IsNoneWhereRoundingsGrowTooMuch) {
   c.a.position = {1, 2, -1};
   c.a.velocity = {0.25, -1, 0.5};
   c.b.immovable = true;
-  for (const int exponent : {-60, -76, -92, -100}) {
+  for (const int exponent : {-60, -80, -81, -100}) {
     c.a.principal_inertia = {1, std::ldexp(1.0, exponent), 1};
     EXPECT_EQ(enclosed_sensitivity(c, Law::reflection, Branch::only, true).has_value(), growth(c) <= 0x1p+83)
         << exponent;

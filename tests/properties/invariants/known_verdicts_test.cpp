@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <array>
+#include <cmath>
+#include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -82,6 +86,50 @@ ExactAnswer right_answer(const Collision& c, Law law) {
   reported.collision_matrix = exact_case.collision_matrix().unaryExpr(
       [](const oracles::Rational& x) { return static_cast<long double>(oracles::nearest_double(x)); });
   return oracles::LiftedOutcome(reported);
+}
+
+/// Adds 2⁻¹⁰ times velocities that no impulse gives.
+ExactAnswer nearly_right_answer(const Collision& c, Law law) {
+  ExactAnswer answer = right_answer(c, law);
+  if (const auto* right = std::get_if<oracles::LiftedOutcome>(&answer)) {
+    ReportedOutcome reported{*right->reported()};
+    const std::array<Vector3<long double>, 4> by{Vector3<long double>{5, 16, -3}, {2, -7, 1}, {-6, -11, 4}, {8, 3, -1}};
+    for (const OutcomeVector k : all_outcome_vectors) {
+      *vectors(reported)[k] += 0x1p-10L * by[static_cast<std::size_t>(k)];
+    }
+    reported.collision_matrix = *right->collision_matrix()->reported() + 0x1p-10L * Matrix3<long double>::Ones();
+    return oracles::LiftedOutcome(reported);
+  }
+  return answer;
+}
+
+/// Counts the allowances at which each invariant has each status. A limit that moves by a factor of √2 changes a
+/// count.
+TEST(KnownValues, OfTheAllowancesAtWhichVerdictsChange) {
+  std::vector<KnownLine> lines;
+  for (const KnownCollision& known : unit::known_collisions()) {
+    if (known.name != "plain" && known.name != "grazing" && known.name != "spins_about_normal") {
+      continue;
+    }
+    const JudgedCase judged_case({known.collision, true});
+    std::map<std::string_view, std::map<Status, int>> counts;
+    for (int i = 2; i < 34; ++i) {
+      const Claim claim = whole_claim(Law::rough, std::exp2(-i / 2.0) / oracles::default_limit_ulps);
+      const auto solve = [&](const Collision& c) { return nearly_right_answer(c, Law::rough); };
+      for (const NamedVerdict& named : try_case(judged_case, claim, solve).verdicts) {
+        ++counts[named.invariant->name][named.verdict.status];
+      }
+    }
+    KnownLine line{known.name, {}};
+    for (auto& [name, of_status] : counts) {
+      line.name += ' ' + std::string(name);
+      for (const Status status : {Status::holds, Status::violated, Status::skipped}) {
+        line.numbers.push_back(of_status[status]);
+      }
+    }
+    lines.push_back(std::move(line));
+  }
+  unit::expect_known_lines(CAROM_KNOWN_ALLOWANCES, lines);
 }
 
 /// There are either verdicts or a reason why there are none.

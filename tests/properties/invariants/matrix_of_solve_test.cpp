@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <span>
+#include <variant>
+
+#include <gtest/gtest.h>
+
+#include <carom/oracles/judge/exact_case.hpp>
+#include <carom/subjects/catalogue.hpp>
+
+#include "support/cases.hpp"
+
+namespace carom::properties {
+namespace {
+
+/// A built-in solver that shows its matrix shows it in every colliding case.
+TEST(ShownMatrix, IsThatOfTheSolve) {
+  for (const Subject& subject : subjects::built_in_subjects()) {
+    int shown = 0;
+    int changed = 0;
+    Session session = subject.open();
+    for (std::uint64_t i = 0; i < 20; ++i) {
+      const Collision collision = unit::case_of("sliding", i).collision;
+      shown += std::get<ReportedOutcome>(session(std::span(&collision, 1)).at(0)).collision_matrix ? 1 : 0;
+      changed += oracles::ExactCase(collision).approach() == oracles::Approach::colliding ? 1 : 0;
+    }
+    EXPECT_GT(changed, 5);
+    EXPECT_EQ(shown, subject.shows_collision_matrix ? changed : 0) << subject.name;
+    const bool forms_none = subject.law == Law::frictionless || subject.name.find("-batch-") != std::string::npos;
+    EXPECT_EQ(subject.shows_collision_matrix, !forms_none) << subject.name;
+  }
+}
+
+/// Without friction, `coulomb` needs no matrix.
+TEST(ShownMatrix, IsNoneWhereTheSolveFormsNone) {
+  const Subject subject = *subjects::subject_named("coulomb-double");
+  Case one = unit::case_of("sliding", 0);
+  Session session = subject.open();
+  one.collision.friction = 0.5;
+  EXPECT_TRUE(std::get<ReportedOutcome>(session(std::span(&one.collision, 1)).at(0)).collision_matrix.has_value());
+  one.collision.friction = 0;
+  EXPECT_FALSE(std::get<ReportedOutcome>(session(std::span(&one.collision, 1)).at(0)).collision_matrix.has_value());
+}
+
+}  // namespace
+}  // namespace carom::properties
