@@ -72,8 +72,8 @@ struct Deviation {
 };
 
 template <class T>
-Deviation<T> deviation_of(const ExactCase& exact_case, Law law, Approach as, const BasicCollision<T>& collision,
-                          const Truth<T>& truth, const Outcome<T>& outcome) {
+Deviation<T> deviation_of(const ExactCase& exact_case, const BasicCollision<T>& collision, const Truth<T>& truth,
+                          const Outcome<T>& outcome) {
   Deviation<T> result;
   Accuracy& accuracy = result.accuracy;
   const auto computed = vectors(outcome);
@@ -95,13 +95,8 @@ Deviation<T> deviation_of(const ExactCase& exact_case, Law law, Approach as, con
       return std::sqrt(twice_energy(exact_case.collision(), of));
     };
     const double norm_of_deviation = energy_norm(deviation);
-    const auto find_norm_of_change = [&] {
-      return energy_norm(
-          map_outcome<double>(minus(truth.outcome, unchanged(collision)), [](const T& x) { return rounded(x); }));
-    };
-    const double norm_of_change = as == exact_case.approach()
-                                      ? exact_case.energy_norm_of_change(law, is_exact<T>, find_norm_of_change)
-                                      : find_norm_of_change();
+    const double norm_of_change = energy_norm(
+        map_outcome<double>(minus(truth.outcome, unchanged(collision)), [](const T& x) { return rounded(x); }));
     const double ratio = norm_of_deviation / norm_of_change;
     // If squares leave the range of numbers, the error counts as infinite.
     const bool is_known = norm_of_deviation > 0 && norm_of_change > 0 && std::isfinite(ratio);
@@ -191,7 +186,7 @@ Accuracy accuracy_as(const ExactCase& exact_case, Law law, Approach as, const Li
   std::optional<Deviation<Enclosure>> enclosed;
   const auto by_enclosures = [&](const Sensitivity& sensitivity) {
     if (!enclosed) {
-      enclosed = deviation_of(exact_case, law, as, exact_case.bounds().enclosed(), exact_case.enclosed_truth(law, as),
+      enclosed = deviation_of(exact_case, exact_case.bounds().enclosed(), exact_case.enclosed_truth(law, as),
                               outcome.enclosed());
     }
     return accuracy_by(*enclosed, sensitivity, yardstick);
@@ -225,7 +220,7 @@ Accuracy accuracy_as(const ExactCase& exact_case, Law law, Approach as, const Li
   }
   count(Stage::rational);
   return exact_case.with_truth(law, as, [&]<class T>(const Truth<T>& truth) {
-    const auto exactly = deviation_of(exact_case, law, as, collision_in<T>(exact_case), truth, outcome_in<T>(outcome));
+    const auto exactly = deviation_of(exact_case, collision_in<T>(exact_case), truth, outcome_in<T>(outcome));
     return with_digits(*accuracy_by(exactly, sensitivity, yardstick));
   });
 }

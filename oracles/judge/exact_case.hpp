@@ -107,14 +107,6 @@ class ExactCase {
   /// Whether K ⪯ bound · I, decided exactly.
   [[nodiscard]] bool is_bounded_by(const Rational& bound) const;
 
-  /// The kinetic-energy norm of the law's change of the velocities, rounded, by `from_truth` on first use. Exact and
-  /// bounded arithmetic (`exactly`) store separate values, because bounds may leave it unknown.
-  template <class FromTruth>
-  [[nodiscard]] double energy_norm_of_change(Law law, bool exactly, const FromTruth& from_truth) const {
-    const OfLaw& of_law = of_law_[law];
-    return (exactly ? of_law.exact_energy_norm_of_change : of_law.bounded_energy_norm_of_change).get(from_truth);
-  }
-
   /// Whether r × N = 0 for each movable body, exactly.
   [[nodiscard]] bool is_collinear() const;
 
@@ -126,8 +118,6 @@ class ExactCase {
     Lazy<Truth<Rational>> truth;
     Lazy<Truth<Radical>> truth_on_cone;
     PerBranch<Lazy<Sensitivity>> colliding_sensitivity;
-    Lazy<double> exact_energy_norm_of_change;
-    Lazy<double> bounded_energy_norm_of_change;
   };
 
   [[nodiscard]] const BoundedCase::NormalVelocity& normal_velocity() const;
