@@ -102,11 +102,11 @@ Rational velocity_before_along(const BasicCollision<Rational>& c, const Vector3<
 
 /// Two vectors that span the plane normal to N.
 std::array<Vector3<Rational>, 2> tangents(const Vector3<Rational>& n) {
-  const int largest =
-      n[0] * n[0] >= n[1] * n[1] ? (n[0] * n[0] >= n[2] * n[2] ? 0 : 2) : (n[1] * n[1] >= n[2] * n[2] ? 1 : 2);
+  Eigen::Index largest = 0;
+  n.cwiseAbs().maxCoeff(&largest);
   std::array<Vector3<Rational>, 2> result;
   for (int k = 0; k < 2; ++k) {
-    const int other = (largest + 1 + k) % 3;
+    const Eigen::Index other = (largest + 1 + k) % 3;
     Vector3<Rational> tangent{0, 0, 0};
     tangent[other] = n[largest];
     tangent[largest] = -n[other];

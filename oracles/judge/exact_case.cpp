@@ -15,10 +15,12 @@ namespace carom::oracles {
 namespace {
 
 bool is_surely_not_zero(const Vector3<Approximation>& v) {
-  return v[0].sign().value_or(0) != 0 || v[1].sign().value_or(0) != 0 || v[2].sign().value_or(0) != 0;
+  return std::any_of(v.begin(), v.end(), [](const Approximation& x) { return x.sign().value_or(0) != 0; });
 }
 
-bool is_zero(const Vector3<Rational>& v) { return v[0] == 0 && v[1] == 0 && v[2] == 0; }
+bool is_zero(const Vector3<Rational>& v) {
+  return std::all_of(v.begin(), v.end(), [](const Rational& x) { return x == 0; });
+}
 
 /// r × N.
 template <class T>

@@ -69,11 +69,8 @@ bool PermittedInputs::first_order_is_blind(const Collision& c, double allowance,
 }
 
 bool PermittedInputs::is_finite() const {
-  bool finite = std::isfinite(relative_velocity_.largest()) && std::isfinite(normal_velocity_.radius);
-  for (const OfBody* of : {&a_, &b_}) {
-    finite = finite && std::isfinite(of->arm.largest());
-  }
-  return finite && std::isfinite(response_at_point(unit_normal_).largest());
+  // The arms and V⁻ enter these radii, so none of them is infinite either.
+  return std::isfinite(normal_velocity_.radius) && std::isfinite(response_at_point(unit_normal_).largest());
 }
 
 /// If a quaternion changes by α of its length, v turns by at most 2 asin(α), and so moves by at most 2 α ‖v‖.

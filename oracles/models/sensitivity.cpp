@@ -282,9 +282,8 @@ using RadicalDual = Dual<Radical, collision_inputs>;
 
 RadicalDual lifted(const RationalDual& x) {
   RadicalDual result(Radical(x.value));
-  for (std::size_t i = 0; i < collision_inputs; ++i) {
-    result.derivative[i] = Radical(x.derivative[i]);
-  }
+  std::transform(x.derivative.begin(), x.derivative.end(), result.derivative.begin(),
+                 [](const Rational& derivative) { return Radical(derivative); });
   return result;
 }
 

@@ -54,7 +54,7 @@ TEST(Definiteness, FollowsFromTheSignsOfTheDiagonalByTheLawOfInertia) {
         for (int i = 0; i < 30; ++i) {
           const ExactMatrix d = diagonal(x * ratio(stream.integer(1, 50), 9), y * ratio(stream.integer(1, 50), 7),
                                          z * ratio(stream.integer(1, 50), 1 << 20));
-          const ExactMatrix m = congruent_to(d, stream);
+          const ExactMatrix m = congruent_to(d, stream) * Rational(1).times_power_of_two(stream.integer(-60, 0));
           EXPECT_EQ(is_positive_definite(m), definite) << unit::to_text(m);
           EXPECT_EQ(is_positive_semidefinite(m), semidefinite) << unit::to_text(m);
           const std::optional<bool> by_enclosures = is_positive_semidefinite(enclosed(m));

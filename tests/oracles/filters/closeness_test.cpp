@@ -240,20 +240,40 @@ TEST(Closeness, LeavesANormalVelocityThatCancelsToOthers) {
   EXPECT_FALSE(closeness.shows(equation::NonPenetration{}));
 }
 
-/// A spin of σ = 2¹⁰ rad/s that the impulse nearly stops. The slope J ŵ must be at least 2⁻¹⁹ J σ, above its noise.
-TEST(Closeness, LeavesAnEnergyWhoseSlopeCancelsToOthers) {
-  Collision c;
-  c.a.angular_velocity = {0x1p10, 0, 0};
+/// Whether closeness shows the energy if the impulse leaves the vector k of body A with the length `along_x`.
+bool shows_energy(const Collision& c, OutcomeVector k, double along_x) {
   const ExactCase exact_case(c);
-  const PerVector<double> error_above{0, 0x1p-60, 0, 0};
-  const auto is_shown = [&](double spin_after) {
-    Outcome<double> after = unchanged(c);
-    after.a.angular_velocity = {spin_after, 0, 0};
-    const LiftedOutcome outcome(map_outcome<long double>(after, [](double x) { return x; }));
-    return Closeness(exact_case.bounds(), Law::frictionless, outcome, error_above, 0x1p-48).shows_energy();
-  };
-  EXPECT_TRUE(is_shown(0x1p-8));
-  EXPECT_FALSE(is_shown(0x1p-10));
+  PerVector<double> error_above{};
+  error_above[k] = 0x1p-60;
+  Outcome<double> after = unchanged(c);
+  *vectors(after)[k] = {along_x, 0, 0};
+  const LiftedOutcome outcome(map_outcome<long double>(after, [](double x) { return x; }));
+  return Closeness(exact_case.bounds(), Law::frictionless, outcome, error_above, 0x1p-48).shows_energy();
+}
+
+/// The impulse nearly stops body A, or leaves it with the velocity of a wall. The slope of the energy must be at least
+/// 2⁻¹⁹ times the sum of the lengths that cancel in it.
+TEST(Closeness, LeavesAnEnergyWhoseSlopeCancelsToOthers) {
+  for (const double unit : {1.0, 0x1p+6, 0x1p-6}) {
+    Collision c;
+    c.a.mass = unit;
+    c.a.principal_inertia.setConstant(unit);
+    Collision spins = c;
+    spins.a.angular_velocity = {0x1p+10, 0, 0};
+    EXPECT_TRUE(shows_energy(spins, OutcomeVector::angular_velocity_of_a, 0x1p-8)) << unit;
+    EXPECT_FALSE(shows_energy(spins, OutcomeVector::angular_velocity_of_a, 0x1p-10)) << unit;
+    Collision slides = c;
+    slides.a.velocity = {0x1p+10, 0, 0};
+    EXPECT_TRUE(shows_energy(slides, OutcomeVector::velocity_of_a, 0x1p-8)) << unit;
+    EXPECT_FALSE(shows_energy(slides, OutcomeVector::velocity_of_a, 0x1p-10)) << unit;
+    // The lengths: 2¹⁰ for A before and after, 2¹⁰ for the wall's velocity, and 2⁹ · 2 for its spin about the arm.
+    slides.b.immovable = true;
+    slides.b.velocity = {0x1p+10, 0, 0};
+    slides.b.position = {0, -2, 0};
+    slides.b.angular_velocity = {0, 0x1p+9, 0};
+    EXPECT_TRUE(shows_energy(slides, OutcomeVector::velocity_of_a, 0x1p+10 + 0x1p-6)) << unit;
+    EXPECT_FALSE(shows_energy(slides, OutcomeVector::velocity_of_a, 0x1p+10 + 0x1p-8)) << unit;
+  }
 }
 
 TEST(Closeness, ShowsNothingThatTheTruthDoesNotSatisfy) {

@@ -11,6 +11,7 @@
 #include <carom/oracles/judge/accuracy.hpp>
 #include <carom/oracles/judge/compare.hpp>
 #include <carom/oracles/judge/coulomb_answers.hpp>
+#include <carom/oracles/models/sensitivity.hpp>
 
 #include "support/known_collisions.hpp"
 
@@ -131,7 +132,7 @@ void add_facts(const KnownCollision& known, std::vector<KnownLine>& lines) {
   lines.push_back(std::move(line));
 }
 
-/// The bounds that let the filters decide.
+/// The bounds that let the filters decide, and the sensitivities that they bound.
 void add_bounds(const KnownCollision& known, std::vector<KnownLine>& lines) {
   const ExactCase exact_case(known.collision);
   const BoundedCase& bounds = exact_case.bounds();
@@ -141,6 +142,9 @@ void add_bounds(const KnownCollision& known, std::vector<KnownLine>& lines) {
     line.numbers.push_back(bounds.collision_matrix_sensitivity_below());
     for (const Law law : laws_with_truth) {
       append(line.numbers, bounds.colliding_sensitivity_below(law, exact_case.branch(law)));
+      if (known.name == "plain" || known.name == "much_friction") {  // exact derivatives take long
+        append(line.numbers, exact_sensitivity(known.collision, law, exact_case.branch(law)));
+      }
     }
   }
   lines.push_back(std::move(line));

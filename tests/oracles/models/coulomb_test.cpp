@@ -21,6 +21,7 @@ TEST(CoulombAnswers, StickWhereFrictionSuffices) {
   const auto answers = coulomb_answers(lift(ball_on_a_plane(0.25)));
   ASSERT_EQ(answers.size(), 1U);
   EXPECT_EQ(answers[0].kind, AnswerKind::sticks);
+  EXPECT_TRUE(answers[0].is_exact());
   EXPECT_TRUE(same(answers[0].truth.impulse, unit::ExactVector(1, 6, 0)));
 }
 
@@ -29,6 +30,7 @@ TEST(CoulombAnswers, SlideWhereItDoesNot) {
   const auto answers = coulomb_answers(lift(ball_on_a_plane(0.125)));
   ASSERT_EQ(answers.size(), 1U);
   EXPECT_EQ(answers[0].kind, AnswerKind::slips);
+  EXPECT_FALSE(answers[0].is_exact());
   EXPECT_TRUE(same(answers[0].truth.impulse, unit::ExactVector(ratio(3, 4), 6, 0)));
 }
 

@@ -303,6 +303,7 @@ TEST(Sensitivity, IsNoneWhereTheDivisorOfFrictionCancels) {
   c.friction = 4.967053818694609e-10;
   c.tangential_restitution = 0.75;
   ASSERT_EQ(ExactCase(c).branch(Law::rough), Branch::on_cone);
+  EXPECT_FALSE(ExactCase(c).is_moderate(Law::rough));
   ASSERT_LT(growth(c), 0x1p+66);
   EXPECT_FALSE(enclosed_sensitivity(c, Law::rough, Branch::on_cone, true));
 }

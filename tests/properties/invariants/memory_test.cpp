@@ -35,6 +35,7 @@ TEST(Memoryless, ShowsBothAnswers) {
   again.a.velocity[2] = 6;
   const Verdict verdict = verdict_of(some_outcome(), again);
   EXPECT_EQ(verdict.status, Status::violated);
+  EXPECT_EQ(verdict.detail, "a.velocity, first answer and repeated answer");
   EXPECT_EQ(verdict.residual, 8);
   EXPECT_EQ(verdict.allowed, 0);
   EXPECT_EQ(verdict.left, (std::vector<double>{1, 0, -2}));
