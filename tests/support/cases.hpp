@@ -10,6 +10,8 @@
 
 #include <carom/properties/families/family.hpp>
 
+#include "effort.hpp"
+
 /// The collisions of the tests. The seeds are fixed, so a failure is reproducible.
 namespace carom::unit {
 
@@ -33,6 +35,11 @@ inline constexpr std::uint64_t seed = 20240607;
     throw std::logic_error("no family has a valid case");
   }
   return cases;
+}
+
+/// The same, with fewer cases of each family if the test is only sampled.
+[[nodiscard]] inline std::vector<std::pair<std::string_view, properties::Case>> sampled_cases(int of_each) {
+  return valid_cases(static_cast<std::uint64_t>(effort(of_each)));
 }
 
 /// A ball of mass 1, radius 1 and three equal moments hits a fixed plane with velocity (−3, −4, 0), ε = 1/2. With

@@ -81,7 +81,7 @@ Outcome<Rational> small_outcome(properties::Stream& stream) {
 /// The assumptions of Closeness: g(y + d) + g(y − d) = 2 g(y), and the truth y satisfies every equation exactly.
 TEST(Closeness, RestsOnLawsThatAreAffineAndSatisfiedByTheTruth) {
   properties::Stream stream = properties::stream_from(41);
-  for (const auto& [family, one] : unit::valid_cases(4)) {
+  for (const auto& [family, one] : unit::sampled_cases(4)) {
     const ExactCase exact_case(one.collision);
     for (const Law law : linear_laws) {
       const Outcome<Rational>& y = exact_case.truth(law).outcome;
@@ -106,7 +106,7 @@ TEST(Closeness, RestsOnAnEnergyThatIsConvex) {
   const auto gain = [](const ExactCase& exact_case, const Outcome<Rational>& y) {
     return residual(equation::Energy{}(exact_case.exact(), y)).front();
   };
-  for (const auto& [family, one] : unit::valid_cases(6)) {
+  for (const auto& [family, one] : unit::sampled_cases(6)) {
     const ExactCase exact_case(one.collision);
     if (exact_case.approach() == Approach::inert) {
       continue;
@@ -142,7 +142,7 @@ PerVector<double> exact_slopes(const OneEquation& equation, const ExactCase& exa
 /// Slopes (norms of derivatives) agree to 2⁻⁴⁰. Slopes with r × N may cancel.
 TEST(Closeness, RestsOnSlopesThatAreKnownToTwelveDigits) {
   int moderate = 0;
-  for (const auto& [family, one] : unit::valid_cases(6)) {
+  for (const auto& [family, one] : unit::sampled_cases(6)) {
     const Collision& c = one.collision;
     const ExactCase exact_case(c);
     if (!exact_case.bounds().is_moderate()) {
@@ -182,7 +182,7 @@ Shown expect_shown_to_hold(double times, double least_shown, properties::Stream&
   yardstick.unit_roundoff = unit_roundoff(Precision::binary64);
   Yardstick exactly = yardstick;
   exactly.filtered = false;
-  for (const auto& [family, one] : unit::valid_cases(8)) {
+  for (const auto& [family, one] : unit::sampled_cases(8)) {
     const ExactCase exact_case(one.collision);
     for (const Law law : laws_with_truth) {
       ReportedOutcome reported =
@@ -217,7 +217,7 @@ Shown expect_shown_to_hold(double times, double least_shown, properties::Stream&
 
 TEST(Closeness, ShowsOnlyWhatHolds) {
   properties::Stream stream = properties::stream_from(43);
-  EXPECT_GT(expect_shown_to_hold(0, 0.95, stream).energies, 100);
+  EXPECT_GT(expect_shown_to_hold(0, 0.95, stream).energies, unit::effort(100));
   expect_shown_to_hold(1, 0.8, stream);
   const Shown beyond = expect_shown_to_hold(4, 0, stream);
   EXPECT_LT(beyond.shown, beyond.laws / 2);

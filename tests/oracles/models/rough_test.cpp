@@ -56,7 +56,7 @@ TEST(Rough, SlidesWhereItDoesNot) {
 /// Inside the cone F = (1 + ε) P_I + (1 + e_t) (P_II − P_I). `truth_by_elimination` shares no formula with the truth.
 TEST(Rough, IsCombinedOfWhatEliminationFinds) {
   int inside = 0;
-  for (const auto& [family, one] : unit::valid_cases(20)) {
+  for (const auto& [family, one] : unit::sampled_cases(20)) {
     const ExactCase exact_case(one.collision);
     if (exact_case.approach() != Approach::colliding || exact_case.branch(Law::rough) != Branch::inside_cone) {
       continue;
@@ -71,14 +71,14 @@ TEST(Rough, IsCombinedOfWhatEliminationFinds) {
     EXPECT_TRUE(same(exact_case.truth(Law::rough).impulse, expected)) << family;
     ++inside;
   }
-  EXPECT_GT(inside, 100);
+  EXPECT_GT(inside, unit::effort(100));
 }
 
 /// A case throws if its truth does not satisfy the law exactly in ℚ(√s).
 TEST(Rough, IsCertifiedOnBothSidesOfTheCone) {
   int on_cone = 0;
   int irrational = 0;
-  for (const auto& [family, one] : unit::valid_cases(40)) {
+  for (const auto& [family, one] : unit::sampled_cases(40)) {
     const ExactCase exact_case(one.collision);
     if (exact_case.approach() != Approach::colliding) {
       continue;
@@ -90,8 +90,8 @@ TEST(Rough, IsCertifiedOnBothSidesOfTheCone) {
       irrational += exact_case.truth_on_cone(Law::rough).impulse[0].is_rational() ? 0 : 1;
     }
   }
-  EXPECT_GT(on_cone, 100);
-  EXPECT_GT(irrational, 100);
+  EXPECT_GT(on_cone, unit::effort(100));
+  EXPECT_GT(irrational, unit::effort(100));
 }
 
 /// Inputs that violate the conditions of `certify_rough` one by one.
@@ -273,7 +273,7 @@ double band_by_forward_differentiation(const Collision& collision) {
 /// required accuracy of a sensitivity is a thousandth.
 TEST(ConeDistance, IsTheSameBothWays) {
   int compared = 0;
-  for (const auto& [family, one] : unit::valid_cases(20)) {
+  for (const auto& [family, one] : unit::sampled_cases(20)) {
     const ExactCase exact_case(one.collision);
     if (exact_case.approach() != Approach::colliding || !exact_case.bounds().is_moderate() ||
         !exact_case.bounds().is_well_conditioned()) {
@@ -293,7 +293,7 @@ TEST(ConeDistance, IsTheSameBothWays) {
     }
     ++compared;
   }
-  EXPECT_GT(compared, 100);
+  EXPECT_GT(compared, unit::effort(100));
 }
 
 TEST(ConeDistance, IsWithinWhereItIsNotKnown) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -27,6 +28,19 @@ TEST(Theorems, ProveInvariantsOfTheLawsThatClaimThem) {
   EXPECT_TRUE(is_proved_of("linear_momentum", Law::coulomb));
   EXPECT_TRUE(is_proved_of("restitution", Law::rough));
   EXPECT_FALSE(is_proved_of("restitution", Law::coulomb));
+}
+
+TEST(Invariants, AreRankedAsCausesFromOneWithoutAGap) {
+  std::vector<int> ranks;
+  for (const Invariant& invariant : all_invariants()) {
+    if (invariant.rank_as_cause != explains_none) {
+      ranks.push_back(invariant.rank_as_cause);
+    }
+  }
+  std::ranges::sort(ranks);
+  for (std::size_t i = 0; i < ranks.size(); ++i) {
+    EXPECT_EQ(ranks[i], static_cast<int>(i) + 1);
+  }
 }
 
 }  // namespace
