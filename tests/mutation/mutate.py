@@ -2,14 +2,14 @@
 # SPDX-License-Identifier: BSL-1.0
 """Changes one operator, sign, number, comparison or term of the judge at a time, and checks that a test fails.
 
-docs/internals/mutation.md explains the method. The exit status is 1 in three cases: fewer than 92 of 100 changes are
-noticed, more than 5 of 100 do not compile, or the page does not name a survivor.
+docs/internals/mutation.md explains the method, and when the exit status is 1.
 """
 import argparse
 import collections
 import concurrent.futures
 import hashlib
 import json
+import math
 import os
 import pathlib
 import re
@@ -128,9 +128,7 @@ def places_in(path, text):
 
 
 def drawn(seed, count):
-    """The number of places, and a numbered sample with one change per place. Editing a line redraws only its own
-    changes.
-    """
+    """The number of places, and a numbered sample, one change per place. Editing a line redraws its own changes only."""
     found, named, rank = [], collections.Counter(), lambda one: hashlib.sha256(f"{seed} {one.name}".encode()).digest()
     for path in sorted(path for folder in MUTATED for path in (ROOT / folder).glob("*.[ch]pp")):
         for changes in places_in(str(path.relative_to(ROOT)), path.read_text()):
@@ -219,7 +217,7 @@ def main():
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="how many changes are tried at a time")
     parser.add_argument("--list", action="store_true", help="print what is drawn, and stop")
     parser.add_argument("--only", type=int, nargs="+", metavar="ID", help="try these of the sample")
-    parser.add_argument("--share-alone", action="store_true", help="for a new sample: a survivor need not be named")
+    parser.add_argument("--share-alone", action="store_true", help="for a random sample: judge its share alone")
     options = parser.parse_args()
     found, places = drawn(options.seed, options.count)
     if unknown := set(options.only or []) - set(places):
@@ -238,11 +236,14 @@ def main():
             print(f"{number:4} {by or 'SURVIVES'}: {places[number].name}", flush=True)
             survivors += [] if by else [number]
     unlisted = [n for n in survivors if places[n].name not in (ROOT / PAGE).read_text()]
-    share = 1 - len(survivors) / max(1, len(tried))
-    print(f"{found} places found, {len(places)} drawn, {len(dropped)} dropped, {len(tried) - len(survivors)} noticed "
-          f"({100 * share:.1f} %), {len(survivors)} survived, of which {PAGE} does not name {unlisted or 'none'}")
-    unlisted = [] if options.share_alone else unlisted
-    return int(bool(unlisted) or share < LEAST_NOTICED or len(dropped) > MOST_DROPPED * len(places))
+    noticed, p = len(tried) - len(survivors), LEAST_NOTICED
+    print(f"{found} places found, {len(places)} drawn, {len(dropped)} dropped, {noticed} noticed "
+          f"({100 * noticed / max(1, len(tried)):.1f} %), {len(survivors)} survived, of which {PAGE} does not name "
+          f"{unlisted or 'none'}")
+    # The probability that a random sample has so few if the share of all changes is p.
+    chance = sum(math.comb(len(tried), k) * p**k * (1 - p)**(len(tried) - k) for k in range(noticed + 1))
+    enough = chance > 0.001 if options.share_alone else noticed >= p * len(tried) and not unlisted
+    return int(not enough or len(dropped) > MOST_DROPPED * len(places))
 
 
 if __name__ == "__main__":
