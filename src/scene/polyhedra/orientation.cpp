@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -44,11 +45,13 @@ int orientation(const Vector3<double>& a, const Vector3<double>& b, const Vector
   const double permanent = std::abs(z[0]) * (std::abs(x[1] * y[2]) + std::abs(x[2] * y[1])) +
                            std::abs(z[1]) * (std::abs(x[2] * y[0]) + std::abs(x[0] * y[2])) +
                            std::abs(z[2]) * (std::abs(x[0] * y[1]) + std::abs(x[1] * y[0]));
+  const double largest = std::max({x.cwiseAbs().maxCoeff(), y.cwiseAbs().maxCoeff(), z.cwiseAbs().maxCoeff()});
   constexpr double unit_roundoff = 0x1p-53;
-  constexpr double relative_error = (7 + 56 * unit_roundoff) * unit_roundoff;
-  // An underflow in a product of two differences costs at most 2⁻¹⁰⁷⁴ times a third difference. It is negligible if the
-  // permanent exceeds 2⁻⁹⁰⁰ and no difference exceeds 2⁷⁵. Otherwise rational numbers decide.
-  if (permanent > 0x1p-900 && permanent < 0x1p200 && std::abs(determinant) > relative_error * permanent) {
+  // Roundings cost at most (7 + 56 u) u times the permanent (Shewchuk 1997). An underflow in a product of two
+  // differences costs at most 2⁻¹⁰⁷⁴ times the third difference. Within these limits, underflow costs less than
+  // 2⁻⁹⁹⁰, which is less than (1 − 56 u) u times the permanent.
+  constexpr double relative_error = 8 * unit_roundoff;
+  if (permanent > 0x1p-900 && largest < 0x1p+75 && std::abs(determinant) > relative_error * permanent) {
     return determinant > 0 ? 1 : -1;
   }
   return exact_orientation(a, b, c, d);
