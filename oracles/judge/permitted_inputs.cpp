@@ -138,7 +138,7 @@ VectorBall PermittedInputs::rough(const Vector3<double>& impulse) const {
   const Vector3<double> friction = impulse - along.centre;
   const double length = norm_of(d);
   const double share = length > 0 ? friction.dot(d / length) / length : 0;
-  const double least = std::min(std::max(whole_share_.least(), 0.0), parts.least_share);
+  const double least = std::min(whole_share_.least(), parts.least_share);
   const double largest = std::min(whole_share_.largest(), parts.largest_share);
   const double change = std::max({largest - share, share - least, 0.0});
   return {impulse, along.radius + largest * parts.difference.radius + change * length};

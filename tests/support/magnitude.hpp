@@ -69,7 +69,11 @@ class Magnitude {
   static void forget() { highest_ever() = -infinity; }
   [[nodiscard]] static double highest() { return highest_ever(); }
 
-  friend Magnitude operator-(Magnitude x) { return x; }
+  friend Magnitude operator-(Magnitude x) {
+    x.is_positive_ = false;
+    x.identity_ = -x.identity_;
+    return x;
+  }
   friend Magnitude operator+(const Magnitude& x, const Magnitude& y) {
     if (x.is_zero() || y.is_zero()) {
       return x.is_zero() ? y : x;
@@ -84,11 +88,12 @@ class Magnitude {
     return sum.noted();
   }
   friend Magnitude operator-(const Magnitude& x, const Magnitude& y) {
-    Magnitude difference = x + y;
-    if (!x.is_zero() && !y.is_zero()) {
-      difference.is_positive_ = false;
-      difference.below_ = unknown;
+    if (x.is_zero() || y.is_zero()) {
+      return x.is_zero() ? -y : x;
     }
+    Magnitude difference = x + y;
+    difference.is_positive_ = false;
+    difference.below_ = unknown;
     return difference;
   }
   friend Magnitude operator*(const Magnitude& x, const Magnitude& y) {

@@ -217,5 +217,15 @@ TEST(ModerateBounds, CoverTheSlopesOfAffineEquations) {
             oracles::least_slope_of_moderate);  // ‖J‖ ≥ max I, and a few roundings
 }
 
+/// Squares of numbers and of their negatives are positive, but −b² is not.
+TEST(Magnitude, HasALowerBoundForASumOfSquaresOnly) {
+  const Magnitude a(3);
+  const Magnitude b(2);
+  EXPECT_FALSE(std::isnan((a * a + b * b).below()));
+  EXPECT_FALSE(std::isnan((a * a + -b * -b).below()));
+  EXPECT_TRUE(std::isnan((a * a + -(b * b)).below()));
+  EXPECT_TRUE(std::isnan((a * a + -b * b).below()));
+}
+
 }  // namespace
 }  // namespace carom::bounds
