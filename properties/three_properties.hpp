@@ -20,7 +20,7 @@
 /// A solver is any callable const Collision& → Outcome<S>, with S float, double or long double. A solver that shows its
 /// collision matrix returns SolvedOutcome<S>. Exact arithmetic checks the answer to a valid collision by the invariants
 /// in `Property::invariants`. The property must hold exactly for some inputs and outputs within 32 units in the last
-/// place of the solver's precision.
+/// place (of the solver's precision) of the given ones.
 ///
 ///     RC_GTEST_PROP(MySolver, NeverPenetrates, (const carom::Collision& collision)) {
 ///       RC_ASSERT(carom::properties::non_penetrating_post_velocity(my_solver, collision));

@@ -18,7 +18,7 @@ constexpr int first_of_f = 12;  // columns 0-2 v_A, 3-5 w_A, 6-8 v_B, 9-11 w_B, 
 using System = std::array<std::array<Rational, unknowns + 1>, unknowns>;  // the last column is the right-hand side
 using Rows3 = std::array<std::array<Rational, 3>, 3>;
 
-/// [x] with [x] y = x × y.
+/// The matrix [x] with [x] y = x × y.
 Rows3 cross_product(const Vector3<Rational>& x) {
   const Rational zero(0);
   return {{{zero, -x[2], x[1]}, {x[2], zero, -x[0]}, {-x[1], x[0], zero}}};

@@ -12,7 +12,8 @@
 namespace carom::oracles {
 namespace {
 
-/// √(from / to), which converts a coefficient of √from into one of √to. Throws std::logic_error if it is irrational.
+/// √(from / to), which converts a coefficient of √from into one of √to. Throws std::logic_error if the root is
+/// irrational.
 Rational change_of_root(const Rational& from, const Rational& to) {
   RootBelow ratio = root_below(from / to);
   if (!ratio.is_exact) {

@@ -39,7 +39,7 @@ class Radical {
   Radical& operator*=(const Radical& other) { return *this = *this * other; }
   Radical& operator/=(const Radical& other) { return *this = *this / other; }
 
-  /// The operators throw std::logic_error if the roots differ by more than a rational factor.
+  /// The operators throw std::logic_error if the ratio of the two roots √s is irrational.
   friend Radical operator+(const Radical& x, const Radical& y);
   friend Radical operator-(const Radical& x, const Radical& y);
   friend Radical operator*(const Radical& x, const Radical& y);
@@ -71,7 +71,7 @@ class Radical {
 /// √x. Precondition: x is rational and not negative.
 [[nodiscard]] inline Radical sqrt(const Radical& x) { return Radical::root_of(x.rational_part()); }
 
-/// A rational with a relative error of at most 2⁻¹⁵⁰.
+/// The number, rounded to a rational with a relative error of at most 2⁻¹⁵⁰.
 [[nodiscard]] Rational approximately(const Radical& number);
 
 /// The number, accurate to one unit in the last place.

@@ -15,11 +15,11 @@
 namespace carom::oracles {
 
 /// An exact rational number, such as any finite floating-point number. It hides a CGAL::Gmpq (gmpq.hpp), because CGAL's
-/// headers take seconds to compile, and its hundred operators would join each overload resolution.
+/// headers take seconds to compile.
 class Rational {
  public:
   Rational();  // zero
-  /// Only an int converts implicitly, because formulas contain 0, 1 and 2. A double would lose its fraction.
+  /// Implicit for int alone, because formulas contain 0, 1 and 2. A plain int parameter would cut a double's fraction.
   template <std::same_as<int> Int>
   Rational(Int whole) : Rational(whole, 1) {}  // NOLINT(google-explicit-constructor)
   /// Precondition: the denominator is not zero.

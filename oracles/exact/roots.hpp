@@ -11,7 +11,7 @@ namespace carom::oracles {
 using Coefficients = std::vector<Rational>;
 
 /// The distinct roots x > 0 of `polynomial` with side(x) > 0, in ascending order. Each has a relative error of at most
-/// 2^−bits. CGAL's algebraic kernel counts them exactly. Preconditions: `polynomial` is not zero; `side` has a
+/// 2^−bits. CGAL's algebraic kernel finds all of them. Preconditions: `polynomial` is not zero; `side` has a
 /// coefficient; bits > 0.
 [[nodiscard]] std::vector<Rational> positive_roots(const Coefficients& polynomial, const Coefficients& side, int bits);
 

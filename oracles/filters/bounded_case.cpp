@@ -22,7 +22,7 @@ double condition_bound(const Matrix3<Approximation>& matrix) {
 }
 
 /// An upper bound of Σ_q ‖∂(N·V⁻)/∂q‖ ‖q‖, and of Σ|t| over the terms t of N·V⁻. The terms are N·v and N·(w × (P − X))
-/// of each body. The product of the 1-norms of two vectors bounds the product of the vectors.
+/// of each body. ‖x‖₁ ‖y‖₁ bounds |x·y| and ‖x × y‖.
 double sum_of_sizes(const Collision& c) {
   const auto size = [](const Vector3<double>& vector) { return vector.lpNorm<1>(); };
   double sum = 0;

@@ -42,32 +42,32 @@ class BoundedCase {
   /// An upper bound of Σ_q ‖∂(N·V⁻)/∂q‖ ‖q‖ over the quantities q (quantities.hpp).
   [[nodiscard]] double normal_velocity_sensitivity_above() const;
 
-  /// ‖y_k⁻‖, a term and so a lower bound of every sensitivity.
+  /// ‖y_k⁻‖. The sensitivity of y_k contains this term, so the term is a lower bound.
   [[nodiscard]] const Sensitivity& norms_before() const;
 
-  /// The norms of an equation's derivatives with respect to the vectors of an outcome, by `differentiate` on first use.
+  /// ‖∂g/∂y_k‖ of an equation g for each k. `differentiate` computes these norms on first use.
   template <class Differentiate>
   [[nodiscard]] const PerVector<double>& slopes(AffineEquation equation, const Differentiate& differentiate) const {
     return slopes_[equation].get(differentiate);
   }
 
-  /// The collision as the input of differentiation.
+  /// The collision in dual numbers, with its quantities.
   [[nodiscard]] const DualInputs<double, collision_inputs>& differentiated() const;
 
   /// The law's answer to a contact that collides, to about 100 bits, with error bounds. Preconditions: those of the
   /// function `colliding_truth` (models.hpp).
   [[nodiscard]] const Truth<Enclosure>& colliding_truth(Law law, Branch branch) const;
 
-  /// A cheap lower bound of the sensitivity of the answer y of `colliding_truth`: ‖y_k⁻‖ + ½ ‖y_k‖. y is homogeneous of
-  /// degree one in the velocities, so the sensitivity's sum over the velocities alone is at least ‖y_k‖ (Euler). The
-  /// factor ½ covers the rounding of this bound and of the sensitivity, which keeps ten digits. Preconditions:
-  /// is_moderate(), and those of `colliding_truth`.
+  /// A cheap lower bound of the sensitivity of y, the answer of `colliding_truth`: ‖y_k⁻‖ + ½ ‖y_k‖. y is homogeneous
+  /// of degree one in the velocities q, so Σ_q ‖∂y_k/∂q‖ ‖q‖ over the velocities is at least ‖y_k‖ (Euler). The factor
+  /// ½ covers the rounding of this bound and of the sensitivity. Preconditions: is_moderate(), and those of
+  /// `colliding_truth`.
   [[nodiscard]] const Sensitivity& colliding_sensitivity_below(Law law, Branch branch) const;
 
-  /// Whether F by the law `rough` lies inside the friction cone (models.hpp). No value if the bounds do not decide it.
-  /// Precondition: a body is movable.
+  /// Whether the impulse F of the law `rough` lies inside the friction cone (models.hpp). No value if the bounds do not
+  /// decide it. Precondition: a body is movable.
   [[nodiscard]] std::optional<bool> is_inside_cone() const;
-  /// Whether F by the law `rough` can lie on the surface of the cone, with the same precondition.
+  /// Whether some κ > 0 of `rough` (models/rough.hpp) puts F on the cone's surface. Precondition: a body is movable.
   [[nodiscard]] std::optional<bool> reaches_cone() const;
 
   /// Whether the sensitivity of `rough` on the cone's surface is certainly finite. Preconditions: is_moderate(); a body
@@ -84,8 +84,8 @@ class BoundedCase {
   [[nodiscard]] Approximation approximate_inverse_mass() const { return inverse_mass(approximate()); }
   [[nodiscard]] const Enclosure& enclosed_inverse_mass() const;
 
-  /// A lower bound of Σ_q ‖∂K/∂q‖ ‖q‖: half of λ, or half of ‖K‖_F if it exceeds λ and its own rounding errors
-  /// (bounded_case_bounds.hpp). Precondition: is_moderate().
+  /// A lower bound of Σ_q ‖∂K/∂q‖ ‖q‖: the larger of λ/2 and ‖K‖_F/2 if ‖K‖_F exceeds its rounding errors, otherwise
+  /// λ/2 (bounded_case_bounds.hpp). Precondition: is_moderate().
   [[nodiscard]] double collision_matrix_sensitivity_below() const;
 
   /// The inertia tensor of a body in world axes, rounded; zero if the body is immovable.

@@ -6,12 +6,12 @@ namespace carom::oracles::bounded_case_bounds {
 
 /// v̂ is N·V⁻ as computed in binary64. S is at least the sum of the absolute values of the terms of N·V⁻:
 ///
-///   (1) |v̂ − N·V⁻| ≤ n u / (1 − n u) S, with n the number of roundings of a term;
-///   (2) if |v̂| > 2⁻²⁸ S, its relative error is at most 10⁻⁶, and its sign is known.
+///   (1) |v̂ − N·V⁻| ≤ n u / (1 − n u) S, with n = `roundings_of_normal_velocity`, the roundings of a term;
+///   (2) if |v̂| > 2⁻²⁸ S, the relative error of v̂ is at most 10⁻⁶, and v̂ has the sign of N·V⁻.
 inline constexpr int roundings_of_normal_velocity = 8;
 inline constexpr double known_share_of_normal_velocity = 0x1p-28;
 
-/// The limit for an `Enclosure` of N·V⁻, as the ratio of its radius to its size.
+/// The limit of radius / size for an `Enclosure` of N·V⁻.
 inline constexpr double known_radius_of_normal_velocity = 0x1p-20;
 
 /// A lower bound of the sensitivity Q = Σ_q ‖∂K/∂q‖ ‖q‖ of the collision matrix K. Q̂ is Q as the judge computes it in
@@ -25,8 +25,8 @@ inline constexpr double roundings_of_matrix_sensitivity = 0x1p+16;
 inline constexpr double least_share_of_largest_terms = 0x1p-20;
 
 /// On the cone's surface, the law `rough` (models/rough.hpp) divides by d = ‖N × D‖ − μ N·D. Without this division, Σ_q
-/// ‖∂y_k/∂q‖ ‖q‖ of a moderate collision is at most 2⁶⁶⁰. If d is at least this share of the sum of its terms, the
-/// division adds a factor ‖D‖ / d of at most ‖K‖ / λ ≤ 2²⁶⁰ divided by the share. So the sum is finite.
+/// ‖∂y_k/∂q‖ ‖q‖ of a moderate collision is at most 2⁶⁶⁰. If d is at least this share of ‖N × D‖ + μ |N·D|, the
+/// division adds a factor ‖D‖ / d ≤ 2⁴⁰ ‖K‖ / λ ≤ 2³⁰⁰. So the sum is finite.
 inline constexpr double least_share_of_divisor = 0x1p-40;
 
 }  // namespace carom::oracles::bounded_case_bounds

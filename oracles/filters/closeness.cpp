@@ -57,8 +57,8 @@ bool Closeness::knows_normal_velocity() const {
 }
 
 /// For a body, the slopes of E⁺ − W (equation::Energy) are ‖m (v̂ − u)‖ and ‖J ŵ‖. u is the velocity of an immovable
-/// other body at the contact point, or 0. They cancel if the body is nearly at rest after the impulse, or moves with
-/// the other body.
+/// other body at the contact point, or 0. The slopes cancel if the body is nearly at rest after the impulse, or moves
+/// with the other body.
 bool Closeness::shows_energy() const {
   if (bounds_ == nullptr || !creates_no_energy(law_)) {
     return false;
@@ -85,7 +85,8 @@ bool Closeness::shows_energy() const {
     return is_close_[v] && is_close_[w];
   };
   const Outcome<double>& after = outcome_->rounded();
-  // Without errors the equation holds, as for the truth. Otherwise `compare` needs a large enough scale.
+  // If every error is 0, the outcome is the truth, and the equation holds. Otherwise `compare` needs a large enough
+  // scale.
   const bool is_exact = std::all_of(error_above_.begin(), error_above_.end(), [](double above) { return above == 0; });
   return add_body(c.a, after.a, c.b, bounds_->inertia_of_a(), OutcomeVector::velocity_of_a,
                   OutcomeVector::angular_velocity_of_a) &&

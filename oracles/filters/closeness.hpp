@@ -8,8 +8,7 @@
 
 namespace carom::oracles {
 
-/// Shows, without evaluation, that an outcome ŷ satisfies equations because it is close to the truth y, a law's exact
-/// answer.
+/// Shows, without evaluation, that an outcome ŷ satisfies equations because it is close to the truth y.
 ///
 /// The truth satisfies each equation exactly: `certify` checks the equations that define the law, and
 /// closeness_test.cpp the others. An equation g is affine in the outcome, or convex (the kinetic energy). So the

@@ -52,7 +52,7 @@ class LiftedMatrix {
   }
 
  private:
-  /// Dual numbers convert from their own scalar type.
+  /// A dual number converts from its own scalar type.
   template <class T>
   static T rounded(double x) {
     if constexpr (requires(T number) { number.value; }) {

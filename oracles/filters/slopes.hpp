@@ -45,8 +45,8 @@ template <class S, class OneEquation, class R>
                              [&](std::size_t i, std::size_t j) -> S { return derivative_of(sides, i, j); });
 }
 
-/// ‖∂g/∂ŷ_k‖ for an equation that is affine in the outcome, and so for every outcome. Precondition: name_of(equation)
-/// has a value.
+/// ‖∂g/∂ŷ_k‖ of an equation g that is affine in the outcome. The slopes do not depend on the outcome. Precondition:
+/// name_of(equation) has a value.
 [[nodiscard]] PerVector<double> slopes_of(const Equation& equation, const Collision& collision);
 
 /// For each vector of an outcome, whether the equation depends on it.

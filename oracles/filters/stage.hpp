@@ -8,7 +8,7 @@
 
 namespace carom::oracles {
 
-/// The ways in which the judge decides a comparison. The first of these stages that can decide does so.
+/// The stages of the judge's decision on a comparison. The first stage that can decide does so.
 enum class Stage { same_bits, closeness, approximation, enclosure, rational };
 
 inline constexpr std::array all_stages{Stage::same_bits, Stage::closeness, Stage::approximation, Stage::enclosure,
@@ -27,8 +27,8 @@ inline thread_local StageCounts stage_counts{};
 
 inline void count(Stage stage) { ++detail::stage_counts[stage]; }
 
-/// Below this allowance, approximations seldom decide: their error bound is at least n u times the sum of the sizes of
-/// an equation's terms, for up to n = 30 roundings of a term. The limit is 34 n u.
+/// Below this allowance, approximations seldom decide. Their error bound is at least n u Σ|t| over the terms t of an
+/// equation, with up to n = 30 roundings of a term. The limit is 34 n u.
 inline constexpr double least_allowance_for_approximations = 0x1p-43;
 
 }  // namespace carom::oracles

@@ -105,7 +105,7 @@ Deviation<T> deviation_of(const ExactCase& exact_case, const BasicCollision<T>& 
   return result;
 }
 
-/// The accuracy with this sensitivity. No value if T does not decide it, or is not precise enough for print.
+/// The accuracy with this sensitivity. No value if T does not decide it, or if a radius is too large for print.
 template <class T>
 std::optional<Accuracy> accuracy_by(const Deviation<T>& deviation, const Sensitivity& sensitivity,
                                     const Yardstick& yardstick) {
@@ -166,7 +166,7 @@ double digits_of(const BasicCollision<Rational>& collision, const Outcome<Ration
 
 namespace {
 
-/// The accuracy against the law's answer for the approach `as`.
+/// The accuracy against the law's answer to a contact of approach `as`.
 Accuracy accuracy_as(const ExactCase& exact_case, Law law, Approach as, const LiftedOutcome& outcome,
                      const Yardstick& yardstick, double known) {
   const bool may_use_bounds = yardstick.filtered && yardstick.allowance() > 0;
@@ -191,8 +191,8 @@ Accuracy accuracy_as(const ExactCase& exact_case, Law law, Approach as, const Li
     }
     return accuracy_by(*enclosed, sensitivity, yardstick);
   };
-  // The sensitivity permits all that its lower bound permits, and is finite for moderate numbers. The reported errors
-  // do not depend on it, and so not on `known`.
+  // If a lower bound of the sensitivity permits an error, the sensitivity permits it too, and is finite for moderate
+  // numbers. The reported errors depend neither on the sensitivity nor on `known`.
   if (yardstick.uses_bounds() && known > 0 && as == exact_case.approach() && exact_case.is_moderate(law) &&
       outcome.is_moderate()) {
     const Sensitivity& below = exact_case.sensitivity_below(law);

@@ -9,7 +9,7 @@
 
 namespace carom::oracles {
 
-/// The distance of an outcome ŷ from the truth y, the exact answer of a law. y_k⁻ are the vectors before the impulse.
+/// The distance of an outcome ŷ from the truth y. y_k⁻ are the vectors before the impulse.
 struct Accuracy {
   PerVector<double> error{};                 // ‖ŷ_k − y_k‖
   PerVector<double> error_above = infinite;  // at least the error; infinite if the judge is not filtered
@@ -39,12 +39,12 @@ struct Accuracy {
 [[nodiscard]] double digits_of(const BasicCollision<Rational>& collision, const Outcome<Rational>& exact,
                                const Outcome<Rational>& computed);
 
-/// The accuracy of an outcome by this law. Of two answers (ExactCase::has_two_answers), it refers to the one by which
-/// the outcome passes. If the outcome passes by neither, it refers to the truth.
+/// The accuracy of an outcome by this law. If the law has two answers (ExactCase::has_two_answers), the accuracy refers
+/// to the answer by which the outcome passes. If the outcome passes by neither, the accuracy refers to the truth.
 ///
-/// `known` [ulps] saves time with a filtered yardstick: a backward error that is certainly at most `known` may be
-/// computed with a lower bound of the sensitivity. It is then too large, but at most `known`. Precondition: the law is
-/// one of `laws_with_truth`.
+/// `known` [ulps] saves time with a filtered yardstick. If the backward error is certainly at most `known`, a lower
+/// bound of the sensitivity may stand for the sensitivity. The result is then too large, but at most `known`.
+/// Precondition: the law is one of `laws_with_truth`.
 [[nodiscard]] Accuracy accuracy(const ExactCase& exact_case, Law law, const LiftedOutcome& outcome,
                                 const Yardstick& yardstick, double known = 0);
 

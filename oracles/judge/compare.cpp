@@ -32,7 +32,7 @@ Components<T> missing(const Sides<T, N>& sides, Relation relation, const IsPermi
   return result;
 }
 
-/// The components that `missing` may give. Components of uncertain sign are included.
+/// The components that an inequality may not permit, including those of uncertain sign.
 template <class OneEquation, class T>
 Components<T> maybe_missing(const OneEquation& equation, Relation relation, const BasicCollision<T>& collision,
                             const Outcome<T>& outcome) {
@@ -40,9 +40,9 @@ Components<T> maybe_missing(const OneEquation& equation, Relation relation, cons
                  [](const T& x, int sign) { return x.sign().value_or(-sign) != -sign; });
 }
 
-/// The error of the outputs by underflow, divided by u. With η the least positive number and s = η/u, an operation that
-/// underflows has an error of η = u s. F and the approach velocity from which F is computed each have this error. So r
-/// × F has an error of (1 + ‖r‖ + m ‖r‖) u s.
+/// The error of the outputs by underflow, divided by u. An operation that underflows has an error of η = u s, the least
+/// positive number. F has the errors of its own underflow and of the approach velocity, from which F is computed: (1 +
+/// m) u s. So r × F has an error of (1 + ‖r‖ + m ‖r‖) u s.
 PerVector<double> lost_to_underflow(const Collision& c, double s) {
   PerVector<double> lost{};
   const auto add = [&](const Body& body, OutcomeVector velocity, OutcomeVector spin) {
@@ -59,8 +59,8 @@ PerVector<double> lost_to_underflow(const Collision& c, double s) {
   return lost;
 }
 
-/// ‖ŷ_k‖ + ‖y_k⁻‖ plus the loss by underflow. ŷ_k is the sum of y_k⁻ and a change, so its error is u times the larger
-/// of these terms, even if the sum is zero.
+/// ‖ŷ_k‖ + ‖y_k⁻‖ plus the loss by underflow. ŷ_k is y_k⁻ plus a change, so ŷ_k has an error of u times the larger of
+/// these two terms, even if ŷ_k is zero.
 PerVector<double> sizes_of_outputs(const ExactCase& exact_case, const LiftedOutcome& outcome, double least_size) {
   PerVector<double> sizes = lost_to_underflow(exact_case.collision(), least_size);
   const PerVector<double> norms = outcome.norms();
@@ -86,8 +86,8 @@ bool is_in_range(S scale) {
   return scale >= static_cast<S>(smallest_scale) && scale <= static_cast<S>(largest_scale);
 }
 
-/// Whether the slopes (norms of derivatives) need all digits of the outcome, because they may cancel down to digits
-/// beyond binary64. Those of an affine equation do not depend on the outcome.
+/// Whether the slopes (norms of derivatives) need the digits of the outcome beyond binary64, because the slopes may
+/// cancel. The slopes of an affine equation do not depend on the outcome.
 template <class OneEquation>
 bool needs_all_digits(const OneEquation& equation, const LiftedOutcome& outcome) {
   if constexpr (std::is_convertible_v<const OneEquation&, Equation>) {
@@ -138,8 +138,8 @@ double part_by_curvature(const equation::Energy& /*energy*/, const ExactCase& ex
                       of_body(c.b, OutcomeVector::velocity_of_b, OutcomeVector::angular_velocity_of_b));
 }
 
-/// F has an error of α m (‖ŷ_v‖ + ‖y_v⁻‖), with the mass and velocity of the body that gives F. If the slopes vanish,
-/// ‖N × F‖² and (μ N·F)² have the square of this error.
+/// F has an error of α m (‖ŷ_v‖ + ‖y_v⁻‖), with the mass and velocity of the body whose change of velocity gives F. If
+/// the slopes vanish, ‖N × F‖² and (μ N·F)² have the square of this error.
 double part_by_curvature(const equation::FrictionCone& cone, const ExactCase& exact_case, const LiftedOutcome& outcome,
                          double allowance) {
   const Collision& c = exact_case.collision();
@@ -149,8 +149,8 @@ double part_by_curvature(const equation::FrictionCone& cone, const ExactCase& ex
   return allowance * impulse * impulse * (1 + c.friction * c.friction);
 }
 
-/// Friction and slip have errors of α times the velocities that give them. If the slopes vanish, their product has the
-/// product of these errors.
+/// Friction and slip have errors of α times the velocities from which they are computed. If the slopes vanish, the
+/// product of friction and slip has the product of these errors.
 double curvature_of_friction_and_slip(bool read_off_a, const ExactCase& exact_case, const LiftedOutcome& outcome,
                                       double allowance) {
   const Collision& c = exact_case.collision();
@@ -185,8 +185,8 @@ struct ByShownMatrix {
   }
 };
 
-/// C stands for the exact K, whose permitted error is α Σ_q ‖∂K/∂q‖_F ‖q‖ (Frobenius norm). C F has ‖F‖ times this
-/// error.
+/// The permitted error of C is that of the exact K: E = α Σ_q ‖∂K/∂q‖_F ‖q‖ (Frobenius norm). So C F has a permitted
+/// error of ‖F‖ E.
 double part_by_curvature(const ByShownMatrix& by_matrix, const ExactCase& exact_case, const LiftedOutcome& outcome,
                          double allowance) {
   const Vector3<double> impulse = impulse_on_a(exact_case.collision(), outcome.rounded(), by_matrix.read_off_a);
@@ -224,7 +224,7 @@ std::optional<double> scale_of(const OneEquation& equation, const ExactCase& exa
       return scale;
     }
   }
-  // Products of extreme numbers leave the range of binary64. Extended has a wider range and more digits.
+  // Products of extreme numbers leave the range of binary64. Wide has a wider range and more digits.
   using Wide = long double;
   const auto inputs = dual_inputs<Wide, collision_inputs>(exact_case.collision(), [](double x) { return Wide(x); });
   const auto parts = [&](const auto& at) {
@@ -292,7 +292,7 @@ Comparison compare_one(const OneEquation& equation, Relation relation, const Exa
       return {};
     }
     const auto missed = maybe_missing(equation, relation, exact_case.bounds().enclosed(), outcome.enclosed());
-    // Without moderate numbers, the scale may leave the range of numbers although its lower bound does not.
+    // If a number is not moderate, the scale may leave the range of numbers although its lower bound does not.
     const bool is_moderate = exact_case.bounds().is_moderate() && outcome.is_moderate();
     if (missed.empty() ||
         (is_moderate &&

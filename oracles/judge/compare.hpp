@@ -9,7 +9,7 @@
 
 namespace carom::oracles {
 
-/// The product of an allowance and a scale (yardstick.hpp) between these limits stays in the range of binary64.
+/// If a scale (yardstick.hpp) is between these limits, its product with an allowance stays in the range of binary64.
 inline constexpr double smallest_scale = 0x1p-900;
 inline constexpr double largest_scale = 0x1p+1000;
 

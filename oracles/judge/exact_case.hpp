@@ -13,14 +13,13 @@ namespace carom::oracles {
 /// relative velocity before the impulse, F the impulse, K the collision matrix, and λ = 1/m_A + 1/m_B.
 class ExactCase {
  public:
-  /// `filtered` tells whether numbers with error bounds may decide the facts before ℚ. The facts are identical without
-  /// them. Precondition: the collision is valid.
+  /// If `filtered`, numbers with error bounds may decide a fact before ℚ. The facts are the same. Precondition: the
+  /// collision is valid.
   explicit ExactCase(const Collision& collision, bool filtered = true);
 
   [[nodiscard]] const Collision& collision() const { return bounds_.collision(); }
   [[nodiscard]] const BasicCollision<Rational>& exact() const;
 
-  /// The facts in arithmetic with error bounds.
   [[nodiscard]] const BoundedCase& bounds() const { return bounds_; }
 
   [[nodiscard]] Approach approach() const;
@@ -28,8 +27,7 @@ class ExactCase {
   /// Σ_q ‖∂(N·V⁻)/∂q‖ ‖q‖ over the quantities q (quantities.hpp).
   [[nodiscard]] double normal_velocity_sensitivity() const;
 
-  /// The permitted inputs if PermittedInputs::first_order_is_blind, otherwise nullptr. nullptr also unless 0 <
-  /// allowance < ½.
+  /// The permitted inputs, if PermittedInputs::first_order_is_blind and 0 < allowance < ½. Otherwise nullptr.
   [[nodiscard]] const PermittedInputs* permitted_inputs(double allowance) const;
 
   /// Whether the permitted inputs include both colliding and separating contacts.
@@ -60,40 +58,39 @@ class ExactCase {
   /// The outcome of the truth, rounded to the nearest binary64 numbers.
   [[nodiscard]] Outcome<double> nearest_truth(Law law) const;
 
-  /// The truth to about 100 bits, with error bounds. `certify` cannot check rounded numbers.
+  /// The truth to about 100 bits, with error bounds.
   [[nodiscard]] const Truth<Enclosure>& enclosed_truth(Law law) const { return enclosed_truth(law, approach()); }
   [[nodiscard]] const Truth<Enclosure>& enclosed_truth(Law law, Approach as) const;
 
-  /// The sensitivity of the law's answer, to second order: σ_k + α τ_k, with σ_k = Σ_q ‖∂y_k/∂q‖ ‖q‖ + ‖y_k⁻‖
-  /// (sensitivity.hpp) and the allowance α. τ_k is ‖y_k⁻‖ plus the largest change of vector k by an impulse of 2 s / λ,
-  /// with s ≥ ‖V⁻‖. It counts if the first order vanishes, as for a central contact that grazes.
+  /// The sensitivity of the law's answer, to second order: σ_k + α τ_k with the allowance α. σ_k is Σ_q ‖∂y_k/∂q‖ ‖q‖ +
+  /// ‖y_k⁻‖ (sensitivity.hpp). τ_k is ‖y_k⁻‖ plus the largest change of vector k by an impulse of 2 s / λ, with s ≥
+  /// ‖V⁻‖. α τ_k counts if the derivatives vanish, as for a central contact that grazes.
   ///
-  /// In the grazing band (`is_grazing`), this is the sensitivity of the colliding answer, except for a law with two
-  /// answers (`has_two_answers`). Near the surface of the friction cone, the sensitivity is the larger of those inside
-  /// the cone and on it. If PermittedInputs::first_order_is_blind, it is at least PermittedInputs::distance_of_answers
-  /// divided by the allowance.
+  /// If the contact grazes (`is_grazing`), the function returns the sensitivity of the colliding answer, unless the law
+  /// has two answers (`has_two_answers`). Near the surface of the friction cone, the larger of two sensitivities
+  /// counts: inside the cone and on the cone. If PermittedInputs::first_order_is_blind, the sensitivity of a colliding
+  /// answer is at least PermittedInputs::distance_of_answers divided by the allowance.
   [[nodiscard]] Sensitivity sensitivity(Law law, double allowance) const;
 
-  /// The sensitivity of the answer for approach `as`, without grazing.
+  /// The sensitivity of the answer for approach `as`, whether or not the contact grazes.
   [[nodiscard]] Sensitivity sensitivity_as(Law law, Approach as, double allowance) const;
 
-  /// Whether permitted inputs have answers that are far from each other: in the grazing band, for a law that acts at
-  /// once. The impulse of such a law does not tend to 0 with N·V⁻. `rough` acts at once if its D (models/rough.hpp)
-  /// lies in the cone.
+  /// Whether permitted inputs have answers that are far from each other. This is so if the contact grazes and the law
+  /// acts at once: its impulse does not tend to 0 with N·V⁻. `rough` acts at once if its D (models/rough.hpp) lies in
+  /// the cone.
   [[nodiscard]] bool has_two_answers(Law law, double allowance) const;
 
   /// Whether the collision is moderate (moderate.hpp) and the law's sensitivity is certainly finite.
   [[nodiscard]] bool is_moderate(Law law) const;
 
-  /// Whether some permitted inputs collide and some do not, and F lies inside the friction cone for some and on it for
-  /// others. `accuracy` then decides nothing.
+  /// Whether permitted inputs lie on both sides of two limits: N·V⁻ = 0, and the surface of the friction cone for F.
+  /// `accuracy` then decides nothing.
   [[nodiscard]] bool is_open(Law law, double allowance) const;
 
   /// A cheap lower bound of `sensitivity`: BoundedCase::colliding_sensitivity_below if the contact collides, otherwise
-  /// ‖y_k⁻‖, even if it grazes. Precondition: is_moderate(law).
+  /// ‖y_k⁻‖, even if the contact grazes. Precondition: is_moderate(law).
   [[nodiscard]] const Sensitivity& sensitivity_below(Law law) const;
 
-  /// The exact K.
   [[nodiscard]] const Matrix3<Rational>& collision_matrix() const;
 
   /// Σ_q ‖∂K/∂q‖ ‖q‖. If PermittedInputs::first_order_is_blind, the sum includes the squares of the changes of lever
@@ -129,8 +126,9 @@ class ExactCase {
   [[nodiscard]] bool acts_at_once_here(Law law, double allowance) const;
   /// Whether the answers to permitted inputs lie on both sides of the cone's surface.
   [[nodiscard]] bool is_near_cone_surface(Law law, double allowance) const;
-  /// The approach of the answer for approach `as`. A contact that does not collide keeps its own approach if its
-  /// colliding answer would lie on the cone, because this answer tends to 0 with N·V⁻.
+  /// The approach whose answer counts for approach `as`: `as` itself, with one exception. If the contact does not
+  /// collide and its colliding answer would lie on the cone, this answer tends to 0 with N·V⁻. Then the contact's own
+  /// approach counts.
   [[nodiscard]] Approach answered_as(Law law, Approach as) const;
   [[nodiscard]] const Sensitivity& second_order() const;
 

@@ -100,8 +100,8 @@ VectorBall PermittedInputs::response_at_point(const VectorBall& impulse) const {
   return sum;
 }
 
-/// All F′ = φ′ N with N·K F′ = N·b, with b in `wanted`. For the given impulse φ N, φ′ − φ = N·(b − K φ N) / (N·K N).
-/// The divisor N·K N is at least λ for a unit normal.
+/// All F′ = φ′ N with N·K F′ in `wanted`. For the given impulse φ N, φ′ − φ = (N·K F′ − N·K φ N) / (N·K N). The divisor
+/// N·K N is at least λ for a unit normal.
 VectorBall PermittedInputs::along_normal(const Vector3<double>& impulse, const ScalarBall& wanted) const {
   const double share = unit_normal_.centre.dot(impulse);
   const ScalarBall along{share, 0};
@@ -125,7 +125,8 @@ PermittedInputs::RoughParts PermittedInputs::rough_parts() const {
   const VectorBall tangential = cross(unit_normal_, difference);
   const ScalarBall divisor =
       ScalarBall{norm_of(tangential.centre), tangential.radius} + -(friction_ * dot(unit_normal_, difference));
-  // F lies in the convex cone for κ = 0. So F leaves the cone at most once, at the κ that puts F on the surface.
+  // F lies in the convex cone for κ = 0. So, as κ grows, F leaves the cone at most once: at the κ that puts F on the
+  // surface.
   const auto share = [](double above, double below) { return below > 0 ? std::max(above, 0.0) / below : infinity; };
   return {stops_approach, difference, share(numerator.least(), divisor.largest()),
           share(numerator.largest(), divisor.least())};

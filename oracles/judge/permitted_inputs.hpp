@@ -7,9 +7,9 @@
 namespace carom::oracles {
 
 /// All collisions whose quantities (quantities.hpp) differ from those of a given collision by at most `allowance` times
-/// their lengths. The class encloses the law's answers to them, if derivatives do not describe these answers
-/// (`first_order_is_blind`). The enclosure is finite in the range of numbers, for any lever arms
-/// (docs/reference/yardstick.md#hard-cases).
+/// their lengths. The class encloses the law's answers to these collisions, for the cases in which derivatives do not
+/// describe the answers (`first_order_is_blind`). The enclosure is finite for any lever arms, unless numbers leave the
+/// range of binary64 (docs/reference/yardstick.md#hard-cases).
 class PermittedInputs {
  public:
   /// Preconditions: the collision is valid; 0 < allowance < 1/2.
@@ -23,10 +23,10 @@ class PermittedInputs {
   /// Whether velocities, lever arms, and the bodies' responses to an impulse have finite enclosures.
   [[nodiscard]] bool is_finite() const;
 
-  /// For each vector, an upper bound of the distance between the law's answer to a contact that collides, with the
-  /// impulse `impulse`, and its answers to permitted inputs. If `from_rest`, the distance between these answers and the
-  /// velocities before the impulse. Infinite beyond the range of numbers. Preconditions: a body is movable; the law is
-  /// one of `laws_with_truth`.
+  /// For each vector, an upper bound of a distance to the law's answers to permitted inputs. The distance is from the
+  /// law's answer to a colliding contact, which has the impulse `impulse`, or, if `from_rest`, from the velocities
+  /// before the impulse. Infinite beyond the range of numbers. Preconditions: a body is movable; the law is one of
+  /// `laws_with_truth`.
   [[nodiscard]] PerVector<double> distance_of_answers(const Vector3<double>& impulse, Law law, Branch branch,
                                                       bool from_rest) const;
 
@@ -74,7 +74,7 @@ class PermittedInputs {
   [[nodiscard]] Change response(const OfBody& of, const VectorBall& impulse) const;
   /// K F.
   [[nodiscard]] VectorBall response_at_point(const VectorBall& impulse) const;
-  /// All F = φ N with N·K F = N·b, for b in `wanted`.
+  /// All F = φ N with N·K F in `wanted`.
   [[nodiscard]] VectorBall along_normal(const Vector3<double>& impulse, const ScalarBall& wanted) const;
   /// All F with K F = b, for b in `wanted`.
   [[nodiscard]] VectorBall by_matrix(const Vector3<double>& impulse, const VectorBall& wanted) const;

@@ -45,8 +45,7 @@ class Residual {
     return radius;
   }
 
-  // These equations contain no lever arm, or only lever arms about the world's origin, as long as the positions
-  // themselves.
+  // These equations contain no lever arm, or only positions X as lever arms about the world's origin.
   double operator()(const equation::LinearMomentum&) const { return 0; }
   double operator()(const equation::TotalAngularMomentum&) const { return 0; }
   double operator()(const equation::Untouched&) const { return 0; }

@@ -8,8 +8,8 @@
 
 namespace carom::oracles {
 
-/// The limit of the backward error [ulps]. By measurement, accurate solvers stay below it on every physically possible
-/// body.
+/// The limit of the backward error [ulps]. By measurement, accurate solvers stay below this limit on every physically
+/// possible body.
 inline constexpr double default_limit_ulps = 32;
 
 /// The largest allowance for which lower bounds of sensitivities and scales may decide. Up to this limit, the allowance
@@ -17,9 +17,8 @@ inline constexpr double default_limit_ulps = 32;
 inline constexpr double largest_allowance_for_bounds = 0x1p+64;
 
 /// The amount of rounding that is allowed (docs/reference/yardstick.md). The residual of an equation g passes if it is
-/// at most `allowance` times its scale: the sum of ‖∂g/∂q‖ ‖q‖ over the quantities q and of ‖∂g/∂ŷ‖ (‖ŷ‖ + ‖y⁻‖) over
-/// the outputs ŷ, with y⁻ the same vector before the impulse. In binary32 the outputs are also allowed the loss by
-/// underflow.
+/// at most `allowance` times the scale Σ_q ‖∂g/∂q‖ ‖q‖ + Σ_k ‖∂g/∂ŷ_k‖ (‖ŷ_k‖ + ‖y_k⁻‖). q are the quantities, ŷ_k the
+/// outputs, and y_k⁻ the vectors before the impulse. In binary32 the outputs are also allowed the loss by underflow.
 struct Yardstick {
   double unit_roundoff = 0;  // u of the subject's precision; 0 judges exact arithmetic, which is allowed no rounding
   double least_size = 0;     // least_size_known_to_a_roundoff of that precision

@@ -40,8 +40,7 @@ template <class T>
   return c.b.immovable || (!c.a.immovable && c.a.mass <= c.b.mass);
 }
 
-/// F on A [N s], computed from the velocity change of A or of B. `reads_impulse_off_a` is the more accurate choice.
-/// Precondition: the selected body is movable.
+/// F on A [N s], computed from the velocity change of A or of B. Precondition: the selected body is movable.
 template <class T>
 [[nodiscard]] Vector3<T> impulse_on_a(const BasicCollision<T>& c, const Outcome<T>& after, bool read_off_a) {
   return read_off_a ? impulse_on(c.a, after.a) : Vector3<T>(-impulse_on(c.b, after.b));

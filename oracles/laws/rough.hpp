@@ -17,8 +17,8 @@ struct RoughParts {
   T friction_share;             // κ
 };
 
-/// Checks exactly that a truth y (the law's exact answer) and its parts satisfy their definitions. y⁻ are the
-/// velocities before the impulse. The parts have the outcomes y_I and y_II. e_t is the tangential restitution:
+/// Checks exactly that a truth y and its parts satisfy their definitions. y⁻ are the velocities before the impulse. The
+/// parts have the outcomes y_I and y_II. e_t is the tangential restitution:
 ///
 ///   (1) the parts are the answers of their laws;
 ///   (2) y − y⁻ = (1 + ε) (y_I − y⁻) + κ (y_II − y_I), so that F = (1 + ε) P_I + κ (P_II − P_I);

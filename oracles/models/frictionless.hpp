@@ -18,7 +18,7 @@ struct Frictionless {
     return change_by_restitution<T>(n, restitution, velocity_before);
   }
 
-  /// `matrix` is K, or nullptr if K is not known. F is linear in `change`, and causes its normal component.
+  /// `matrix` is K, or nullptr if K is not known. F causes the normal component of `change`, and is linear in `change`.
   template <class T>
   [[nodiscard]] static Vector3<T> impulse_for(const BasicCollision<T>& collision, const Vector3<T>& change,
                                               const Matrix3<T>* matrix) {
@@ -41,9 +41,8 @@ struct Frictionless {
     return n * Enclosure(n.dot(change) / n.dot(n));
   }
 
-  /// The derivatives from N·(K F − b) = 0 and F = φ N, so that dF = φ dN + N dφ, with b the wanted change. The
-  /// responses to N are computed directly, because sums over columns of matrices would cancel if a lever arm is along
-  /// N.
+  /// Differentiates N·(K F − b) = 0 and F = φ N, with b the wanted change: dF = φ dN + N dφ. The responses to N are
+  /// computed directly, because sums over columns of matrices would cancel if a lever arm is along N.
   template <class S>
   [[nodiscard]] static Derivatives<S> derivatives(const BasicCollision<S>& c, const ImpulseDifferential<S>& of) {
     const Vector3<S>& n = c.normal;

@@ -11,8 +11,8 @@
 #include <carom/oracles/models/rough.hpp>
 #include <carom/oracles/models/sticking.hpp>
 
-/// The laws that determine an outcome, each as a type. `certify` checks each truth (a law's exact answer), and tests
-/// compare the rest with the truth, so these types need no trust.
+/// The laws that determine an outcome, each as a type. `certify` checks each truth, and tests compare the types' other
+/// members with the truth, so these types need no trust.
 namespace carom::oracles {
 
 /// Calls use(type) with an object of the law's type. Throws std::invalid_argument if the law is not one of
@@ -171,8 +171,8 @@ inline constexpr PerAffineEquation<bool> kept_equations_of = kept_equations<LawT
   return with_law(law, [&]<class LawType>(LawType) { return detail::kept_equations_of<LawType>[equation]; });
 }
 
-/// Whether the impulse of the law on this branch does not tend to 0 as N·V⁻ does. If rounding of the inputs decides
-/// whether the contact collides, either of two answers may then be right.
+/// Whether the impulse of the law on this branch does not tend to 0 as N·V⁻ does. If so, and if rounding of the inputs
+/// decides whether the contact collides, two answers may be right.
 [[nodiscard]] inline bool acts_at_once(Law law, Branch branch) {
   return with_law(law, branch,
                   [&]<class LawType>(LawType) { return LawType::acts_at_once && branch != Branch::on_cone; });

@@ -25,7 +25,7 @@ struct Reflection {
     return impulse_by_matrix<T>(collision, change, matrix);
   }
 
-  /// The same impulse, which the law permits exactly (filters/refined_truth.hpp).
+  /// `impulse` itself, because the law permits every impulse exactly (filters/refined_truth.hpp).
   [[nodiscard]] static Vector3<Enclosure> permitted(const BasicCollision<Enclosure>& /*collision*/,
                                                     const Vector3<double>& impulse) {
     return impulse.unaryExpr([](double x) { return Enclosure(x); });

@@ -201,7 +201,7 @@ double enclosed_norm(const Jacobian<Enclosure>& jacobian, const std::vector<Quan
 
 /// The factor by which rounding errors grow. The terms of K are at most T = λ + Σ ‖r‖² / min I, and K ⪰ λI. So T / λ
 /// bounds the condition number of K, and the cancellation in r × F. On the cone's surface, the terms of the divisor ‖N
-/// × D‖ − μ N·D of `rough` may cancel, too. D is at most Σ (‖v‖ + ‖w‖ ‖r‖) / λ.
+/// × D‖ − μ N·D of `rough` may cancel, too. ‖D‖ is at most Σ (‖v‖ + ‖w‖ ‖r‖) / λ.
 double growth_of_roundings(const Collision& collision, const BasicCollision<Enclosure>& enclosed, Law law,
                            Branch branch) {
   const double lambda = inverse_mass(collision);
@@ -222,8 +222,8 @@ double growth_of_roundings(const Collision& collision, const BasicCollision<Encl
 
 constexpr double thousandth = 0x1p-10;
 
-/// The middles of enclosures lose fewer than 2⁹ roundings of 2⁻¹⁰² each, times `growth_of_roundings`. Up to this
-/// growth, they are correct to a thousandth. The radii are larger, because they do not use K ⪰ λI.
+/// The middle of an enclosure loses fewer than 2⁹ roundings of 2⁻¹⁰² each, times `growth_of_roundings`. Up to this
+/// growth, the middle is correct to a thousandth. The radius is larger, because its bounds do not use K ⪰ λI.
 constexpr double largest_growth = thousandth * 0x1p+102 / 0x1p+9;
 
 }  // namespace
@@ -257,7 +257,6 @@ std::optional<Sensitivity> enclosed_sensitivity(const Collision& collision, Law 
     }
     is_bounded_to_a_thousandth = is_bounded_to_a_thousandth && unknown <= thousandth * result[k];
   }
-  // Exact derivatives take a hundred times as long.
   if (is_bounded_to_a_thousandth ||
       (is_moderate && growth_of_roundings(collision, of.c, law, branch) <= largest_growth)) {
     return result;

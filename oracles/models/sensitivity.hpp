@@ -35,15 +35,17 @@ inline constexpr double ten_digits = 0x1p-34;
 [[nodiscard]] Sensitivity norms_before(const Collision& collision);
 
 /// The sensitivity of the law's answer to a contact that collides, by implicit differentiation in binary64
-/// (implicit_differentiation.hpp). If the law inverts K, the relative error is about the condition number of K times u.
-/// No value if a sum is outside the limits above. Preconditions: the collision is moderate (moderate.hpp); a body is
-/// movable; the law is one of `laws_with_truth`; BoundedCase::is_well_conditioned(), except for the frictionless law;
-/// for `on_cone`, BoundedCase::has_clear_divisor().
+/// (implicit_differentiation.hpp). If the law inverts K, the relative error is about κ(K) u, with the condition number
+/// κ. No value if a sum is outside the limits above.
+///
+/// Preconditions: the collision is moderate (moderate.hpp); a body is movable; the law is one of `laws_with_truth`;
+/// BoundedCase::is_well_conditioned(), except for the frictionless law. For `on_cone`, also
+/// BoundedCase::has_clear_divisor().
 [[nodiscard]] std::optional<Sensitivity> colliding_sensitivity(const Collision& collision, Law law, Branch branch);
 
-/// `colliding_sensitivity` in double-double arithmetic, for any valid collision with a movable body. No value if its
-/// error radii exceed a thousandth of it. For a moderate collision, a small bound of the growth of rounding errors
-/// suffices too.
+/// `colliding_sensitivity` in double-double arithmetic, for any valid collision with a movable body. No value if the
+/// error radii exceed a thousandth of the sensitivity, unless the collision is moderate and its rounding errors
+/// provably grow little.
 [[nodiscard]] std::optional<Sensitivity> enclosed_sensitivity(const Collision& collision, Law law, Branch branch,
                                                               bool is_moderate);
 

@@ -26,7 +26,7 @@ struct Sticking {
     return impulse_by_matrix<T>(collision, change, matrix);
   }
 
-  /// The same impulse, which the law permits exactly (filters/refined_truth.hpp).
+  /// `impulse` itself, because the law permits every impulse exactly (filters/refined_truth.hpp).
   [[nodiscard]] static Vector3<Enclosure> permitted(const BasicCollision<Enclosure>& /*collision*/,
                                                     const Vector3<double>& impulse) {
     return impulse.unaryExpr([](double x) { return Enclosure(x); });
@@ -49,7 +49,8 @@ struct Sticking {
   /// impulse also changes the normal velocity.
   static constexpr bool creates_no_energy = false;
 
-  /// Whether the impulse does not tend to 0 with N·V⁻ (ExactCase::has_two_answers). It stops the slip at any approach.
+  /// Whether the impulse does not tend to 0 with N·V⁻ (ExactCase::has_two_answers). The impulse stops the slip at any
+  /// N·V⁻.
   static constexpr bool acts_at_once = true;
 };
 

@@ -66,8 +66,8 @@ template <class S>
 }  // namespace approximation
 
 /// A real number x with an error bound: |x − middle| ≤ radius. It is running error analysis in binary64 (J. Wilkinson;
-/// N. Higham, Accuracy and Stability of Numerical Algorithms, §3.3), at a tenth of the cost of an `Enclosure`. A bound
-/// that overflows is infinite or NaN, and decides nothing.
+/// N. Higham, Accuracy and Stability of Numerical Algorithms, §3.3). A bound that overflows is infinite or NaN, and
+/// decides nothing.
 class Approximation {
  public:
   Approximation() = default;

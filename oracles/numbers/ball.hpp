@@ -7,7 +7,8 @@
 #include <carom/oracles/numbers/norm.hpp>
 
 /// Numbers and vectors with an error radius. Vectors lie in Euclidean balls, so the results do not depend on the axes.
-/// Rounding has no bounds here, because a ball only tells how much error is permitted (permitted_inputs.hpp).
+/// The functions do not bound their own rounding, because a ball only tells how much error is permitted
+/// (permitted_inputs.hpp).
 namespace carom::oracles {
 
 struct ScalarBall {

@@ -40,7 +40,7 @@ struct Dual {
     return *this;
   }
 
-  // These operators do not use +=, because the copy of a side would cost as much as the operation.
+  // These operators do not use +=, because the copy of an operand would cost as much as the operation.
   friend Dual operator+(const Dual& left, const Dual& right) {
     Dual sum(left.value + right.value);
     for (std::size_t i = 0; i < N; ++i) {

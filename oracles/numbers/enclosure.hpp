@@ -67,8 +67,7 @@ template <class S>
 }  // namespace enclosure
 
 /// A real number x with an error bound: |x − (high + low)| ≤ radius. It is double-double arithmetic of about 100 bits.
-/// Rationals decide a sign that the bound leaves open. Outside the range of binary64 the radius is infinite and decides
-/// nothing.
+/// Outside the range of binary64 the radius is infinite and decides nothing.
 class Enclosure {
  public:
   Enclosure() = default;

@@ -11,7 +11,7 @@ namespace carom::oracles {
 
 namespace norm_bounds {
 
-/// More than the relative rounding error of a sum of six squares, or of six hypotenuses (an ulp each), and a
+/// A bound of the relative rounding of a sum of six squares, or of six hypotenuses (an ulp each), and of one
 /// comparison.
 inline constexpr double rounding = 0x1p-45;
 

@@ -7,8 +7,8 @@
 #include <carom/collision/collision.hpp>
 #include <carom/oracles/numbers/norm.hpp>
 
-/// The quantities of a collision. The backward error moves a quantity as a whole, in any direction, so it does not
-/// depend on the axes of the world.
+/// The quantities of a collision. The backward error moves a quantity as a whole, in any direction. So the backward
+/// error does not depend on the axes of the world.
 namespace carom::oracles {
 
 /// A scalar or a vector among the numbers of a collision, in the order of `for_each_number`

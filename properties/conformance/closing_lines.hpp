@@ -73,8 +73,8 @@ class ClosingLines : public testing::TestEventListener {
   std::unique_ptr<testing::TestEventListener> printer_;
 };
 
-/// Replaces GoogleTest's printer by ClosingLines, after the flags have chosen it. Does nothing without a printer or
-/// with `brief`.
+/// Replaces GoogleTest's printer by ClosingLines, after the flags have chosen the printer. Does nothing without a
+/// printer or with `brief`.
 class ClosingLinesInPlace : public testing::Environment {
  public:
   void SetUp() override {

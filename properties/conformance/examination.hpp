@@ -16,8 +16,8 @@ class Examination {
   explicit Examination(const Statement& statement);
 
   /// Whether the statement holds on the case. A subject that throws violates every invariant. After a violation, a much
-  /// less serious one does not count, so the shrunk case shows the fault as plainly. After a session has failed, every
-  /// case holds.
+  /// less serious violation does not count, so the shrunk case shows the fault plainly. After the session has failed,
+  /// every case counts as holding.
   [[nodiscard]] bool holds(const properties::Case& one);
 
   [[nodiscard]] bool was_in_domain() const { return was_in_domain_; }

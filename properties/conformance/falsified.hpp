@@ -10,8 +10,8 @@
 
 namespace carom::conformance {
 
-/// Whether RapidCheck falsifies the property of this name. Discards its text on this property; it prints how to
-/// reproduce all failures at the end of the program.
+/// Whether RapidCheck falsifies the property of this name. Discards RapidCheck's text on the property. At the end of
+/// the program, RapidCheck prints how to reproduce all failures.
 template <class Property>
 [[nodiscard]] bool falsified(const std::string& name, Property&& property) {
   // RapidCheck reads RC_PARAMS once and prints the seed. It ends the program if RC_PARAMS is wrong.

@@ -37,7 +37,7 @@ namespace gen {
                                                std::size_t first) {
       auto one = [case_of_it = chosen.one] { return case_of_it; };
       return rc::shrinkable::lambda(std::move(one), [=] {
-        // Goes on after the last success, because candidates that failed before seldom succeed later.
+        // Begins at the place of the last success, because the candidates before it failed, and seldom succeed later.
         return rc::Seq<rc::Shrinkable<properties::Case>>(
             [draw, simpler = properties::SimplerCases(draw, chosen,
                                                       first)]() mutable -> rc::Maybe<rc::Shrinkable<properties::Case>> {
@@ -121,7 +121,7 @@ CAROM_GEN_FAMILIES(CAROM_GEN_FAMILY)
 /// Two balls that touch. The centres and the contact are exactly on one line along the normal.
 [[nodiscard]] inline rc::Gen<Collision> between_spheres() { return collisions(properties::touching_spheres); }
 
-/// The generator's collisions with N·V⁻ < 0 as rounded. If the bodies separate, all motion is reversed.
+/// The generator's collisions whose rounded N·V⁻ is negative. If the bodies separate, all motion is reversed.
 [[nodiscard]] inline rc::Gen<Collision> approaching(rc::Gen<Collision> generator) {
   auto reversed = rc::gen::map(std::move(generator), [](Collision collision) {
     properties::reverse_if_separating(collision);
@@ -153,8 +153,8 @@ CAROM_GEN_FAMILIES(CAROM_GEN_FAMILY)
       std::move(generator), std::move(a), std::move(b));
 }
 
-/// The generator's collisions with this feature added (`carom features`). Leaves out collisions that cannot have it.
-/// Throws std::invalid_argument if there is no such feature.
+/// The generator's collisions with this feature added (`carom features`), without collisions that cannot have the
+/// feature. Throws std::invalid_argument if there is no such feature.
 [[nodiscard]] inline rc::Gen<Collision> with_feature(std::string_view name, rc::Gen<Collision> generator = generic()) {
   const properties::Feature* const feature = properties::feature_named(name);
   if (feature == nullptr) {

@@ -15,8 +15,8 @@
 namespace carom::properties::diagnosis {
 namespace {
 
-/// By family, the numbers of the sampled cases with answers that are wrong by themselves. If there are none, the cases
-/// that violate any invariant. Relations come second, because they may fail on a case with a right answer.
+/// For each family, the numbers of the sampled cases that violate an invariant of one answer. If no family has one, the
+/// cases that violate any invariant. Relations come second, because they may fail on a case with a right answer.
 std::vector<std::vector<std::uint64_t>> violated_cases(const SubjectResult& result) {
   std::vector<std::vector<std::uint64_t>> all;
   bool is_any = false;
@@ -39,7 +39,7 @@ std::vector<std::vector<std::uint64_t>> violated_cases(const SubjectResult& resu
   return all;
 }
 
-/// By family, the number of judged sampled cases. They are the first ones.
+/// For each family, the number of judged sampled cases, which come first.
 std::vector<std::uint64_t> judged_of(const SubjectResult& result) {
   std::vector<std::uint64_t> judged;
   for (const FamilyResult& family : result.families) {
@@ -57,13 +57,13 @@ std::uint64_t cases_that_violate(const SubjectResult& result, const std::string&
   return sum;
 }
 
-/// The first invariant by `rank_as_cause` that is violated in most violated cases. If there is none, the invariant that
-/// is violated most often.
+/// The first invariant by `rank_as_cause` that nine tenths of the violated cases violate. If there is none, the
+/// invariant that is violated most often.
 std::string telling_invariant(const SubjectResult& result, std::uint64_t violated) {
   std::vector<std::string> names = result.violated_invariants();
   const auto is_of_relations = [](const std::string& name) { return !invariant_named(name)->is_of_one_answer(); };
   if (!std::all_of(names.begin(), names.end(), is_of_relations)) {
-    // State can spoil every answer and only a repeated question shows it, so invariants of the session stay.
+    // If state spoils every answer, only a repeated question shows the fault. So invariants of the session stay.
     std::erase_if(names, [&](const std::string& name) {
       return is_of_relations(name) && !invariant_named(name)->is_of_session();
     });
@@ -80,7 +80,7 @@ std::string telling_invariant(const SubjectResult& result, std::uint64_t violate
   });
 }
 
-/// The first cases of each family, in turns.
+/// The first violated cases, one of each family in turn.
 std::vector<ViolatedCase> examples_of(const SubjectResult& result) {
   std::vector<ViolatedCase> examples;
   for (const auto first : {&FamilyResult::first_violated, &FamilyResult::first_violated_by_relations}) {
@@ -102,7 +102,7 @@ std::vector<ViolatedCase> examples_of(const SubjectResult& result) {
 
 std::string counted(std::size_t part, std::size_t whole) { return fmt::format("{} of {}", part, whole); }
 
-/// The hypothesis that explains the most outcomes that are visibly off; none if it explains at most half of them.
+/// The hypothesis that explains the largest number of visibly wrong outcomes; none if this is at most half of them.
 struct Explanation {
   const Hypothesis* hypothesis = nullptr;
   std::size_t explained = 0;
@@ -110,7 +110,7 @@ struct Explanation {
 
 Explanation best_explanation(const std::vector<KnownCase>& cases) {
   constexpr std::size_t most_looked_at = 40;
-  constexpr std::size_t most_missed_at_first = 8;  // if it explains half of them, it misses the first 8 once in 256
+  constexpr std::size_t most_missed_at_first = 8;  // a hypothesis that is right for half misses the first 8 once in 256
   const std::span<const KnownCase> looked_at(cases.data(), std::min(cases.size(), most_looked_at));
   Explanation best;
   for (const Hypothesis& hypothesis : all_hypotheses()) {
@@ -207,7 +207,7 @@ std::optional<Fault> fault_of_matrix(const SubjectResult& result) {
 }
 
 /// The step of mechanics at which the outcomes fail, with the usual cause of the conditions that they share. If there
-/// are too few outcomes for a hint, their number.
+/// are too few outcomes for a hint, the fault states only their number.
 Fault fault_of_outcomes(const std::vector<ViolatedCase>& outcomes, Law law, const Where& where, bool is_cut_short) {
   if (outcomes.size() < least_violated) {
     const std::string few =

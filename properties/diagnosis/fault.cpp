@@ -125,7 +125,7 @@ bool are_alike(const std::vector<double>& numbers) {
   return *greatest - *least <= visible * std::max(std::abs(*least), std::abs(*greatest));
 }
 
-/// Empty unless all outcomes show one ε, or one number that is added to ε.
+/// The one ε that all outcomes show, or the one number that all add to ε, in words. Otherwise empty.
 std::string restitution_in_words(const std::vector<Shares>& all, bool is_normal_right) {
   if (is_normal_right) {
     return {};

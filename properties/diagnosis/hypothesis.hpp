@@ -21,7 +21,7 @@ struct Hypothesis {
 /// All hypotheses. If several explain an outcome, the first one is preferred.
 [[nodiscard]] std::span<const Hypothesis> all_hypotheses();
 
-/// Whether the hypothesis answers as the subject did, within a thousandth of the subject's error.
+/// Whether the hypothesis gives the subject's answer, within a thousandth of the subject's error.
 [[nodiscard]] bool explains(const Hypothesis& hypothesis, const KnownCase& one);
 
 }  // namespace carom::properties::diagnosis

@@ -8,9 +8,7 @@
 namespace carom::properties::diagnosis {
 
 [[nodiscard]] std::vector<Hypothesis> misused_impulses();
-/// Misread restitution, friction, normals or approaches.
 [[nodiscard]] std::vector<Hypothesis> misread_contacts();
-/// Misread lever arms, orientations, moments, masses or velocities.
 [[nodiscard]] std::vector<Hypothesis> misread_bodies();
 [[nodiscard]] std::vector<Hypothesis> other_laws();
 

@@ -10,7 +10,7 @@
 namespace carom::properties::diagnosis {
 namespace {
 
-// Its range holds the squares of all binary64 numbers.
+// The range of Wide holds the squares of all binary64 numbers.
 using Wide = long double;
 
 BasicCollision<Wide> widened(const Collision& collision) {
@@ -98,7 +98,6 @@ double energy_distance(const Collision& collision, const Outcome<double>& x, con
 }
 
 bool is_visibly_off(const KnownCase& one, double unit_roundoff) {
-  // A million times the rounding error of such velocities.
   constexpr double far_above_rounding = 0x1p20;
   const Outcome<double> still;
   const double size =

@@ -13,8 +13,8 @@ struct LawAnswer {
   Vector3<double> impulse;  // on A
 };
 
-/// The law's answer to a collision. If set, `approach` replaces the collision's own. Preconditions: the collision is
-/// valid; the law determines an outcome.
+/// The law's answer to a collision. If set, `approach` replaces the approach of the collision. Preconditions: the
+/// collision is valid; the law determines an outcome.
 [[nodiscard]] LawAnswer law_answer(const Collision& collision, Law law, std::optional<oracles::Approach> approach = {});
 
 /// A case answered by an outcome, with the law's answer.
@@ -36,7 +36,7 @@ struct KnownCase {
 /// angular velocities comparable.
 [[nodiscard]] double energy_distance(const Collision& collision, const Outcome<double>& x, const Outcome<double>& y);
 
-/// Whether the outcome is so far off that rounding with this unit roundoff does not explain it.
+/// Whether the outcome is so far off that rounding with this unit roundoff cannot be the cause.
 [[nodiscard]] bool is_visibly_off(const KnownCase& one, double unit_roundoff);
 
 /// The velocities that the impulse gives to the movable bodies: v ± F/m, w ± J⁻¹(r × F).

@@ -4,7 +4,7 @@
 namespace carom::properties::diagnosis {
 namespace {
 
-/// Multiply the law's changes of the four vectors.
+/// The factors of the law's changes of the four vectors.
 struct Factors {
   double velocity_of_a = 1;
   double spin_of_a = 1;

@@ -52,7 +52,7 @@ class CaseSet {
   std::vector<std::uint64_t> words_;
 };
 
-/// If two conditions fit equally well, the lower value wins, which is plainer for a reader.
+/// If two conditions fit equally well, the plainer one wins: the one with the lower value.
 enum class Plainness { feature, either, absence, size, family };
 
 struct Literal {
@@ -62,8 +62,8 @@ struct Literal {
   const char* usual_cause = "";
 };
 
-/// A condition may miss this fraction of the violated cases (mostly overflow and underflow). The second value applies
-/// if the first finds no condition.
+/// A condition may miss this fraction of the violated cases (mostly cases of overflow and underflow). The second value
+/// applies if the first finds no condition.
 constexpr std::array most_left_out{0.05, 0.2};
 
 /// A condition must exclude this fraction of the other cases.
@@ -170,7 +170,7 @@ class Sample {
     }
   }
 
-  /// Adds the upper and the lower limit of each quantity that nearly all violated cases keep.
+  /// For each quantity, adds the upper and the lower limit that nearly all violated cases keep.
   void add_sizes() {
     const std::span<const ComparedQuantity> quantities = all_compared_quantities();
     for (std::size_t q = 0; q < quantities.size(); ++q) {
@@ -282,7 +282,7 @@ Where where_in(const Sample& sample, double left_out) {
     if (static_cast<double>(best_here.size() - found) > (1 - least_taken_away) * rest) {
       break;
     }
-    // One of all conditions holds by chance in so many violated cases.
+    // A bound of the probability that, by chance, any of the conditions holds in so many violated cases.
     const double share = static_cast<double>(best_here.size()) / static_cast<double>(where.cases_there);
     if (static_cast<double>(sample.literals().size()) * chance_bound(found, where.violated_there, share) >
         greatest_chance) {

@@ -23,8 +23,8 @@ struct Where {
   std::uint64_t cases_there = 0;      // sampled cases that meet the conditions, violated or not
 };
 
-/// The violated cases of a run. By family, `violated` lists the numbers of violated sampled cases, ascending. `judged`
-/// counts the judged sampled cases, which come first.
+/// The violated cases of a run. For each family, `violated` lists the numbers of violated sampled cases, ascending.
+/// `judged` counts the judged sampled cases, which come first.
 struct Violations {
   std::vector<std::vector<std::uint64_t>> violated;
   std::vector<std::uint64_t> judged;

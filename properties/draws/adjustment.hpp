@@ -25,7 +25,6 @@ using PerAdjustment = EnumArray<Adjustment, T, all_adjustments.size()>;
 
 using AdjustmentCounts = PerAdjustment<std::uint64_t>;
 
-/// For example `moments_enlarged`.
 [[nodiscard]] std::string_view name_of(Adjustment adjustment);
 
 }  // namespace carom::properties

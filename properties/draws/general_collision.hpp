@@ -33,7 +33,7 @@ template <class MakeBody>
   return collision;
 }
 
-/// Two approaching bodies of general inertia. The contact is within about one body's size of each.
+/// Two approaching bodies of general inertia. The contact is at most about one body size from each body.
 [[nodiscard]] Collision general_collision(Stream& stream);
 
 }  // namespace carom::properties

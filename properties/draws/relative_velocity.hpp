@@ -14,7 +14,7 @@ void set_relative_velocity(Collision& collision, const Vector3<double>& wanted);
 /// Reverses the normal if the bodies separate.
 void make_approaching(Collision& collision);
 
-/// As rounded.
+/// Whether N·V is negative, as rounded.
 [[nodiscard]] bool is_approaching(const Collision& collision);
 
 /// Reverses all motion if the bodies separate, and returns whether it did. Zero, equal, parallel and axis-aligned

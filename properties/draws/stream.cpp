@@ -77,7 +77,7 @@ Vector3<double> Stream::direction() {
   } else {
     result = vector();
   }
-  // The square of a shorter vector is rounding noise.
+  // Keeps the length at least 1/16, and so excludes zero.
   constexpr double short_length = 1.0 / 16;
   if ((result.array().abs() < short_length).all()) {
     result[integer(0, 2)] = 1;

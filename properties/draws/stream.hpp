@@ -39,15 +39,15 @@ class Stream {
     return answer_ ? answer_({count, simplest, false}) : next_() % count;
   }
 
-  /// Uniform in low … high, both included. The simplest answer is closest to 0, unless it is given.
+  /// Uniform in low … high, both included. The simplest answer is the closest to 0, or `simplest` if given.
   [[nodiscard]] int integer(int low, int high) { return integer(low, high, std::clamp(0, low, high)); }
   [[nodiscard]] int integer(int low, int high, int simplest);
 
   /// True once in `one_in` times. The simplest answer is false.
   [[nodiscard]] bool chance(int one_in) { return integer(1, one_in, one_in == 1 ? 1 : 2) == 1; }
 
-  /// Whether to use a plain number, such as 1, in place of the drawn number. A stream of words takes no word for it,
-  /// and answers false.
+  /// Whether to use a plain number, such as 1, in place of the drawn number. A stream of words answers false, and
+  /// spends no word on the question.
   [[nodiscard]] bool plainly() { return answer_ && answer_({2, 1, true}) == 1; }
 
   /// In [0, 1): mostly with all 53 bits; one in eight is a multiple of 1/8.

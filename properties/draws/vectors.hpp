@@ -4,8 +4,8 @@
 #include <carom/collision/vector.hpp>
 
 /// Vector operations for families and features. Each operation is rounded separately in the order given here, so
-/// results are the same on every machine. The order of Eigen's sums (dot, norm, matrix products) depends on the
-/// instruction set. Do not use them for families and features.
+/// results are the same on every machine. Do not use Eigen's dot, norm and matrix products for families and features:
+/// the order of their sums depends on the instruction set.
 namespace carom::properties {
 
 /// (u₀ v₀ + u₁ v₁) + u₂ v₂.

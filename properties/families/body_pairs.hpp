@@ -5,7 +5,7 @@
 
 namespace carom::properties {
 
-/// Two approaching bodies of general inertia. The contact is within about one body's size of each.
+/// Two approaching bodies of general inertia. The contact is at most about one body size from each body.
 [[nodiscard]] Case general_bodies(Stream& stream);
 
 /// `general_bodies` with friction. One case in four has a few features (features/compose.hpp).

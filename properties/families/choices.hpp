@@ -8,7 +8,7 @@
 #include <carom/properties/families/family.hpp>
 
 /// Cases with the choices that make them. A draw function asks its Stream questions (`StreamQuestion`), and a choice is
-/// one answer. Other choices make another case.
+/// one answer.
 namespace carom::properties {
 
 /// `Family::generate`, or a function that calls it for several families.

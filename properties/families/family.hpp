@@ -34,15 +34,15 @@ struct Family {
   std::string_view summary;
   Case (*generate)(Stream&);
   /// Families take turns in this order, from 1 (gate/schedule.hpp), so the first cases find most defects.
-  /// `first_violation --families` (tests/benchmarks) ranks the families by the planted defects (tests/mutants) that
-  /// their first two cases find, for eight seeds. Each of families 1 to 10 finds the most defects among those that the
-  /// families before it miss. These ten together miss no defect. The others follow by the number of defects that each
-  /// finds alone; the last two are not ranked.
+  /// `first_violation --families` (tests/benchmarks) counts the planted defects (tests/mutants) that the first two
+  /// cases of a family find, for eight seeds. Each of families 1 to 10 finds the most defects among those that the
+  /// families before it miss, and the ten together miss no defect. The other families follow by the number of defects
+  /// that each finds alone, except the last two, which are not ranked.
   int turn = last_turn;
   int weight = 1;        // factor of the number of cases that the gate draws
   bool is_valid = true;  // false if a subject must refuse its collisions
-  /// For a family beyond the claimed domain. A subject's limit is the least value at which it violates an invariant.
-  /// The family decides no verdict unless the user names it.
+  /// For a family beyond the claimed domain. A subject's limit is the least quantity at which the subject violates an
+  /// invariant. The family decides no verdict unless the user names it.
   MeasuredQuantity beyond = {};
 
   [[nodiscard]] bool is_beyond_domain() const { return beyond.of != nullptr; }

@@ -30,7 +30,7 @@ void add_tetrahedron(Integrals& integrals, const IntegerVector& a, const Integer
 }
 
 /// The integrals over the hull. A triangle is a face if all other points lie on one side of it. If four points share a
-/// plane, all integrals are 0, because faces with more corners would count twice.
+/// plane, all integrals are 0, because a face with more corners would count twice.
 Integrals integrals_of_hull(const std::vector<IntegerVector>& points) {
   Integrals integrals;
   const std::size_t n = points.size();

@@ -53,8 +53,8 @@ V rounded(const V& v) {
   return v.unaryExpr(whole);
 }
 
-/// Rounds every number of the body to an integer. A body below 1 kg or 1 m grows. With the contact at its centre of
-/// mass, a small body becomes heavy instead.
+/// Rounds every number of the body to an integer. A body below 1 kg or 1 m grows. If the contact is at its centre of
+/// mass, a small body gains mass in place of size.
 void make_whole_body(Stream& stream, Collision& c, Body& b) {
   const V r = rounded(lever_arm(c, b));
   b.position = rounded(c.point) - r;

@@ -10,8 +10,8 @@
 
 namespace carom::properties {
 
-/// Counts the features, and the pairs of features, of colliding contacts, because no law acts on others. The memory
-/// does not grow with the number of contacts.
+/// Counts the features, and the pairs of features, of colliding contacts, because no law acts on other contacts. The
+/// memory does not grow with the number of contacts.
 class FeatureCoverage {
  public:
   struct Pair {
@@ -30,7 +30,7 @@ class FeatureCoverage {
 
   FeatureCoverage& operator+=(const FeatureCoverage& other);
 
-  /// By index in all_features().
+  /// The arguments are indices in all_features().
   [[nodiscard]] std::uint64_t count(std::size_t feature) const { return singles_[feature]; }
   [[nodiscard]] std::uint64_t count(std::size_t x, std::size_t y) const;
 

@@ -19,10 +19,10 @@ enum class FeatureKind { special_value, relation, magnitude };
 [[nodiscard]] std::string_view name_of(FeatureKind kind);
 
 /// A pattern for names of features. "X." stands for the body of the feature that lists the pattern, or for either body
-/// if it has none. "Y." stands for the other body. "…*" matches every name with this beginning.
+/// if that feature has none. "Y." stands for the other body. "…*" matches every name with this beginning.
 using NamePattern = std::string_view;
 
-/// Features that no colliding contact of real bodies has together with the listing feature.
+/// Features that no colliding contact of real bodies has together with the feature that lists them.
 struct Exclusion {
   std::vector<NamePattern> features;
   std::string_view why;

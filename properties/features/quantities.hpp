@@ -22,8 +22,8 @@ inline constexpr const char* ratio_of_moments = "a body's greatest moment over i
 /// quantities of a body occur twice, as the lesser and the greater of the two bodies.
 [[nodiscard]] std::span<const ComparedQuantity> all_compared_quantities();
 
-/// The decimal logarithms of the collision's quantities, in this order; NaN for a quantity that it does not have.
-/// Precondition: the collision is valid.
+/// The decimal logarithms of the collision's quantities, in the order of all_compared_quantities(); NaN for a quantity
+/// that the collision does not have. Precondition: the collision is valid.
 [[nodiscard]] std::vector<float> quantities_of(const Collision& collision);
 
 }  // namespace carom::properties

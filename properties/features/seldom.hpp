@@ -8,7 +8,7 @@
 
 namespace carom::properties {
 
-/// Two groups of features. A feature of one group seldom occurs with one of the other unless both are chosen.
+/// Two groups of features. A feature of one group seldom occurs with a feature of the other unless both are chosen.
 struct SeldomPair {
   std::vector<const Feature*> first;
   std::vector<const Feature*> second;

@@ -87,8 +87,8 @@ class Progress {
   std::uint64_t all_ = 0;
 };
 
-/// For each subject, the first task that found a violation. Earlier tasks are still judged to the end, so the first
-/// violation does not depend on the number of threads.
+/// For each subject, the first task that found a violation. The tasks before it are still judged to the end, so the
+/// first violation does not depend on the number of threads.
 class Finds {
  public:
   explicit Finds(std::size_t subjects) : first_(subjects) {
@@ -366,7 +366,7 @@ GateReport run_gate(const std::vector<Subject>& subjects, const GateOptions& opt
     const SubjectTally tally = tally_of(workers, s, claims[s]);
     SubjectResult result{subjects[s], tally.error, tally.families, tally.digits, 0, {}, {}, {}, {}};
     if (const Histogram<TimeScale>& times = tally.nanoseconds_per_solve; times.size() > 0) {
-      // Other programs disturb single batches by far more than solvers differ, so this is the median.
+      // Other programs disturb single batches by far more than solvers differ, so the report gives the median.
       result.nanoseconds_per_solve = times.at(times.size() / 2);
     }
     for (const std::string& invariant : result.violated_invariants()) {

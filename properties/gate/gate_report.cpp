@@ -110,7 +110,7 @@ std::string why_not_judged(const SubjectResult& result, const std::vector<const 
     return std::to_string(skipped_of_valid) + " of " + std::to_string(valid) +
            " cases were skipped, which is more than a tenth";
   }
-  // Every law claims some of `exercised_by_collisions`.
+  // Every law claims at least one of `exercised_by_collisions`.
   const auto is_exercised = [&](const char* invariant) { return result.count(invariant).holds > 0; };
   const bool was_answered = std::any_of(exercised_by_collisions.begin(), exercised_by_collisions.end(), is_exercised);
   const bool is_of_collisions =

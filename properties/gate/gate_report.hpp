@@ -24,7 +24,7 @@ struct Shard {
   std::uint64_t number = 1;  // from 1
   std::uint64_t of = 1;
 
-  /// The number in its family of the shard's `place`-th case, both from 0.
+  /// The number, in its family, of the shard's `place`-th case. Both count from 0.
   [[nodiscard]] std::uint64_t case_number(std::uint64_t place) const { return place * of + number - 1; }
 };
 
@@ -38,9 +38,9 @@ struct GateOptions {
   oracles::Yardstick yardstick;  // with the unit roundoff of each subject
   Workers workers = {};          // each worker opens a session of every subject
   /// Each relation is judged on one case in `relations_every`, and different relations on different cases. The value 0
-  /// means 1 for subjects in this process, and 4 for programs. A question costs a program a hundred times as much.
-  /// With 4, a family has 250 judged cases of 1000, with two answers each. If one answer in 100 is wrong, and only this
-  /// relation in this family shows it, one run in 150 misses the fault (0.99^500).
+  /// means 1 for subjects in this process, and 4 for programs, for which a question costs a hundred times as much. With
+  /// 4, a relation has 250 judged cases of a family's 1000, with two answers each. If one answer in 100 is wrong, and
+  /// only one relation in one family shows it, one run in 150 misses the fault (0.99^500).
   std::uint64_t relations_every = 0;
   /// A subject is not asked after its first violation. The report has one violation of each such subject, the same for
   /// any number of workers.
@@ -120,10 +120,10 @@ struct SubjectResult {
 };
 
 /// The text of SubjectResult::not_judged. Empty if three conditions hold:
-/// - In each family of valid collisions, the subject answers a case that its precision can hold.
-/// - It skips at most a tenth of all such cases.
-/// - An invariant of colliding contacts' outcomes holds in some case. If no case collides, any invariant holds in some
-/// case.
+///   (1) In each family of valid collisions, the subject answers a case that its precision can hold.
+///   (2) The subject skips at most a tenth of all such cases.
+///   (3) An invariant of colliding contacts' outcomes holds in some case. If no case collides, any invariant holds in
+///       some case.
 [[nodiscard]] std::string why_not_judged(const SubjectResult& result, const std::vector<const Family*>& families,
                                          const std::vector<Coverage>& coverage);
 

@@ -11,7 +11,6 @@
 /// Sampled cases. Traits that the violated cases share show where a subject is wrong.
 namespace carom::properties {
 
-/// The traits of a sampled case.
 struct SampledCase {
   bool is_valid = false;
   oracles::Approach approach = oracles::Approach::inert;  // of a valid case
@@ -19,7 +18,7 @@ struct SampledCase {
   std::vector<float> quantities = {};  // decimal logarithms, in the order of all_compared_quantities()
 };
 
-/// The number of a family's first cases that are sampled, to be multiplied by its weight.
+/// This number of a family's first cases, times the family's weight, is sampled.
 inline constexpr std::uint64_t sampled_of_each_family = 1000;
 [[nodiscard]] std::uint64_t sampled_of(const Family& family);
 

@@ -9,8 +9,8 @@
 
 namespace carom::properties {
 
-/// Correct digits in bins of 0.01 from −20 to 40, which stands for exact. The middle of a bin rounds to the same tenth
-/// as every number in the bin. One more bin holds everything below −20, and −∞ for NaN errors.
+/// Correct digits in bins of 0.01 from −20 to 40. 40 stands for an exact outcome. The middle of a bin rounds to the
+/// same tenth as every number in the bin. One more bin holds everything below −20, and −∞ for NaN errors.
 struct DigitsScale {
   static constexpr int lowest = -20;
   static constexpr int highest = 40;
@@ -32,8 +32,8 @@ struct DigitsScale {
   }
 };
 
-/// Times in nanoseconds from 2⁻¹⁰ to 2⁵⁴ (half a year), in 64 bins per octave. The middle of a bin is off by less than
-/// 1/128. The outer bins also hold the values outside.
+/// Times in nanoseconds from 2⁻¹⁰ to 2⁵⁴ (half a year), in 64 bins per octave. The middle of a bin has a relative error
+/// below 1/128. The outer bins also hold the times outside this range.
 struct TimeScale {
   static constexpr int lowest_exponent = -9;  // of std::frexp: 2⁻¹⁰ is ½ · 2⁻⁹
   static constexpr int octaves = 64;

@@ -19,7 +19,7 @@ struct Task {
   std::uint64_t last = 0;
   Shard shard = {};
 
-  /// The number in its family of the task's `i`-th case, from 0.
+  /// The number, in its family, of the task's `i`-th case. Both count from 0.
   [[nodiscard]] std::uint64_t case_number(std::uint64_t i) const { return shard.case_number(first + i); }
 };
 

@@ -10,7 +10,7 @@ namespace carom::properties {
 
 [[nodiscard]] Coverage coverage_of(const JudgedCase& judged_case);
 
-/// The findings of one thread on one subject. Their size does not grow with the number of cases.
+/// The findings of one thread on one subject.
 struct SubjectTally {
   std::string error;  // why the subject was not judged to the end; empty if it was
   std::vector<FamilyResult> families;
@@ -21,7 +21,7 @@ struct SubjectTally {
   void add(std::size_t family, std::uint64_t index, const JudgedCase& judged_case, const Answer& answer,
            const Judgement& judgement, const Claim& claim);
 
-  /// Adds one verdict that was reached separately from the others of its case.
+  /// Adds one verdict that is reached separately from the other verdicts of its case.
   void add(std::size_t family, std::uint64_t index, const Case& one, const Answer& answer, const NamedVerdict& named);
 
   /// Moves `counts` to `FamilyResult::counts`, which are empty before.

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint64_t one_asked_again_of = 10;
 
-/// The approximate number of cases of a run that a separate session is asked again.
+/// The approximate number of cases of a run that the gate asks again in a separate session.
 constexpr std::uint64_t most_remembered = 64;
 
 /// The answers of a session to a batch. If the session failed, some are missing.

@@ -40,10 +40,10 @@ struct Examinee {
   std::optional<FirstViolation> first_violation = {};  // not in any tally
 };
 
-/// Whether the same session is asked the case again. The case alone decides, so results do not depend on tasks or
-/// threads.
+/// Whether the gate asks the case again in the same session. Only the number of the case decides, so results do not
+/// depend on tasks or threads.
 [[nodiscard]] bool is_asked_again(std::uint64_t index);
-/// Whether a separate session is asked the case again. The case alone decides this too.
+/// Whether the gate asks the case again in a separate session.
 [[nodiscard]] bool is_remembered(std::uint64_t index, std::size_t families);
 
 /// Asks a subject the cases of one task, then the questions that their answers raise. If the session fails, judges the

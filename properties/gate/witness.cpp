@@ -85,11 +85,11 @@ Witness shrunk_witness(const Subject& subject, const Claim& claim, Witness witne
 }
 
 bool is_as_bad(const Verdict& verdict, const Collision& collision, const Verdict& found, const Collision& found_on) {
-  // The shrunk violation must stay far beyond the limit. If no rounding is permitted, it must stay above rounding.
+  // A shrunk violation keeps a sixteenth of the seriousness, and at least 1 if the original has it.
   const double worst = seriousness(found, found_on);
   const double kept = worst >= 16 ? worst / 16 : std::min(worst, 1.0);
-  // The error must stay in about the same digits as in the original. A relative residual above 2⁻¹⁰ is more than
-  // rounding, so no larger one is required.
+  // It also keeps a sixteenth of the relative residual. Above 2⁻¹⁰ this residual is more than rounding, so a sixteenth
+  // of 2⁻¹⁰ suffices.
   constexpr double plain = 0x1p-10;
   const double kept_of_size = std::min(found.relative_residual(), plain) / 16;
   return seriousness(verdict, collision) >= kept && verdict.relative_residual() >= kept_of_size &&
@@ -98,7 +98,7 @@ bool is_as_bad(const Verdict& verdict, const Collision& collision, const Verdict
 
 Case simplest_violation(const Case& one, const Invariant& invariant, const Verdict& found,
                         const std::function<Verdict(const Case&)>& verdict_on, std::size_t most_calls) {
-  // An invalid collision is not worth shrinking. A shrunk collision has unknown shapes.
+  // An invalid collision is not worth shrinking. The shapes of a shrunk collision are unknown.
   const auto* const of_matrix = std::get_if<AboutMatrix>(&invariant.about);
   if (!JudgedCase(one).is_valid() || (of_matrix != nullptr && of_matrix->rests_on_shapes)) {
     return one;

@@ -16,8 +16,8 @@ inline void in_turn(std::size_t count, const std::function<void(std::size_t)>& w
 struct Workers {
   /// The number of items of work that may run at once, at least 1. It does not affect results.
   unsigned count = 1;
-  /// Runs work(0), …, work(count − 1), each once and in any order, and returns after the last. After an exception it
-  /// starts no more, and throws the first exception.
+  /// Runs work(0), …, work(count − 1), each once and in any order, and returns after the last. After an exception,
+  /// starts no further work, and throws the first exception.
   std::function<void(std::size_t count, const std::function<void(std::size_t)>& work)> run = in_turn;
 };
 

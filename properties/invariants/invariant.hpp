@@ -52,7 +52,7 @@ using ExactAnswer = std::variant<oracles::LiftedOutcome, NotFinite, Skipped, Ref
 /// Writes into `into`, because moving an answer is expensive.
 void lift(const Answer& answer, ExactAnswer& into);
 
-/// A question (a related collision that a relation asks the subject to solve), with exact facts and the answer.
+/// A question, with exact facts and the answer.
 struct Related {
   const oracles::ExactCase& exact_case;
   const ExactAnswer& answer;
@@ -87,13 +87,13 @@ struct AboutOutcome {
 /// An invariant of the collision matrix that a subject shows with its outcome of a valid collision.
 struct AboutMatrix {
   Verdict (*check)(const Evidence&);
-  /// Whether the invariant depends on the bodies' shapes. Only the family knows them, and only of the collision that it
-  /// drew.
+  /// Whether the invariant depends on the bodies' shapes. Only the family knows the shapes, and only those of the
+  /// collision that it drew.
   bool rests_on_shapes = false;
 };
 
 /// A relation: an invariant that compares the outcome with the outcomes of related collisions. `ask` makes these
-/// questions. `check` gets the subject's answer to each.
+/// collisions, the questions. `check` gets the subject's answer to each question.
 struct AboutRelation {
   using OfCollision = std::vector<Collision> (*)(const Collision&);
   using OfOutcome = std::vector<Collision> (*)(const Collision&, const Outcome<double>&);

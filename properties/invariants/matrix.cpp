@@ -70,7 +70,7 @@ bool is_surely_definite(const Evidence& e, const LiftedMatrix& shown) {
   return false;
 }
 
-/// Whether bounds show C ⪯ 16 λI for the exact C and for the shown C, without any rounding.
+/// Whether bounds show C ⪯ 16 λI for the exact C and for the shown C, with no permitted rounding.
 bool is_surely_well_conditioned(const Evidence& e, const LiftedMatrix& shown) {
   const Approximation bound = Approximation(16) * e.exact_case.bounds().approximate_inverse_mass();
   const auto is_below = [&](const Matrix3<Approximation>& matrix) {
@@ -83,8 +83,8 @@ bool is_surely_well_conditioned(const Evidence& e, const LiftedMatrix& shown) {
   return false;
 }
 
-/// Applies `check` to the C that the subject shows. The exact C alone tests nothing, because theorems prove these
-/// invariants for it.
+/// Applies `check` to the C that the subject shows. Without a shown C, nothing is tested, because theorems prove these
+/// invariants for the exact C.
 template <Verdict (*check)(const Evidence&, const LiftedMatrix&)>
 Verdict of_shown_matrix(const Evidence& e) {
   if (e.exact_case.approach() == oracles::Approach::inert) {
@@ -127,7 +127,7 @@ Verdict check_well_conditioned(const Evidence& e, const LiftedMatrix& shown) {
   }
   count(oracles::Stage::rational);
   const Rational bound = 16 * inverse_mass(e.exact_case.exact());
-  // The bound is sharp, and stored moments and lever arms are rounded.
+  // The bound is sharp, so the rounding of stored moments and lever arms can exceed it.
   const Rational rounding = eigenvalue_rounding(e);
   if (!e.exact_case.is_bounded_by(bound + rounding)) {
     return bound_missed("the exact C and 16 λI", e.exact_case.collision_matrix(), bound);

@@ -14,7 +14,6 @@ namespace carom::properties {
 namespace {
 
 using oracles::Rational;
-/// The outcome of a related collision, or a verdict if there is no outcome.
 std::variant<const oracles::LiftedOutcome*, Verdict> outcome_of(const Related& related) {
   if (const auto* outcome = std::get_if<oracles::LiftedOutcome>(&related.answer)) {
     return outcome;
@@ -62,7 +61,7 @@ bool surely_agree(const Evidence& e, const ReportedOutcome& expected, const orac
   return agree;
 }
 
-/// If the permitted error is certainly finite, a lower bound of the error may decide.
+/// Whether the permitted error is certainly finite. If so, a lower bound of the permitted error may decide.
 bool is_surely_finite(const Evidence& e, const oracles::ExactCase& exact_case, const oracles::LiftedOutcome& outcome) {
   return e.yardstick.uses_bounds() && exact_case.is_moderate(e.law) && outcome.is_moderate();
 }
@@ -207,8 +206,8 @@ Vector3<S> mirrored_axial(Vector3<S> v) {
   return v;
 }
 
-/// The units change by these powers of two. The unit of every computed quantity then changes. Exponents 5, −3 and 2
-/// would keep the unit of impulse.
+/// The units of mass, length and time change by these powers of two, so the unit of every computed quantity changes.
+/// Exponents 5, −3 and 2 would keep the unit of impulse.
 constexpr int mass_exponent = 5;
 constexpr int length_exponent = -3;
 constexpr int time_exponent = 1;
@@ -218,7 +217,7 @@ T times_power_of_two(const T& number, int exponent) {
   return number * T(std::ldexp(1.0, exponent));
 }
 
-/// Every component is below 2 to this power. 1 if all components are zero.
+/// An exponent e such that every component is below 2^e in size; 1 if all components are zero.
 int exponent_above(std::initializer_list<const Vector3<double>*> of) {
   double largest = 0;
   for (const auto* vector : of) {
@@ -405,7 +404,7 @@ Verdict check_homogeneous(const Evidence& e, std::span<const Related> related) {
 }
 
 /// In the first collision, the bodies meet head-on without spin. The second adds a tangential velocity of 2⁻³⁰ of the
-/// approach. The normal is rounded to 20 bits, so both are exact.
+/// approach. The normal is rounded to 20 bits, so both collisions are exact.
 std::vector<Collision> ask_continuous(const Collision& collision) {
   const int exponent = exponent_above({&collision.normal});
   Collision head_on = collision;

@@ -51,9 +51,9 @@ namespace carom::properties {
       "the contact differs from colliding and from separating contacts by rounding only, and their answers differ");
 }
 
-/// Whether a vector of an outcome is at most `allowed` from `expected`. Both vectors are enclosures (numbers with error
-/// bounds). If they do not decide, `exact_pair()` gives both vectors exactly. `relation` names the compared vectors.
-/// Without a value of `allowed`, the verdict is undecided.
+/// Whether a vector of an outcome is at most `allowed` from `expected`. Both vectors are enclosures. If they do not
+/// decide, `exact_pair()` gives both vectors exactly. `relation` names the compared vectors. Without a value of
+/// `allowed`, the verdict is undecided.
 template <class Exact>
 [[nodiscard]] Verdict vector_equals(const Vector3<oracles::Enclosure>& actual,
                                     const Vector3<oracles::Enclosure>& expected, const Exact& exact_pair,

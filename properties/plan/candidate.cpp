@@ -6,7 +6,7 @@
 namespace carom::properties::plan {
 
 bool is_less(const Candidate& x, const Candidate& y) {
-  // Law lists the cheapest law first.
+  // The enumeration `Law` lists the cheapest law first.
   const auto key = [](const Candidate& c) {
     return std::tuple(c.subject.law, c.scalar_rank, c.solve_rank, c.frame, c.subject.name);
   };

@@ -23,7 +23,7 @@ class Linter {
 
   void coefficients() {
     const Collision& c = contact_.collision;
-    // Only coefficients of an invalid collision can be defective here.
+    // An invalid collision here is out of range, so only its coefficients have defects.
     for (const Defect& defect : validate(c)) {
       add(Lint::coefficient, Severity::warning, defect.field,
           "expected " + defect.expected + "; no law is defined for this value, so the plan ignores the contact");
@@ -78,7 +78,7 @@ class Linter {
     for (const auto& [body, name] : bodies()) {
       Collision alone = c;
       (name == "a" ? alone.b : alone.a).immovable = true;
-      // λI + [r]ᵀ J⁻¹ [r] with λ = 1/m of this body alone.
+      // K of this body alone: λI + [r]ᵀ J⁻¹ [r] with λ = 1/m.
       if (!body->immovable && !oracles::ExactCase(alone).is_bounded_by(Rational(largest_condition) / body->mass)) {
         of_bodies += (of_bodies.empty() ? "" : ", ") + name;
       }

@@ -19,7 +19,7 @@ inline constexpr double friction_noted = 5;               // greater than the me
 inline constexpr double mass_ratio_noted = 1e3;  // from here on, solvers of many contacts at once converge slowly
 inline constexpr double mass_ratio_warned = 1e6;
 
-/// Whether a collision is invalid only because ε, μ or e_t is finite but out of range. It has no law.
+/// Whether a collision is invalid only because ε, μ or e_t is finite but out of range. Then no law is defined.
 [[nodiscard]] bool is_out_of_range(const Collision& collision);
 
 /// The suspicious properties of a collision, decided exactly. Precondition: the collision is valid or

@@ -45,7 +45,7 @@ struct Part {
   std::size_t colliding = 0;
   std::vector<LawCount> laws;
   std::vector<JudgedCandidate> candidates;
-  std::optional<double> baseline_nanoseconds;  // per contact: the law asked for, in double by its default method
+  std::optional<double> baseline_nanoseconds;  // per contact, of the baseline (see `make_plan`)
   std::size_t timed_contacts = 0;
   std::optional<std::size_t> one_at_a_time;  // index in `candidates` of the best one that serves
   std::optional<std::size_t> in_batches;
@@ -66,8 +66,8 @@ struct Plan {
   /// Whether a candidate serves every contact.
   [[nodiscard]] bool serves() const;
 
-  /// The time of the baseline divided by that of the classes' choices, each on its own contacts, without the time to
-  /// find a contact's class. None if a class has no choice, or if nothing was timed.
+  /// The time of the baseline divided by the time of the classes' choices, each on the contacts of its class. The time
+  /// to find a contact's class does not count. None if a class has no choice, or if nothing was timed.
   [[nodiscard]] std::optional<double> saving_by_class(bool in_batches) const;
 };
 

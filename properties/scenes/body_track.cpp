@@ -85,7 +85,7 @@ BodyTrack::TurningState BodyTrack::beginning(std::size_t arc) const {
   return state;
 }
 
-/// Euler's equations, and q' = ½ q ω.
+/// Integrates Euler's equations and q' = ½ q ω over one step.
 BodyTrack::TurningState BodyTrack::stepped(TurningState state, Real step) const {
   if (step == 0) {
     return state;
@@ -113,7 +113,7 @@ BodyTrack::TurningState BodyTrack::turned(std::size_t arc, Real elapsed) {
     return known_[0];
   }
   const Real step = step_angle / rate;
-  // Arcs are renewed every few radians. A longer rotation, or one that is not a number, has no known state.
+  // The simulation renews arcs every few radians. A much longer rotation, or a NaN, has no known state.
   constexpr Real most_steps = 0x1p20;
   if (!(elapsed <= most_steps * step)) {
     TurningState unknown;

@@ -23,8 +23,8 @@ struct Pose {
 };
 
 /// A body's shape and its whole motion. The rotation does not come from the simulation. E. Fehlberg's Runge–Kutta
-/// method of order 8 integrates it in long double from each arc's start. Steps of 1/20 rad have errors below 10⁻¹⁶
-/// each. Arcs and orientations must outlive the track.
+/// method of order 8 integrates the rotation in long double from each arc's start. Steps of 1/20 rad have errors below
+/// 10⁻¹⁶ each. Arcs and orientations must outlive the track.
 class BodyTrack {
  public:
   BodyTrack(const scene::RigidBody& body, bool is_ball, const std::vector<scene::Arc>& arcs,

@@ -32,7 +32,7 @@ void ImpulseJudge::record(const scene::Event& event) {
   };
   outcome.a = widen(event.outcome.a);
   outcome.b = widen(event.outcome.b);
-  // A scene's bodies are convex and uniform, and its contacts are on their surfaces.
+  // The bodies of a scene are convex and uniform, and the contacts are on their surfaces.
   const JudgedCase judged_case({event.collision, true});
   const Trial trial(judged_case, claim_, lift(Answer(outcome)), no_relations);
   const Judgement judgement = trial.judge(std::span<const ExactAnswer>{}, worst_backward_error_);

@@ -32,7 +32,7 @@ class ImpulseJudge {
   [[nodiscard]] std::uint64_t judged() const { return judged_; }
   [[nodiscard]] std::uint64_t violated() const { return violated_; }
   [[nodiscard]] double worst_backward_error() const { return worst_backward_error_; }
-  /// By invariant, the number of judged impulses for which it holds.
+  /// For each invariant, the number of judged impulses for which the invariant holds.
   [[nodiscard]] const std::map<std::string_view, std::uint64_t>& times_held() const { return times_held_; }
   [[nodiscard]] const std::optional<BadImpulse>& first_bad() const { return first_bad_; }
 

@@ -49,9 +49,9 @@ struct Energies {
 };
 
 /// The account of a scene's energy and momenta by cause. An amount comes from the closed form of the law or of the
-/// phase of motion, never from the difference of two energies. For an impact of a polyhedron, it is F·V + ½ F·K F, with
-/// F the impulse on A in the outcome. The rest of the difference is booked as rounding. All numbers are long double, so
-/// the ledger's own rounding is 2⁻¹¹ of the rounding of a state to double.
+/// phase of motion, never from the difference of two energies. For an impact of a polyhedron, the amount is F·V + ½ F·K
+/// F, with F the impulse on A in the outcome. The ledger books the rest of each change as rounding. All numbers are
+/// long double, so the ledger's own rounding is 2⁻¹¹ of the rounding of a state to double.
 class Ledger {
  public:
   /// The scene that the state refers to must outlive the ledger.
@@ -67,7 +67,7 @@ class Ledger {
   /// The potential energy that gravity turned into kinetic energy [J].
   [[nodiscard]] long double gravity_work() const { return gravity_work_.sum(); }
   [[nodiscard]] const Energies& initial() const { return initial_; }
-  /// The energies at each body's last recorded event, or at the beginning if it had none.
+  /// The energies at each body's last recorded event, or at the beginning if the body had none.
   [[nodiscard]] Energies present() const;
   /// The reference for rounding [J]: the greatest kinetic energy so far, plus Σ m |g·x| of the initial positions.
   [[nodiscard]] long double scale() const { return scale_; }
@@ -77,7 +77,7 @@ class Ledger {
   [[nodiscard]] Vector3<long double> plane_impulse() const { return sum_of(plane_impulse_); }
   [[nodiscard]] Vector3<long double> momentum_rounding() const { return sum_of(momentum_rounding_); }
   /// Σ ‖Δ(x × m v + I w)‖ about the origin [N m s], over impacts of two bodies and renewals. The laws keep this
-  /// momentum, so the sum is rounding. Its scale is the greatest Σ m ‖x‖ ‖v‖ at one event.
+  /// momentum, so the sum is rounding. The scale is the greatest Σ m ‖x‖ ‖v‖ at one event.
   [[nodiscard]] long double angular_momentum_rounding() const { return angular_rounding_.sum(); }
   [[nodiscard]] long double angular_momentum_scale() const { return angular_scale_; }
 

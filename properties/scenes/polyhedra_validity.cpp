@@ -26,8 +26,8 @@ using scene::Arc;
 constexpr Real largest_turn = 0.25;  // the largest rotation between two looks [rad]
 constexpr int most_halvings = 40;
 constexpr Real allowed_unseen = 0x1p-30L;  // relative to the lesser radius
-/// The permitted jump of an orientation at a joint of arcs [rad]: at least twice the errors of an arc's rates. After 8
-/// rad, these have grown to e⁸ times some roundings of double (tumbling_body.hpp).
+/// The permitted jump of an orientation at a joint of arcs [rad]: at least twice the errors of an arc's rates. Within 8
+/// rad, these errors grow to e⁸ times some roundings of double (tumbling_body.hpp).
 constexpr Real allowed_turn = 0x1p-38L;
 /// The permitted jump of a position at a joint of arcs, relative to the terms of x + s (v + s a/2). This parabola is
 /// rounded eight times.
@@ -54,7 +54,7 @@ struct Ground {
   Real offset;
 };
 
-/// A minimum over numbers that include a NaN is unknown: −∞.
+/// The gap, or −∞ if it is not finite. A minimum over numbers that include a NaN is unknown.
 Real known(Real gap) { return std::isfinite(gap) ? gap : -std::numeric_limits<Real>::infinity(); }
 
 class PolyhedraChecker {
@@ -112,7 +112,6 @@ class PolyhedraChecker {
     }
   }
 
-  /// The start of the next arc, or the end of the history.
   [[nodiscard]] double end_of(std::size_t body, std::size_t arc) const {
     const std::vector<Arc>& arcs = tracks_[body].arcs();
     return arc + 1 < arcs.size() ? arcs[arc + 1].path.start : history_.end();
@@ -209,7 +208,7 @@ class PolyhedraChecker {
       case Axis::Of::edge:
         break;
     }
-    // From a point of the polyhedron to the ball's centre; reversed if A is the polyhedron.
+    // The direction leads from a point of the polyhedron to the ball's centre, or back if A is the polyhedron.
     const bool is_a_ball = tracks_[i].is_ball();
     const Pose& polyhedron = is_a_ball ? b : a;
     const Wide ball = is_a_ball ? a.centre - b.centre : b.centre - a.centre;
@@ -284,10 +283,10 @@ class PolyhedraChecker {
     return best;
   }
 
-  /// A lower bound of the gap between two looks along a direction that turns from n₁ to n₂ at a constant rate Ω. In
-  /// axes that turn with it, let x be a vertex relative to a vertex of the other body. ‖ẍ‖ is at most the sum of three
-  /// parts:
-  /// - 2 r ω² of each body: the centripetal acceleration, and ω' × r with ‖ω'‖ ≤ ‖ω‖².
+  /// A lower bound, from one look to the next, of the gap along a direction n that turns from n₁ to n₂ at a constant
+  /// rate Ω. In axes that turn with n, let x be a vertex relative to a vertex of the other body. ‖ẍ‖ is at most the sum
+  /// of three parts:
+  /// - 2 r ω² of each body with the radius r: the centripetal acceleration, and that by ω' with ‖ω'‖ ≤ ‖ω‖².
   /// - The relative acceleration of the centres.
   /// - 2 Ω ‖ẋ‖ + Ω² ‖x‖.
   /// Precondition: neither body turns by more than largest_turn between the looks, so ω grows by a factor below 4/3.

@@ -127,8 +127,8 @@ bool are_exactly_apart(const Path& a, const Path& b, double begin, double end) {
                                     : is_nowhere_negative(bernstein(gap, span));
 }
 
-/// Whether the spheres are so far apart that they cannot meet. A billionth of the distance is left for rounding, which
-/// is far less if coordinates are below 10⁸ distances.
+/// Whether the spheres are so far apart that they cannot meet. A relative 10⁻⁹ covers rounding if coordinates are below
+/// 10⁸ distances.
 bool are_far_apart(const Path& a, const Path& b, double begin, double end) {
   long double square = 0;
   long double travel = 0;
@@ -158,7 +158,7 @@ bool are_surely_apart(const Path& a, const Path& b, double begin, double end, in
          are_surely_apart(a, b, middle, end, halvings_left - 1);
 }
 
-/// Whether N·x − N·p ≥ R |N| throughout, decided exactly.
+/// Decides exactly whether the sphere stays above the plane: N·x − N·p ≥ R |N|, with the plane's normal N and point p.
 bool is_above(const scene::Plane& plane, const Path& path, double begin, double end) {
   std::array<Rational, 3> height{0, 0, 0};
   Rational square(0);
@@ -184,7 +184,7 @@ bool is_above(const scene::Plane& plane, const Path& path, double begin, double 
   return is_nowhere_negative(bernstein(over, span));
 }
 
-/// Whether the sphere is surely above the plane. A billionth of its height is left for rounding.
+/// Whether the sphere is surely above the plane. A relative 10⁻⁹ covers rounding.
 bool is_far_above(const scene::Plane& plane, const Path& path, double begin, double end) {
   long double height = 0;
   long double fall = 0;

@@ -22,10 +22,10 @@ struct Validity {
   std::vector<Invalidity> invalid;  // the first hundred
   std::size_t count = 0;            // the number of all violations
   std::size_t pairs = 0;            // checked pairs of pieces of paths that are near in space and time
-  std::size_t exact_pairs = 0;      // the pairs that were decided in ℚ
+  std::size_t exact_pairs = 0;      // pairs decided in rational numbers
   std::size_t planes = 0;           // checked pieces of a path beside a plane
   std::size_t joints = 0;           // checked joints between successive arcs
-  double largest_jump = 0;          // of a position at a joint, by rounding to store it [m]
+  double largest_jump = 0;          // of a stored position at a joint, by rounding [m]
   double unseen = 0;                // for polyhedra: the check may miss an overlap up to this depth [m]
 
   void add(const Validity& other);

@@ -13,7 +13,7 @@ using WideVector = Vector3<long double>;
 
 [[nodiscard]] inline WideVector wide(const Vector3<double>& v) { return v.cast<long double>(); }
 
-/// Turns body axes to world axes. Precondition: the quaternion is not zero.
+/// The rotation from body axes to world axes. Precondition: the quaternion is not zero.
 template <class S>
 [[nodiscard]] Matrix3<long double> wide_rotation(const Quaternion<S>& q) {
   CAROM_EXPECTS(!q.isZero(0), q);

@@ -127,7 +127,7 @@ std::vector<Collision> simpler(const Collision& collision) {
     });
     candidates.add([&](Collision& c) { (c.*body).principal_inertia.setConstant((c.*body).principal_inertia[0]); });
   }
-  // Some failures need a velocity along the normal, so both are simplified together.
+  // Some failures need a velocity along the normal, so velocity and normal are simplified together.
   for (const bool b_is_fixed : {true, false}) {
     for (const int bits : {1, 2, 3, 4, 5, 53}) {
       candidates.add([&](Collision& c) {

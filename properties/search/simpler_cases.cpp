@@ -53,8 +53,8 @@ std::vector<std::uint64_t> other_answers(const Choice& choice) {
 std::vector<Edit> edits_of(const std::vector<Choice>& choices) {
   const std::size_t count = choices.size();
   std::vector<Edit> edits;
-  // The first choice may choose the family. Another family asks other questions, which later choices do not fit. Edits
-  // of every length remove some of these choices.
+  // The first choice may choose the family. Another family asks other questions, which the later choices do not fit. So
+  // edits of every length remove some of the later choices.
   for (std::size_t length = 1; length <= count; ++length) {
     edits.push_back({Edit::Kind::answer, 0, length, choices[0].question.simplest});
   }

@@ -9,8 +9,8 @@
 
 namespace carom::properties {
 
-/// A change of the choices from `first` to `last` − 1. The kind `answer` changes the first answer and removes the
-/// others, because the old answer may have led to their questions.
+/// A change of the choices from `first` to `last` − 1. The kind `answer` changes the first answer and removes the other
+/// choices, because the old answer may have led to their questions.
 struct Edit {
   enum class Kind { simplify, remove, answer, shorten } kind;
   std::size_t first;

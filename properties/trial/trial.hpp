@@ -28,7 +28,7 @@ struct Claim {
   std::vector<const Invariant*> invariants;
   std::vector<Deviation> deviations = {};  // in all families, and in single families
 
-  /// Whether the subject claims the invariant in this family, if it claims the invariant at all.
+  /// Whether no deviation excludes the invariant in this family.
   [[nodiscard]] bool is_made_in(const Invariant& invariant, const Family& family) const;
 };
 
@@ -84,7 +84,6 @@ struct NamedVerdict {
   Verdict verdict;
 };
 
-/// The result of a trial.
 struct Judgement {
   std::vector<NamedVerdict> verdicts;
   std::optional<oracles::Accuracy> accuracy;  // set if the answer is an outcome and the law has a truth
@@ -92,8 +91,8 @@ struct Judgement {
   std::optional<Unjudged> unjudged;           // set if the case is not judged; `verdicts` is then empty
 };
 
-/// Selects the relations (invariants that compare the answers to related collisions) that are judged on a case. Each
-/// relation is judged on one case in `every`, and different relations on different cases.
+/// Selects the relations that are judged on a case. Each relation is judged on one case in `every`, and different
+/// relations on different cases.
 struct RelationTurn {
   std::uint64_t every = 1;   // 0: no relation is judged
   std::uint64_t number = 0;  // of the case
@@ -143,7 +142,7 @@ class Trial {
   std::vector<std::span<const oracles::ExactCase>> questions_;  // of each claimed invariant
 };
 
-/// A solver with lifted answers. So a solver in ℚ can be judged too.
+/// A solver with lifted answers, such as a solver in ℚ.
 using ExactSolve = std::function<ExactAnswer(const Collision&)>;
 
 [[nodiscard]] Judgement try_case(const JudgedCase& judged_case, const Claim& claim, const ExactSolve& solve);

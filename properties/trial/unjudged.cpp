@@ -27,7 +27,7 @@ class RangeOfBinary32 {
   bool holds_ = true;
 };
 
-/// `rounding` is that of N·V⁻ / ‖N‖.
+/// `rounding` is the rounding error of N·V⁻ / ‖N‖.
 bool stays_in_binary32(const Collision& c, double rounding) {
   RangeOfBinary32 range;
   double lightest = 0;  // the smaller mass, which bounds the impulse

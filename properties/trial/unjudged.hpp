@@ -22,15 +22,14 @@ static_assert(counts_from_zero_to(all_reasons_unjudged, Unjudged::no_finite_encl
 
 using UnjudgedCounts = EnumArray<Unjudged, std::uint64_t, all_reasons_unjudged.size()>;
 
-/// For example `leaves_range`.
 [[nodiscard]] std::string_view name_of(Unjudged reason);
 
 /// The end of a sentence: "… whose masses, moments, impulse or torque leave the range of the precision".
 [[nodiscard]] std::string_view in_words(Unjudged reason);
 
 /// The reason why the yardstick does not judge a collision; no value if it does. In binary32, the numbers that a law
-/// computes for the contact (masses, moments, impulse, torque) must be zero or in a range. It goes from 2⁵ times the
-/// least normal number to 2⁻⁸ times the largest number.
+/// computes for the contact (masses, moments, impulse, torque) must be zero, or between 2⁵ times the least normal
+/// number and 2⁻⁸ times the largest number.
 [[nodiscard]] std::optional<Unjudged> reason_unjudged(const oracles::ExactCase& exact_case,
                                                       const oracles::Yardstick& yardstick);
 

@@ -86,8 +86,8 @@ void for_each_body_number(std::string_view name, F& f, Bodies&... bodies) {
 
 }  // namespace detail
 
-/// Calls f(path, numbers...) for every number of a collision, in one fixed order, with the numbers at this path of all
-/// the collisions. Skips the mass, inertia and orientation of a body that is immovable in the first collision.
+/// For every path of a number, in one fixed order, calls f(path, numbers...) with the number of each collision at this
+/// path. Skips the mass, inertia and orientation of a body that is immovable in the first collision.
 template <class F, class... Collisions>
 void for_each_number(F&& f, Collisions&... collisions) {
   detail::for_each_body_number("a", f, collisions.a...);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-/// CAROM_EXPECTS(condition, values…) states a precondition. If it does not hold, a checked build prints its place, the
-/// condition and the values, and aborts. Any other build does not evaluate it.
+/// CAROM_EXPECTS(condition, values…) states a precondition. If the condition is false, a checked build prints the
+/// place, the condition and the values, and aborts. Any other build does not evaluate the condition.
 ///
 /// A build is checked if CAROM_CHECK_PRECONDITIONS is 1, or if neither this macro nor NDEBUG is defined. A program may
 /// mix checked and unchecked units: a check changes no result, type or layout. The linker keeps one copy of an inline
@@ -35,7 +35,7 @@ template <class Condition>
   }
 }
 
-/// Prints a value by its name, its components or its operator<<, and "?" if it has none of them.
+/// Prints a value by its name, its components or its operator<<, otherwise "?".
 template <class T>
 void print_value(std::ostream& out, const T& value) {
   if constexpr (requires { name_of(value); }) {

@@ -34,8 +34,8 @@ enum class Precision { binary32, binary64, extended };
   return static_cast<double>(std::numeric_limits<long double>::epsilon() / 2.0L);
 }
 
-/// η/u, with η the least positive number of the format. The rounding error of a smaller number may exceed u times the
-/// number, but not η. The result is 0 if no judged number is so small.
+/// η/u, with η the least positive number of the format. If |x| < η/u, the rounding error of x may exceed u |x|, but not
+/// η. The result is 0 for formats in which every judged number is larger.
 [[nodiscard]] constexpr double least_size_known_to_a_roundoff(Precision precision) {
   switch (precision) {
     case Precision::binary32:

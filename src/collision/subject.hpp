@@ -97,8 +97,7 @@ struct Subject {
   std::string absent;
   /// Opens a session; each thread opens its own. Empty if `absent` is not empty.
   std::function<Session()> open;
-  /// Whether the subject reports the collision matrix with each outcome of a colliding contact that it solves by a
-  /// matrix.
+  /// Whether the subject reports its collision matrix for each colliding contact that it solves by a matrix.
   bool shows_collision_matrix = false;
 
   [[nodiscard]] bool is_program() const { return !specification.empty(); }

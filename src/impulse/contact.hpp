@@ -12,7 +12,7 @@
 #include <carom/impulse/numbers/products.hpp>
 #include <carom/impulse/principal_inertia.hpp>
 
-/// The input of the solvers. "Note" stands for D. Eberly, "Computing Impulse Forces for Colliding Contact"
+/// The input of the solvers. "Note" is D. Eberly, "Computing Impulse Forces for Colliding Contact"
 /// (docs/findings/note.md).
 namespace carom::impulse {
 
@@ -97,8 +97,7 @@ template <class S, class Inertia>
          !(S(1) < contact.tangential_restitution);
 }
 
-/// V = V_A − V_B, the relative velocity of the material points at the contact (equation 3 of D. Eberly's note,
-/// docs/findings/note.md).
+/// V = V_A − V_B, the relative velocity of the material points at the contact (the note's equation 3).
 template <class S, class Inertia>
 [[nodiscard]] Vector3<S> relative_velocity(const Contact<S, Inertia>& contact) {
   const Vector3<S> velocity_a = contact.a.velocity + cross(contact.a.angular_velocity, contact.a.lever_arm);

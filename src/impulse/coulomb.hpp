@@ -72,9 +72,9 @@ class SlipResistance {
 ///
 ///   N·V⁺ = −ε N·V⁻,   ‖N × F‖ ≤ μ N·F,   and N × V⁺ = 0, or ‖N × F‖ = μ N·F and F_T = −V_T⁺ / ν with ν > 0.
 ///
-/// Both branches are one system, (K + ν P) F = −(V⁻ + ε (N·V⁻)/(N·N) N), with P = I − N Nᵀ/(N·N). The contact point
-/// sticks at ν = 0. As ν → ∞, it slips without friction, and F lies in the cone. So if F is outside the cone at ν = 0,
-/// some ν > 0 puts F on its surface (docs/guide/laws.md).
+/// With the collision matrix K and P = I − N Nᵀ/(N·N), both branches are one system: (K + ν P) F = −(V⁻ + ε
+/// (N·V⁻)/(N·N) N). The contact point sticks at ν = 0. As ν → ∞, it slips without friction, and F lies in the cone. So
+/// if F is outside the cone at ν = 0, some ν > 0 puts F on its surface (docs/guide/laws.md).
 ///
 /// S is a floating-point type. Preconditions: the contact was made from a valid collision (`is_made_of_valid`); μ > 0.
 template <class S, class See = UnseenMatrix>
@@ -97,8 +97,8 @@ template <class S, class See = UnseenMatrix>
   return {true, times(basis, law.is_in_cone(sticking) ? sticking : law.impulse_on_cone())};
 }
 
-/// The outcome of the law `coulomb`, for μ = 0 that of the frictionless law. A contact that is not colliding keeps its
-/// velocities. Precondition: the contact was made from a valid collision.
+/// The outcome of the law `coulomb`. For μ = 0, this is the frictionless outcome. A contact that is not colliding keeps
+/// its velocities. Precondition: the contact was made from a valid collision.
 template <class S, class See = UnseenMatrix>
 [[nodiscard]] Outcome<S> coulomb(const Contact<S>& contact, const See& see = {}) {
   return contact.friction > S(0) ? apply_impulse(contact, coulomb_impulse(contact, see)) : frictionless(contact);

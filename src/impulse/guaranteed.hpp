@@ -27,8 +27,8 @@ namespace detail {
   return true;
 }
 
-/// A bound of the error of a component of r × N, relative to |r_j N_k| + |r_k N_j|: two roundoffs for each product, one
-/// for the difference, and one for the sum of absolute values.
+/// A bound of the error of a component of r × N, relative to |r_j N_k| + |r_k N_j|. It covers four roundings: of r, of
+/// the products, of their difference, and of the sum of absolute values.
 inline constexpr double rounding_of_slope = 4 * unit_roundoff_of_double;
 
 /// A velocity component, and the derivative of N·V with respect to it.
@@ -38,9 +38,8 @@ struct Adjustable {
   double ulp = 0;
 };
 
-/// Whether x is adjusted rather than y if both change N·V equally per ulp: the lighter body, or the body with the
-/// smaller velocity components. The choice does not depend on the names A and B, nor on signs that a mirror image
-/// changes.
+/// Whether to adjust x rather than y if one ulp of either changes N·V equally. The lighter body comes first, then the
+/// body with smaller velocity components. Exchanging A and B, or mirroring, does not change the choice.
 [[nodiscard]] inline bool comes_before(const Body& x, const Body& y) {
   const auto key = [](const Body& body) {
     const auto size = [](const Vector3<double>& v) {
@@ -51,7 +50,7 @@ struct Adjustable {
   return key(x) < key(y);
 }
 
-/// The velocity component of a movable body that changes N·V most for each ulp.
+/// The velocity component of a movable body whose ulp changes N·V most.
 [[nodiscard]] inline Adjustable most_effective_component(const Collision& c, Outcome<double>& outcome) {
   Adjustable best;
   double most = -1;
@@ -92,9 +91,9 @@ struct Adjustable {
 
 }  // namespace detail
 
-/// The outcome with N·V⁺ ≥ 0: each step adds as few ulps as necessary to one component of a movable body. The outcome
-/// is unchanged if N·V⁺ ≥ 0 already, if no body can move, or if a number is not finite. Precondition: the collision is
-/// valid.
+/// The outcome with N·V⁺ ≥ 0: each step adds as few ulps as necessary to one velocity component of a movable body. The
+/// outcome is unchanged if N·V⁺ ≥ 0 already, if no body can move, or if a number is not finite. Precondition: the
+/// collision is valid.
 [[nodiscard]] inline Outcome<double> without_approach(const Collision& collision, Outcome<double> outcome) {
   CAROM_EXPECTS(validate(collision).empty(), describe(validate(collision)));
   if (collision.a.immovable && collision.b.immovable) {
@@ -170,8 +169,8 @@ template <class Solver>
   const auto is_usable = [](double approach) { return std::isfinite(approach) && approach < 0; };
   const double approach = known_approach(before);
   Outcome<double> outcome = apply_impulse(contact, is_usable(approach) ? solver(contact, approach) : solver(contact));
-  // The rounding error of a large impulse may leave a part of the approach. A second impulse removes it, and conserves
-  // the momenta.
+  // The rounding error of a large impulse may leave a part of the approach. A second impulse removes this part, and
+  // conserves the momenta.
   if (const double left = detail::all_finite(outcome) ? known_approach(outcome) : 0;
       is_usable(left) && !detail::is_within_few_ulps(collision, outcome, left / unit)) {
     const Contact<double> again = detail::at_velocities(contact, outcome);

@@ -29,8 +29,8 @@ struct FrictionlessLaw {
 }  // namespace detail
 
 /// Calls use(solver) if the law is one of `laws_with_truth`. `solver` takes a contact in any scalar type and returns
-/// its ContactImpulse, NormalImpulse or RoughImpulse. Optional arguments are N·V⁻, if the caller knows it better, and
-/// `see`, which receives the collision matrix.
+/// its ContactImpulse, NormalImpulse or RoughImpulse. Optional arguments are a more accurate N·V⁻, and `see`, which
+/// receives the collision matrix.
 template <class Use>
 constexpr void with_law(Law law, const Use& use) {
   switch (law) {

@@ -14,7 +14,7 @@ namespace carom::impulse {
 
 namespace detail {
 
-/// Adds s N·(v + w × (P − X)), s = ±1.
+/// Adds s N·(v + w × (P − X)) of one body to `sum`, exactly. s = ±1.
 inline void add_normal_velocity(const Collision& c, const Body& body, const BodyVelocity<double>& motion, double s,
                                 ExactSum& sum) {
   for (int i = 0; i < 3; ++i) {
@@ -104,8 +104,9 @@ inline constexpr double unit_roundoff_of_double = std::numeric_limits<double>::e
 /// The largest relative error of a DoubleDouble operation except division: 7 u², the error of the product.
 inline constexpr double unit_roundoff_of_double_double = 7 * unit_roundoff_of_double * unit_roundoff_of_double;
 
-/// The value of a double-double sum counts as known if it exceeds this multiple of its error bound. Its relative error
-/// is then at most n / 16 · 2⁻⁵⁰, with n = `roundings_of_normal_velocity`, and at most 2⁻⁵⁰ after rounding to double.
+/// A double-double value counts as known if |value| > 2⁵⁰ bound. Its error is at most n/16 bound, with n =
+/// `roundings_of_normal_velocity`. So its relative error is at most n/16 · 2⁻⁵⁰, and at most 2⁻⁵⁰ after rounding to
+/// double.
 inline constexpr double known_multiple_of_bound = 0x1p+50;
 
 }  // namespace detail

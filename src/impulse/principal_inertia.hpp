@@ -46,9 +46,9 @@ template <class S>
 /// at most about 4 ulps.
 inline constexpr int least_ratio_of_slender_moments = 8;
 
-/// Whether the moments of the body differ by more than this ratio. The cross product of nearly parallel vectors x and y
-/// has a rounding error of u |x| |y|, with u the unit roundoff. A torque with this error turns a body with moments 1 :
-/// ρ about its long axis ρ times as far as about the others.
+/// Whether the body is slender. The cross product of nearly parallel vectors x and y has a rounding error of u |x| |y|,
+/// with u the unit roundoff. A torque with this error turns a body with moments 1 : ρ about its long axis ρ times as
+/// far as about the others.
 template <class S, bool may_be_slender>
 [[nodiscard]] auto is_slender(const PrincipalInertia<S, may_be_slender>& inertia) {
   if constexpr (may_be_slender) {
@@ -79,16 +79,16 @@ template <class S, bool may_be_slender>
       [&] { return rows_by([&](const Vector3<S>& e) { return cross(e, r); }); });
 }
 
-/// Rᵀ (r × F), the torque in body coordinates. Its component along a body axis e is (e × r)·F, so an impulse acts as K
-/// says, even on a slender body. If F lies nearly along r, the component is e·(r × F), which vanishes if F lies exactly
-/// along r. `has_slender` is for any body of the contact, so that two bodies with the same r get the same r × F, bit
-/// for bit.
+/// Rᵀ (r × F), the torque in body coordinates. Its component along a body axis e is computed as (e × r)·F, from the
+/// vectors e × r that also give the collision matrix, so an impulse acts as this matrix predicts. If F lies nearly
+/// along r, the component is computed as e·(r × F), which vanishes if F lies exactly along r. `has_slender` is true if
+/// either body of the contact is slender, so two bodies with the same r get the same r × F, bit for bit.
 template <class S, bool may_be_slender, class Condition>
 [[nodiscard]] Vector3<S> torque_in_body_frame(const PrincipalInertia<S, may_be_slender>& inertia, const Vector3<S>& r,
                                               const Vector3<S>& impulse, const Condition& has_slender) {
   const Vector3<S> torque = select_called(
       has_slender, [&] { return accurate_cross(r, impulse); }, [&] { return cross(r, impulse); });
-  constexpr int nearly = 4096;  // a factor between the rounding error of r × F and its usual size
+  constexpr int nearly = 4096;  // 1/4096 is far above a roundoff, and far below the usual |r × F| / (|r| |F|)
   const auto is_along =
       S(nearly) * detail::sum_of_sizes(torque) < detail::sum_of_sizes(r) * detail::sum_of_sizes(impulse);
   return select_called(

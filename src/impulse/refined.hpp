@@ -8,7 +8,7 @@
 /// The laws with one step of iterative refinement. The system is formed and solved in a narrow type `Low`, the residual
 /// is computed in the wide type S, and the correction again in Low (N. J. Higham, "Accuracy and Stability of Numerical
 /// Algorithms", 2nd ed. 2002, ch. 12). The relative error of the impulse is about (c cond(K) u)², with the unit
-/// roundoff u of Low and a small number c. The range is that of Low.
+/// roundoff u of Low and a small number c. All numbers must stay in the range of Low.
 namespace carom::impulse {
 
 namespace detail {

@@ -42,7 +42,7 @@ template <class Solve = Ldlt, class S, class Inertia, class See = UnseenMatrix>
   const Matrix3<S> matrix = collision_matrix(contact);
   see(matrix);
   const Vector3<S> solved = Solve::template solve<S>(matrix, velocity_change, inverse_mass(contact));
-  // N along both lever arms gives K N = λ N with λ = 1/m_A + 1/m_B. Rounding errors in K must not turn a body.
+  // If N lies along both lever arms, K N = λ N with λ = 1/m_A + 1/m_B, and rounding errors in K must not turn a body.
   const Vector3<S> along = n * (factor / inverse_mass(contact));
   return {colliding, select(detail::turns_no_body(contact, n), along, solved)};
 }

@@ -27,8 +27,8 @@ template <class S>
 }
 
 /// A basis {N, T0, T1} that does not depend on V⁻. T0 is the normalised part, orthogonal to N, of the coordinate axis
-/// least aligned with N. For that axis |N_i| ≤ 1/√3, so the part has length √(2/3) or more and loses no digits. S is a
-/// floating-point type.
+/// least aligned with N. The component of the unit normal along that axis is at most 1/√3, so the part has length
+/// √(2/3) or more and loses no digits. S is a floating-point type.
 template <class S>
 [[nodiscard]] Matrix3<S> stable_tangent_basis(const Contact<S>& contact) {
   const Vector3<S> n = contact.normal / std::sqrt(contact.normal.dot(contact.normal));

@@ -5,8 +5,8 @@
 
 namespace carom::impulse {
 
-/// The rotation matrix, from body axes to world axes, of a quaternion (q₀, q) of any nonzero length: R = ((q₀² − q·q) I
-/// + 2 q qᵀ + 2 q₀ [q]) / (q₀² + q·q).
+/// The rotation matrix, from body axes to world axes, of a quaternion (q₀, q) of any nonzero length, with [q] x = q ×
+/// x: R = ((q₀² − q·q) I + 2 q qᵀ + 2 q₀ [q]) / (q₀² + q·q).
 template <class S>
 [[nodiscard]] Matrix3<S> rotation_matrix(const Quaternion<S>& quaternion) {
   const S& w = quaternion[0];

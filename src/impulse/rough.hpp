@@ -31,9 +31,9 @@ template <class S>
   return sqrt(dot(scaled, scaled)) * size;
 }
 
-/// F, or a fraction of F. F is the solution of K F = V, with V = `change`. The impulse −F removes the energy F·V − ½
-/// F·K F from a contact with relative velocity V. If K is singular up to rounding, F may be so long that −F adds
-/// energy: F·K F > 2 F·V. The function then returns the fraction of F that removes the most energy.
+/// F, or a fraction of F. F = `impulse` is the computed solution of K F = V, with V = `change`. The impulse −F removes
+/// the energy F·V − ½ F·K F from a contact with relative velocity V. If K is singular up to rounding, F may be so long
+/// that −F adds energy: F·K F > 2 F·V. The function then returns the fraction of F that removes the most energy.
 template <class S, class Inertia>
 [[nodiscard]] Vector3<S> without_gain_of_energy(const Contact<S, Inertia>& contact, const Vector3<S>& impulse,
                                                 const Vector3<S>& change) {
@@ -83,7 +83,7 @@ template <class Solve = Ldlt, class S, class Inertia, class See = UnseenMatrix>
   const S divisor = detail::length<S>(cross(n, d)) - contact.friction * dot(n, d);
   const auto is_outside = limit * rebound < whole * divisor;
   const S share = S(select(is_outside, limit, whole) / select(is_outside, divisor, rebound));
-  // If D lies along N except for rounding, the law needs no friction.
+  // If μ = 0, `share` is 0, unless the computed N × D is 0. Hence the condition μ > 0.
   const auto has_friction = normal.colliding && share > S(0) && contact.friction > S(0);
   return {normal, has_friction, normal.on_a + d * share};
 }
@@ -92,8 +92,8 @@ template <class Solve = Ldlt, class S, class Inertia>
   return rough_impulse<Solve, S>(contact, normal_velocity(contact));
 }
 
-/// The outcome of the impulse. Without friction, it has the bits of the frictionless law. With friction, both parts of
-/// F turn a body at once, because each part may turn a slender body far more than their sum does.
+/// The outcome of the impulse. Without friction, the outcome has the bits of the frictionless law. With friction, F is
+/// applied as a whole, because (1 + ε) P_I alone may turn a slender body far more than F.
 template <class S, class Inertia>
 [[nodiscard]] Outcome<S> apply_impulse(const Contact<S, Inertia>& contact, const RoughImpulse<S>& impulse) {
   const Outcome<S> without = apply_impulse(contact, impulse.normal);

@@ -11,7 +11,7 @@
 /// Choices by a condition: a bool for a scalar, or a mask with one bool for each lane of a pack.
 namespace carom::impulse {
 
-/// Whether the condition holds nowhere. For masks, lookup finds std::experimental::none_of.
+/// Whether the condition holds in no lane. For masks, argument-dependent lookup finds std::experimental::none_of.
 [[nodiscard]] inline bool none_of(bool condition) { return !condition; }
 
 /// `yes` if the condition holds, otherwise `no`, lane by lane.
@@ -54,7 +54,8 @@ template <class S>
   }
 }
 
-/// x, or the least normal number if x is below it: that of S, or of a pack's lanes, or of binary64 for other types.
+/// x, or the least normal number if x is below it. The number is that of S, of a pack's lanes, or (for other types) of
+/// binary64.
 template <class S>
 [[nodiscard]] S at_least_normal(const S& x) {
   const auto least = [] {

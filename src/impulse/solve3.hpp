@@ -12,9 +12,9 @@
 namespace carom::impulse {
 
 /// M = L D Lᵀ without square root or branch, so it runs in any field and in SIMD packs. Each exact pivot is a diagonal
-/// entry of a Schur complement of M, so it is at least the least eigenvalue. `least` replaces a computed pivot below
-/// it, so nothing is divided by zero. The exact x has |x_i| ≤ ‖x‖ ≤ ‖b‖ / least ≤ √3 max |b_i| / least. If a component
-/// exceeds 2 max |b_i| / least, the whole x is scaled, so that M x stays along b.
+/// entry of a Schur complement of M, so it is at least the least eigenvalue of M. `least` replaces each smaller
+/// computed pivot, so nothing is divided by zero. The exact x has |x_i| ≤ ‖x‖ ≤ ‖b‖ / least ≤ √3 max |b_i| / least. If
+/// a component exceeds 2 max |b_i| / least, the whole x is scaled, so that M x stays along b.
 struct Ldlt {
   template <class S>
   [[nodiscard]] static Vector3<S> solve(const Matrix3<S>& m, const Vector3<S>& b) {

@@ -22,8 +22,8 @@ template <class S, class Inertia>
 
 }  // namespace detail
 
-/// The relative velocity V, with N·V equal to `normal_velocity`. The correction of each component of w × r is at most a
-/// few of its rounding errors.
+/// The relative velocity V, with N·V equal to `normal_velocity`. Each component of w × r is corrected by at most a few
+/// times its rounding error.
 template <class S, class Inertia>
 [[nodiscard]] Vector3<S> relative_velocity_along_normal(const Contact<S, Inertia>& contact) {
   const Vector3<S>& n = contact.normal;

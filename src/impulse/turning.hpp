@@ -6,8 +6,8 @@
 namespace carom::impulse {
 
 /// The rotation of a body by an impulse F at the lever arm r, as `turning(inertia, r, F, has_slender)` returns it for a
-/// `PrincipalInertia` or a `WorldInertia`. If `has_slender`, some body of the contact is slender, and r × F is computed
-/// accurately.
+/// `PrincipalInertia` or a `WorldInertia`. `has_slender` is true if a body of the contact is slender. A
+/// `PrincipalInertia` then computes r × F accurately.
 template <class S>
 struct Turning {
   Vector3<S> change_of_spin;  // J⁻¹ (r × F)
@@ -26,7 +26,7 @@ template <class Inertia, class S>
   return angular_response(inertia, r, impulse, is_slender(inertia));
 }
 
-/// (r × F)ᵀ J⁻¹ (r × F), which equals F·([r]ᵀ J⁻¹ [r]) F.
+/// (r × F)ᵀ J⁻¹ (r × F), for an impulse F at the lever arm r.
 template <class Inertia, class S>
 [[nodiscard]] S angular_part_along(const Inertia& inertia, const Vector3<S>& r, const Vector3<S>& impulse) {
   return turning(inertia, r, impulse, is_slender(inertia)).along_impulse;

@@ -37,7 +37,7 @@ struct WorldInertia {
   static WorldInertia immovable() { return {Matrix3<S>::Constant(S(0))}; }
 };
 
-/// False, because a WorldInertia uses no additional digits.
+/// False, because `turning` treats a slender WorldInertia like any other.
 template <class S>
 [[nodiscard]] bool is_slender(const WorldInertia<S>& /*inertia*/) {
   return false;

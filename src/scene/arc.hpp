@@ -35,7 +35,7 @@ enum class Phase : std::uint8_t {
   return "resting";
 }
 
-/// The path of a sphere's centre from `start` on: exactly x + v s + a s²/2 at the time t = start + s.
+/// The path of a sphere's centre from `start` on. At the time start + s, the centre is exactly at x + v s + a s²/2.
 struct Path {
   double start = 0;                       // [s]
   double end = never;                     // time at which the phase changes by itself [s]
@@ -48,12 +48,12 @@ struct Path {
   double acceleration_size = 0;           // ‖a‖₁
 };
 
-/// The motion that becomes 0, and so ends a phase without an impact.
+/// A phase ends without an impact if this motion becomes 0.
 enum class Ending : std::uint8_t { none, slip, roll, spin };
 
 /// The rotation of a sphere, and the plane that supports it.
 struct Turning {
-  Vector3<double> angular_velocity{0, 0, 0};      // w at the path's start; w + α s later [rad/s]
+  Vector3<double> angular_velocity{0, 0, 0};      // w at the path's start, w + α s at start + s [rad/s]
   Vector3<double> angular_acceleration{0, 0, 0};  // α [rad/s²]
   Phase phase = Phase::flying;
   Ending ending = Ending::none;  // at the path's end
@@ -65,7 +65,7 @@ struct Arc {
   Turning turning;
 };
 
-/// Stores the sizes, which every prediction reads.
+/// Stores the sizes, because every prediction reads them.
 inline void measure(Path& path) {
   path.position_size = path.position.cwiseAbs().sum();
   path.velocity_size = path.velocity.cwiseAbs().sum();

@@ -14,8 +14,8 @@ namespace carom::scene {
 
 /// Finds the spheres near a sphere (B. Lubachevsky, "How to simulate billiards and similar systems", J. Comput. Phys.
 /// 94, 1991). The cells are cubes at least as wide as the largest sphere, so spheres that touch are in the same cell or
-/// in adjacent ones. A sphere is in the cell that it was last moved to. Space has no bounds: cells far apart may share
-/// a list of spheres, which only costs time.
+/// in adjacent ones. Only `put` and `move` change the cell of a sphere. Distant cells may share a list of spheres, so
+/// space has no bounds. Sharing costs only time.
 class CellGrid {
  public:
   using Index = std::uint32_t;
@@ -28,13 +28,13 @@ class CellGrid {
   };
 
   CellGrid() = default;
-  /// `width` [m] exceeds the largest diameter by more than a millionth of it, to cover the rounding error of the time
-  /// of leaving. `extent` is the number of cells along each axis that should have separate lists.
+  /// `width` [m] exceeds the largest diameter D by more than 10⁻⁶ D, to cover the rounding error of the time of
+  /// leaving. `extent` is the number of cells along each axis that should have separate lists.
   CellGrid(double width, const Cell& extent, std::size_t spheres)
       : width_(width), next_(spheres, nobody), places_(spheres) {
     std::size_t lists = 1;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      std::int64_t count = 4;  // the neighbours on both sides have separate lists
+      std::int64_t count = 4;  // the least power of two for which a cell and its neighbours have separate lists
       while (count < extent[axis] && lists * static_cast<std::size_t>(count) < 8 * spheres + 64) {
         count *= 2;
       }
@@ -92,7 +92,7 @@ class CellGrid {
       const double v = velocity[axis];
       const double a = path.acceleration[axis];
       for (const int step : {-1, 1}) {
-        // The distance to the wall on that side, and the motion towards it.
+        // The distance to the wall on the side `step`, and the velocity and acceleration towards the wall.
         const double time = now + delay(step < 0 ? x : width_ - x, step * v, step * a);
         if (time < first.time) {
           first = {time, axis, step};
@@ -131,8 +131,8 @@ class CellGrid {
     return std::max(0.0, 2 * distance / (v + std::sqrt(square)));
   }
 
-  /// The first sphere of each list of 4 × 2 × 2 cells, in one cache line. The 27 cells around a sphere lie in 6 cache
-  /// lines on average; stored row by row, they would lie in more than 9.
+  /// A block holds the first spheres of 4 × 2 × 2 lists in one cache line. The 27 cells around a sphere lie in 6 blocks
+  /// on average. Lists stored row by row would lie in more than 9 cache lines.
   static constexpr std::size_t lists_in_a_block = 16;
   struct alignas(64) Block {
     std::array<Index, lists_in_a_block> first;
@@ -161,7 +161,7 @@ class CellGrid {
       }
     }
   }
-  /// The contribution of one coordinate of a cell to the number of its list.
+  /// The number of a cell's list is the sum of these parts over the three axes.
   [[nodiscard]] std::size_t part(std::size_t axis, std::int64_t coordinate) const {
     const auto k = static_cast<std::size_t>(coordinate & mask_[axis]);
     switch (axis) {
@@ -207,7 +207,7 @@ class CellGrid {
   Cell mask_{};
   std::size_t row_ = 0, layer_ = 0;  // lists in a row of blocks, and in a layer of blocks
   std::vector<Block> blocks_;
-  std::vector<Index> next_;  // a search reads it for every neighbour
+  std::vector<Index> next_;  // the next in the list; not in Place, because searches read it often
   std::vector<Place> places_;
 };
 

@@ -17,7 +17,7 @@ struct TimeBounds {
   double latest = never;
 };
 
-/// c₀ + c₁ s + c₂ s². Each coefficient c_k is known within a radius e_k.
+/// c₀ + c₁ s + c₂ s². The true coefficients differ from c_k by at most e_k.
 struct UncertainQuadratic {
   double c0, c1, c2;
   double e0, e1, e2;
@@ -25,7 +25,8 @@ struct UncertainQuadratic {
 
 enum class Decision { none, bounded, undecided };
 
-/// The least s ≥ 0 at which a polynomial falls below 0, if it does, within `error`. The polynomial is at least 0 at s =
+/// The least s ≥ 0 at which a polynomial falls below 0. If the decision is `bounded`, the true value differs from s by
+/// at most `error`. If the decision is `none`, the polynomial never falls below 0. At s = 0 the polynomial is at least
 /// 0.
 struct Crossing {
   Decision decision = Decision::none;
@@ -33,16 +34,15 @@ struct Crossing {
   double error = 0;
 };
 
-/// Unit roundoff of the stored state (binary64).
+/// Unit roundoff of binary64, the type of the stored state.
 inline constexpr double roundoff = unit_roundoff(Precision::binary64);
 
-/// The first crossing of a quadratic, with a bound of its error. Precondition: the value at s = 0 is at least 0 within
-/// its radius, c₀ ≥ −e₀.
+/// The first crossing of a quadratic, with a bound of its error. Precondition: c₀ ≥ −e₀.
 ///
-/// Let q(s) = c₂ (s − s₁)(s − s₂) be the true quadratic, D = c₁² − 4 c₀ c₂, and s₁ the crossing. Then |s₂ − s₁| =
-/// √D/|c₂|. The computed s lies on the same side of the vertex as s₁. So if |q(s)| |c₂| ≤ D/4, |s − s₂| ≥ √D/(2|c₂|),
-/// and |s − s₁| ≤ 2 |q(s)|/√D. The computed value and the radii bound |q(s)|. If D may be 0 or the side is not certain,
-/// the crossing is undecided.
+/// Let q(s) = c₂ (s − s₁)(s − s₂) be the true quadratic, s₁ its crossing, and D = c₁² − 4 c₀ c₂. The vertex of q is at
+/// the distance √D/(2|c₂|) from s₁ and s₂. If |q(s)| |c₂| < D/4, the computed s lies on the same side of the vertex as
+/// s₁. So |s − s₂| ≥ √D/(2|c₂|), and |s − s₁| ≤ 2 |q(s)|/√D. The computed value and the radii bound |q(s)|. If D may be
+/// 0 or |q(s)| is too large, the crossing is undecided.
 [[nodiscard]] inline Crossing first_crossing(const UncertainQuadratic& q) {
   CAROM_EXPECTS(!(q.c0 < -q.e0), q.c0, q.e0);
   const double square = q.c1 * q.c1;

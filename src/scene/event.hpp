@@ -11,11 +11,10 @@
 #include <carom/scene/arc.hpp>
 #include <carom/scene/prediction.hpp>
 
-/// The events of a scene, and the counts of a run.
 namespace carom::scene {
 
 /// An error that ends a run early: bodies overlap at the beginning, impacts at one instant do not end, or a position is
-/// no longer accurate enough.
+/// too inaccurate.
 class SceneError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -48,8 +47,8 @@ enum class EventKind : std::uint8_t {
 struct Change {
   std::uint32_t body = 0;  // spheres first, then polyhedra, each in the scene's order
   Arc before, after;
-  /// The rotation from body axes to world axes at the event, and the angular velocity before it [rad/s], if the scene
-  /// has polyhedra.
+  /// Only in scenes with polyhedra: the rotation from body axes to world axes at the event, and the angular velocity
+  /// before the event [rad/s].
   Quaternion<double> orientation{1, 0, 0, 0};
   Vector3<double> angular_velocity_before{0, 0, 0};
 };
@@ -60,11 +59,11 @@ struct Event {
   Change a;
   std::optional<Change> b;   // only for an impact of two bodies
   std::uint32_t plane = 0;   // only for plane impacts, captures and phases
-  bool has_impulse = false;  // of impacts and captures: whether the bodies approached
-  Collision collision;       // of impacts and captures; its origin is the contact point
+  bool has_impulse = false;  // only for impacts and captures: whether the bodies approached
+  Collision collision;       // only for impacts and captures; the origin is the contact point
   Outcome<double> outcome;   // by the law; `Change::after` has the stored velocities
-  /// Whether the approach was slower than `least_speed` and the body cannot rest, so that it leaves at `least_speed`
-  /// with ε = 1.
+  /// Whether the approach was slower than `least_speed` and the body cannot rest. Then ε is 1 in `collision`, and the
+  /// body leaves at `least_speed`.
   bool was_slow = false;
 };
 
@@ -77,7 +76,7 @@ struct Counts {
   unsigned long long renewals = 0;
   unsigned long long crossings = 0;       // of cells; these are not events of the scene
   unsigned long long slow = 0;            // impacts with `was_slow`
-  unsigned long long moved_clear = 0;     // stored positions that were moved by ulps, clear of a third body
+  unsigned long long moved_clear = 0;     // positions moved by ulps, clear of a third body
   unsigned long long at_one_instant = 0;  // largest number of impacts at one time
   unsigned long long advances = 0;        // steps of conservative advancement
   ExactCounts exact;

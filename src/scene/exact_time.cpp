@@ -83,7 +83,7 @@ Coefficients<3> height(const Path& sphere, const Reach& plane, const Rational& o
 Coefficients<5> gap(const Path& a, const Path& b, const Rational& origin) { return squared_gap(a, b, origin); }
 Coefficients<3> gap(const Path& a, const Reach& b, const Rational& origin) { return height(a, b, origin); }
 
-/// The sign of a polynomial at the origin or, if it is 0 there, just after the origin.
+/// The sign of a polynomial just after the origin.
 template <std::size_t N>
 int sign_from_origin(const Coefficients<N>& q) {
   for (const Rational& coefficient : q) {
@@ -143,7 +143,7 @@ TimeBounds ExactTime::bounds() const {
   if (compare(root, zero) == CGAL::EQUAL) {
     return {0, 0};
   }
-  constexpr int bits = 60;  // more than a double has, so that few doubles remain to be tested
+  constexpr int bits = 60;  // more than the 53 bits of a double, so that few doubles remain to be tested
   double below = CGAL::to_interval(kernel().approximate_relative_1_object()(root, bits).first).first;
   for (;;) {
     const double next = std::nextafter(below, never);
@@ -217,12 +217,12 @@ double reach_of(const Vector3<double>& normal, const Vector3<double>& point, dou
     square += Rational(normal[axis]) * Rational(normal[axis]);
   }
   square *= Rational(radius) * Rational(radius);
-  // Whether x ≥ N·p + R |N|, without a square root.
+  // Whether x ≥ normal·point + radius |normal|, without a square root.
   const auto is_clear = [&](double x) {
     const Rational over = Rational(x) - level;
     return over >= Rational(0) && over * over >= square;
   };
-  // The search runs over the indices of the doubles, in steps that double in length.
+  // The search runs over the indices of doubles. Each step is twice as long as the step before.
   std::int64_t low = in_order(CGAL::to_double(level) + std::sqrt(CGAL::to_double(square)));
   std::int64_t high = low;
   for (std::int64_t step = 1; is_clear(from_order(low)); step *= 2) {

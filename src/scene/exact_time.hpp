@@ -9,12 +9,11 @@
 #include <carom/scene/arc.hpp>
 #include <carom/scene/crossing.hpp>
 
-/// Exact decisions about times that rounding bounds cannot decide: real roots of polynomials with rational
-/// coefficients, compared by CGAL.
+/// CGAL compares real roots of polynomials with rational coefficients.
 namespace carom::scene {
 
-/// A plane for spheres of one radius. A sphere is clear of the plane if its centre x has N·x > `reach`, and touches the
-/// plane at equality.
+/// A plane with the normal N, for spheres of one radius with centre x. A sphere is clear of the plane if N·x > `reach`,
+/// and touches the plane if N·x = `reach`.
 struct Reach {
   Vector3<double> normal;  // any nonzero length
   double reach = 0;
@@ -39,8 +38,8 @@ class ExactTime {
   std::shared_ptr<const Instant> instant_;
 };
 
-/// The first instant from `now` on at which the gap |x_A − x_B| − R_A − R_B falls below 0; none if it never does, as
-/// after a mere touch. Precondition: at `now` the gap is at least 0.
+/// The first instant from `now` on at which the gap |x_A − x_B| − R_A − R_B falls below 0; none if the gap never does.
+/// A gap that only touches 0 does not fall below 0. Precondition: at `now` the gap is at least 0.
 [[nodiscard]] std::optional<ExactTime> exact_contact(const Path& a, const Path& b, double now);
 
 /// The same for the gap N·x − reach of a sphere and a plane.

@@ -76,8 +76,8 @@ Outcome<double> struck_in(Law law, const Collision& collision) {
   return result;
 }
 
-/// Changes the component of the velocity v that has most effect on N·v: enough to cancel `approach` = N·v < 0, and one
-/// ulp more.
+/// Changes the component of v along the greatest component of N: enough to cancel `approach` = N·v < 0, and one ulp
+/// more.
 void add_along(const Vector3<double>& normal, double approach, Vector3<double>& velocity) {
   Eigen::Index axis = 0;
   normal.cwiseAbs().maxCoeff(&axis);

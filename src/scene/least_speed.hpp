@@ -7,13 +7,13 @@
 
 namespace carom::scene {
 
-/// The factor of the scene's capture height h if ε = 1. A capture, or a rebound at the least speed, changes the energy
-/// by up to m g h R, and elastic rebounds never get lower by themselves. With the default h and this factor, the change
-/// is at most 10⁻¹² m g R, less than properties::Ledger allows for rounding.
+/// If ε = 1, this factor reduces the scene's capture height h, because the energy must stay constant. A capture or a
+/// rebound at the least speed changes the energy by up to m g h R. With the default h and this factor, the change is at
+/// most 10⁻¹² m g R, less than properties::Ledger allows for rounding.
 inline constexpr double elastic_capture_share = 1e-6;
 
-/// The least speed of a rebound that the simulation follows, √(2 a h R) [m/s], with h the scene's capture height, times
-/// `elastic_capture_share` if ε = 1. At this speed a body rises by h R against the acceleration a.
+/// The least speed of a rebound that the simulation follows, √(2 a f h R) [m/s]. The factor f is
+/// `elastic_capture_share` if ε = 1, otherwise 1. At this speed a body rises by f h R against the acceleration a.
 [[nodiscard]] inline double least_speed(const Scene& scene, double acceleration, double radius, double restitution) {
   const double height = scene.capture_height * radius * (restitution < 1 ? 1 : elastic_capture_share);
   return std::sqrt(2 * acceleration * height);

@@ -44,7 +44,7 @@ Arc level_arc(const Level& level, std::uint32_t plane, const MaterialPair& pair,
   const Vector3<double> by_spin = radius * w.cross(n);
   const Vector3<double> slip = v - by_spin;
   const double slip_speed = slip.norm();
-  // v and R w × n have a few rounding errors each.
+  // v and `by_spin` have a few rounding errors each.
   const bool slips = slip_speed > 16 * roundoff * (v.norm() + by_spin.norm());
   if (!has_friction) {
     arc.turning.phase = v.isZero(0) ? Phase::resting : Phase::sliding;

@@ -39,7 +39,7 @@ Vector3<double> rounded_away(const Path& path, double time, const Vector3<double
 namespace {
 
 /// The sign of the gap of two spheres at the common start of their paths. A lattice may have hundreds of thousands of
-/// touching spheres, and an exact sum of products is faster than rational numbers.
+/// touching spheres. An exact sum of products is faster than the rational numbers of `sign_of_gap`.
 int sign_of_gap_at_start(const Path& a, const Path& b) {
   impulse::ExactSum squared_gap;
   for (int axis = 0; axis < 3; ++axis) {

@@ -8,8 +8,6 @@
 #include <carom/scene/crossing.hpp>
 #include <carom/scene/exact_time.hpp>
 
-/// The time at which a sphere next touches another sphere or a plane: by error bounds, or exactly if the bounds do not
-/// decide.
 namespace carom::scene {
 
 /// The position and velocity of a path at a time, in double, with bounds of their errors. Each term of x + s (v + (s/2)
@@ -99,8 +97,8 @@ struct ExactCounts {
   unsigned long long ties = 0;         // two events at one instant, exactly
 };
 
-/// Bounds of the first time from `now` on at which the gap of two spheres falls below 0. Both bounds are `never` if it
-/// never does, or certainly only after `horizon`. Precondition: at `now` the gap is at least 0.
+/// Bounds of the first time from `now` on at which the gap of two spheres falls below 0. Both bounds are `never` if the
+/// gap certainly stays at least 0 up to `horizon`. Precondition: at `now` the gap is at least 0.
 [[nodiscard]] TimeBounds contact_between(const Path& a, const Path& b, const RelativeState& pair, double now,
                                          double horizon, ExactCounts& counts);
 
@@ -108,8 +106,8 @@ struct ExactCounts {
 [[nodiscard]] TimeBounds contact_between(const Path& sphere, const Reach& plane, double now, double horizon,
                                          ExactCounts& counts);
 
-/// Whether two spheres are certain not to touch up to the horizon, because they are too far apart, or recede with equal
-/// accelerations. `bends` says that their accelerations differ. `acceleration_size` is the sum of the sizes of both.
+/// Whether two spheres certainly do not touch up to the horizon, because they are too far apart, or recede with equal
+/// accelerations. `bends` says that the accelerations differ. `acceleration_size` is the sum of their 1-norms.
 [[nodiscard]] inline bool stay_apart(const RelativeState& pair, bool bends, double acceleration_size, double now,
                                      double horizon) {
   const double span = std::max(0.0, horizon - now);
@@ -117,7 +115,7 @@ struct ExactCounts {
   // The factor 1 + 16 u (u = `roundoff`) covers the roundings of sums and products of positive numbers.
   const double reach = (pair.radii + pair.distance_error + (pair.velocity_size + pair.velocity_error + bend) * span) *
                        (1 + 16 * roundoff);
-  // Both conditions are computed without a branch, because a processor cannot predict it.
+  // Computes both conditions without a branch, because a processor could not predict the branch.
   const bool is_far = pair.distance.dot(pair.distance) > reach * reach;
   const bool recedes = pair.receding() > pair.receding_error();
   return is_far | (!bends & recedes);

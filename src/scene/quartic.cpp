@@ -28,11 +28,11 @@ Halves divided(const Bernstein& whole, double share) {
   return halves;
 }
 
-/// The share of the subdivision if the sign in the middle is not certain.
+/// The search divides an interval at this share of its length if the sign in the middle is not certain.
 constexpr double beside_the_middle = 15.0 / 32;
 
 /// The first part of [begin, end] in which the quartic is not certainly positive, as narrow as the bounds allow.
-/// `error` bounds the error of each coefficient. A subdivision adds four rows of three roundings each.
+/// `error` bounds the error of each coefficient. A subdivision computes four rows, with three roundings each.
 std::optional<Crossing> first_in(const Bernstein& b, double begin, double end, double error, double resolution) {
   const auto [least, greatest] = std::minmax_element(b.begin(), b.end());
   if (*least > error) {
@@ -50,7 +50,8 @@ std::optional<Crossing> first_in(const Bernstein& b, double begin, double end, d
   if (std::abs(halves.first[4]) <= divided_error) {
     share = beside_the_middle;
     halves = divided(b, share);
-    // The sign is uncertain at both points of division, so the quartic is hardly larger than its error here.
+    // The sign is uncertain at both points of division. So the quartic is hardly larger than its error, and a further
+    // division is useless.
     if (crosses && std::abs(halves.first[4]) <= divided_error) {
       return here;
     }
@@ -65,13 +66,13 @@ std::optional<Crossing> first_in(const Bernstein& b, double begin, double end, d
 }  // namespace
 
 UncertainQuartic squared_gap(const RelativeState& pair, const Path& a, const Path& b, double span) {
-  // The squared gap as a polynomial in t in [0, 1], with s = t span.
+  // The squared gap as a polynomial in τ on [0, 1], with s = τ span.
   const Vector3<double>& d = pair.distance;
   const Vector3<double> v = pair.velocity * span;
   const Vector3<double> h = (a.acceleration - b.acceleration) * (0.5 * span * span);
   const std::array<double, 5> power{d.dot(d) - pair.radii * pair.radii, 2 * d.dot(v), v.dot(v) + 2 * d.dot(h),
                                     2 * v.dot(h), h.dot(h)};
-  // The coefficient of power k adds C(j, k)/C(4, k) times itself to Bernstein coefficient j, with binomials C.
+  // Bernstein coefficient j is the sum of shares[j][k] power[k], with shares[j][k] = C(j, k)/C(4, k) and binomials C.
   Bernstein bernstein{};
   constexpr std::array<std::array<double, 5>, 5> shares{{{1, 0, 0, 0, 0},
                                                          {1, 1.0 / 4, 0, 0, 0},
@@ -87,8 +88,8 @@ UncertainQuartic squared_gap(const RelativeState& pair, const Path& a, const Pat
   const double size = pair.distance_size + pair.velocity_size * span + h_size;
   const double error = pair.distance_error + span * (pair.velocity_error + 4 * roundoff * pair.velocity_size) +
                        6 * roundoff * span * span * (a.acceleration_size + b.acceleration_size);
-  // An error of d + v t + h t² changes its square by at most (2 size + error) error. Products and sums have fewer than
-  // 24 roundings.
+  // If the error of d + v τ + h τ² is at most `error`, that of its square is at most (2 size + error) error. The
+  // products and sums have fewer than 24 roundings.
   return {bernstein, (2 * size + error) * error + 24 * roundoff * (size * size + pair.radii * pair.radii), span};
 }
 

@@ -19,9 +19,9 @@ struct UncertainQuartic {
 
 [[nodiscard]] UncertainQuartic squared_gap(const RelativeState& pair, const Path& a, const Path& b, double span);
 
-/// The first crossing in [0, span]: the least s at which the quartic falls below 0 (see `Crossing`). The search halves
+/// The first crossing in [0, span]: the least s at which the quartic falls below 0 (see `Crossing`). The search divides
 /// the interval (R. T. Farouki, "The Bernstein polynomial basis: a centennial retrospective", CAGD 29, 2012, §5). On
-/// each half, the quartic lies between its least and its greatest coefficient.
+/// each part, the least and the greatest Bernstein coefficient bound the quartic.
 [[nodiscard]] Crossing first_crossing(const UncertainQuartic& quartic);
 
 }  // namespace carom::scene

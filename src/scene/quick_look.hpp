@@ -8,22 +8,22 @@
 
 namespace carom::scene {
 
-/// A first look at the flying neighbours of a flying sphere. It finds those that certainly neither overlap the sphere
-/// now nor touch it before the horizon. It is faster than `stay_apart`, because its bounds of rounding errors are the
-/// same for all neighbours, and so wider.
+/// A fast test of the flying neighbours of a flying sphere. It finds neighbours that certainly neither overlap the
+/// sphere now nor touch it before the horizon. It is faster than `stay_apart`, because all neighbours share one wider
+/// bound of rounding errors.
 ///
 /// Let u be `roundoff`, P and W the bounds of positions and velocities in `Extent`, R the sum of the radii, d the
 /// relative position and v the relative velocity. The 1-norms of d and v are at most 2 P and 2 W. The errors of the
-/// computed numbers, here and in `RelativeState`, have these bounds (except for a millionth of them):
+/// computed numbers, here and in `RelativeState`, have these bounds, up to a relative 10⁻⁶:
 /// - d: 2 · 7 u P + 2 u · 2 P = 18 u P.
 /// - v: 2 · 4 u W + 2 u · 2 W = 12 u W.
 /// - d·v: 2 P · 12 u W + 2 W · 18 u P + 4 u · 2 P · 2 W = 76 u P W.
 ///
 /// So the tests are certain:
 /// - Receding: if d·v > 128 u P W as computed, d·v is positive.
-/// - Far: |d| > R + m + (‖v‖₁ + 16 u W) s as computed, with m = 256 u (P + R) and s the time to the horizon.
-///   Both sides are then at most 2 P, with fewer than 8 roundings (16 u P). These and the error of d (18 u P) are below
-///   m.
+/// - Far: |d| > R + m + (‖v‖₁ + 16 u W) s as computed, with m = 256 u (P + R) and s the time to the horizon. If the
+///   test passes, both sides are at most 2 P. Their fewer than 8 roundings (16 u P) and the error of d (18 u P) are
+///   together below m.
 /// - No overlap: if |d| > R + m, then |d|² − R² > (|d| + R) m. The squared gap in `RelativeState` has a smaller error:
 ///   at most (2√3 |d| + 18 u P) 18 u P + 8 u (3 |d|² + R²) ≤ (|d| + R) (130 u P + 8 u R).
 class QuickLook {

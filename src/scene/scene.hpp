@@ -18,7 +18,7 @@ struct MaterialPair {
   double friction = 0;                // μ ≥ 0, for impacts and for a sphere that slides on a plane
   double tangential_restitution = 0;  // e_t in [-1, 1]; only the law `rough` reads it
   double rolling_resistance = 0;      // μ_r ≥ 0: slows a sphere that rolls on a plane by μ_r g [m/s²]
-  double spinning_resistance = 0;     // μ_s ≥ 0: slows its spin about the plane's normal by (5/2) μ_s g/R [rad/s²]
+  double spinning_resistance = 0;     // μ_s ≥ 0: slows the spin about a plane's normal by (5/2) μ_s g/R [rad/s²]
 };
 
 /// The properties of every pair of `count` materials, in either order.
@@ -70,8 +70,8 @@ struct Plane {
 };
 
 /// The default of the capture height h. A sphere of radius R that would rebound from a level plane by at most h R stays
-/// on the plane. On another sphere or on a slope, an approach slower than √(2 g h R) becomes an elastic impact, after
-/// which the sphere leaves at that speed.
+/// on the plane. On another sphere or on a slope, an approach slower than √(2 g h R) becomes an elastic impact. The
+/// sphere leaves at this speed.
 inline constexpr double default_capture_height = 1e-6;
 
 struct Scene {
@@ -88,7 +88,7 @@ struct Scene {
   std::vector<Plane> planes;
 };
 
-/// The number of bodies. Body indices count the spheres first, then the polyhedra.
+/// Body indices count the spheres first, then the polyhedra.
 [[nodiscard]] inline std::size_t body_count(const Scene& scene) {
   return scene.spheres.size() + scene.polyhedra.size();
 }

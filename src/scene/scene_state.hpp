@@ -15,7 +15,8 @@ struct BodyState {
   double mass = 1;                             // [kg]
   Vector3<double> principal_inertia{1, 1, 1};  // along the body axes [kg m²]
   Arc arc;
-  /// Body axes to world axes, at the arc's start and at `SceneState::time`. Not computed for a scene without polyhedra.
+  /// Rotations from body axes to world axes, at the arc's start and at `SceneState::time`. Only computed for a scene
+  /// with polyhedra.
   Quaternion<double> orientation_at_start{1, 0, 0, 0};
   Quaternion<double> orientation{1, 0, 0, 0};
   Vector3<double> angular_velocity{0, 0, 0};  // at `SceneState::time`, world [rad/s]

@@ -146,7 +146,7 @@ std::optional<SphereSimulation::Index> SphereSimulation::next_sphere() {
     if (unsettled) {
       plan(*unsettled);
     } else if (leaves && agenda_[*leaves].when.earliest < agenda_[chosen].when.earliest) {
-      // The crossing comes first, because a fast sphere would be far outside its cell at the other event.
+      // The sphere leaves its cell first, because a fast sphere would be far outside the cell at the event of `chosen`.
       leave_cell(*leaves);
     } else {
       return chosen;

@@ -23,22 +23,22 @@ namespace carom::scene {
 
 class QuickLook;
 
-/// Runs a scene that has only spheres, one event at a time, in certified order: by the bounds of prediction.hpp, or
-/// exactly if they do not decide. Of events at one instant, impacts of spheres come first, then impacts on planes, then
-/// ends of phases, each kind in the order of sphere indices. An event takes place at a double that is within the bounds
-/// of its exact time, and not after it. So paths never overlap. Stored positions are rounded so that they do not
-/// overlap either (placing.hpp).
+/// Runs a scene that has only spheres, one event at a time. The bounds of prediction.hpp decide the order of events, or
+/// exact algebra if the bounds do not decide. Of events at one instant, impacts of spheres come first, then impacts on
+/// planes, then ends of phases, each kind in the order of sphere indices. An event takes place at a double that is not
+/// after its exact time, so spheres on their paths never overlap. Stored positions are rounded so that spheres do not
+/// overlap there, either (placing.hpp).
 ///
-/// Each sphere keeps only its own next event, and checks it when it is due, because the partner may have been struck
-/// since. An event that no longer holds is never later than the sphere's true next event (B. Lubachevsky 1991).
+/// Each sphere stores only its own next event. A due event is checked first, because the partner may have a new path.
+/// An outdated event is never later than the sphere's true next event (B. Lubachevsky 1991).
 class SphereSimulation {
  public:
   /// Precondition: the scene is valid (valid_scene.hpp). Throws SceneError if bodies overlap.
   explicit SphereSimulation(Scene scene);
 
   /// The next event; null after the scene's duration. The pointer is valid until the next call. Throws SceneError if
-  /// impacts at one instant do not end, if a sphere is too far away for its cell to be known, or if no position within
-  /// 3 ulps is free of overlap.
+  /// impacts at one instant do not end, a sphere is too far from the origin for the grid, or no position within 3 ulps
+  /// is free of overlap.
   [[nodiscard]] const Event* advance();
 
   /// Makes `advance` end early and return null once a stop is requested.
@@ -70,8 +70,7 @@ class SphereSimulation {
     Index version = 0;  // of the sphere's path
     Kind kind = Kind::none;
     std::int8_t leaving_axis = 0, leaving_step = 0;
-    std::uint8_t planes_in_reach =
-        0;  // planes that can be touched from within the cell: bit k is plane k, bit 7 is any plane from 7 on
+    std::uint8_t planes_in_reach = 0;  // bit k: plane k is in reach from within the cell; bit 7: any plane from 7 on
 
     [[nodiscard]] Planned planned() const { return {when, kind, partner}; }
   };
@@ -81,12 +80,13 @@ class SphereSimulation {
   [[nodiscard]] bool plan_or_doubt(Index sphere);
   /// As plan_or_doubt, for a sphere that is known to overlap nothing.
   void plan(Index sphere);
-  /// As plan, for a sphere with a new stored state, which is first moved clear if it overlaps a body.
+  /// As plan, for a sphere with a new stored state. If the sphere overlaps a body, moves it clear first.
   void place_and_plan(Index sphere);
   void keep(Index sphere, const Planned& planned);
   /// Replaces `best` with `planned` if `planned` comes first. Precondition: both are events of the sphere.
   void keep_first(Index sphere, const Planned& planned, Planned& best);
-  /// Moves those of the first `count` of neighbours_ that may touch the sphere to the front, and returns their number.
+  /// Moves the neighbours that may touch the sphere to the front of the first `count` of neighbours_. Returns their
+  /// number.
   [[nodiscard]] std::size_t leave_out_apart(const QuickLook& look, bool flies, std::size_t count);
   [[nodiscard]] bool is_stale(const Agenda& agenda) const;
   [[nodiscard]] ExactTime exact_time(Index sphere, const Planned& planned) const;
@@ -117,7 +117,7 @@ class SphereSimulation {
   double now_ = 0;
   SphereStore spheres_;
   std::vector<Agenda> agenda_;
-  std::vector<Reach> reaches_;     // that of type i and plane k at i · planes + k
+  std::vector<Reach> reaches_;     // entry i · planes + k: sphere type i and plane k
   std::vector<Index> neighbours_;  // of the sphere that is being planned
   std::vector<std::optional<Level>> levels_;
   CellGrid grid_;

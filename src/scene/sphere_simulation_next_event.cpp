@@ -7,12 +7,11 @@
 #include <carom/scene/quick_look.hpp>
 #include <carom/scene/sphere_simulation.hpp>
 
-/// Finds the next event of each sphere, and the order of two events.
 namespace carom::scene {
 namespace {
 
-/// The greatest distance from the origin, in cells, at which positions are accurate to a sixteenth of the margin of a
-/// cell (cell_grid.hpp).
+/// Up to this distance from the origin, in cells, the error of a position is below 2⁻²⁰ cells. That is a sixteenth of
+/// the margin in the width of a cell (grid_around.hpp).
 constexpr double most_cells_away = 0x1p30;
 
 }  // namespace
@@ -31,7 +30,7 @@ const Reach& SphereSimulation::reach(Index sphere, std::size_t plane) const {
 }
 
 void SphereSimulation::find_planes_in_reach(Index sphere) {
-  // A sphere's centre may be outside the grid's cell by a millionth of the width. This margin is larger.
+  // A sphere's centre may be outside its cell by 10⁻⁶ of the width. This margin is larger.
   const double margin = 0x1p-10 * grid_.width();
   const Vector3<double> centre = grid_.centre_of_cell(sphere);
   const double half = 0.5 * grid_.width() + margin;
@@ -213,7 +212,7 @@ void SphereSimulation::move_clear(Index sphere) {
   for (int k = 1; k < moves; ++k) {
     spheres_.set_position(sphere, moved_by_ulps(position, k));
     if (is_clear(sphere)) {
-      ++agenda_[sphere].version;  // plans from the former position are no longer valid
+      ++agenda_[sphere].version;  // invalidates plans made from the old position
       return;
     }
   }

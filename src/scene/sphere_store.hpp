@@ -25,7 +25,7 @@ struct alignas(64) Track {
   Vector3<double> position{0, 0, 0};
   double start = 0;  // of the path [s]
   Vector3<double> velocity{0, 0, 0};
-  double until = never;  // end of the path, or time of leaving the cell if that is earlier [s]
+  double until = never;  // end of the path or time of leaving the cell, the earlier of the two [s]
 };
 static_assert(sizeof(Track) == 64);
 
@@ -34,8 +34,8 @@ struct Extent {
   double position_size, velocity_size;
 };
 
-/// The motions of all spheres of a scene. Each event reads memory that no cache holds, so data that is read together is
-/// stored together, and shared data once.
+/// The motions of all spheres of a scene. Each event reads memory that no cache holds. So data that is read together is
+/// stored together, and spheres share the data of their type.
 class SphereStore {
  public:
   using Index = std::uint32_t;
@@ -71,15 +71,15 @@ class SphereStore {
     measure(path);
     return path;
   }
-  /// Upper bounds, except for a few roundings, of the 1-norms of all positions and velocities up to `now`, without
-  /// accelerations on planes.
+  /// Upper bounds, except for a few roundings, of the 1-norms of all positions and velocities up to `now`.
+  /// Accelerations on planes are ignored.
   [[nodiscard]] Extent extent(double now) const {
     const double turn = gravity_size_ * now;
     return {position_size_ + now * (velocity_size_ + turn), velocity_size_ + turn};
   }
   [[nodiscard]] Arc arc(std::size_t sphere) const { return {path(sphere), turnings_[sphere].turning}; }
-  /// Preconditions: the radius is that of the sphere's type; if the arc is flying, its acceleration is gravity and it
-  /// has no end.
+  /// Preconditions: the radius is that of the sphere's type; if the arc is flying, its acceleration is gravity and its
+  /// end is `never`.
   void set_arc(std::size_t sphere, const Arc& arc);
   void set_position(std::size_t sphere, const Vector3<double>& position);
   void set_until(std::size_t sphere, double until) { tracks_[sphere].until = until; }
@@ -105,12 +105,12 @@ class SphereStore {
 
   Vector3<double> gravity_{0, 0, 0};
   double gravity_size_ = 0;
-  double position_size_ = 0, velocity_size_ = 0;  // upper bounds of all values that were set
+  double position_size_ = 0, velocity_size_ = 0;  // greatest 1-norms of the values set so far
   std::vector<SphereType> types_;
   std::vector<Track> tracks_;
   std::vector<Tag> tags_;
   std::vector<TurningAndEnd> turnings_;
-  std::vector<Vector3<double>> accelerations_;  // of spheres that are not flying; empty until the first of them
+  std::vector<Vector3<double>> accelerations_;  // of spheres that are not flying; empty until a sphere stops flying
 };
 
 }  // namespace carom::scene

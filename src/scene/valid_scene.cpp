@@ -17,8 +17,8 @@ namespace {
 using Of = SceneDefect::Of;
 using Found = std::optional<SceneDefect>;
 
-/// The greatest coordinate of a position, in diameters of the largest sphere. An ulp of a coordinate is then at most
-/// 2⁻²⁴ of that diameter.
+/// The greatest coordinate of a position, in diameters of the largest sphere. So an ulp of a coordinate is at most 2⁻²⁴
+/// diameters.
 constexpr double farthest = 0x1p28;
 
 constexpr double least_gravity = 1e-200;

@@ -20,9 +20,9 @@ struct SceneDefect {
 };
 
 /// The first defect of a scene except for its polyhedra (valid_polyhedra.hpp); nothing if the scene is valid. Valid
-/// numbers are finite and in their ranges, and masses and moments in the range of the scene's precision. Gravity is
-/// along an axis of the world. No two bodies overlap (decided exactly); they may touch. The time is proportional to the
-/// number of spheres of similar sizes.
+/// numbers are finite and in their ranges. Masses and moments are in the range of the scene's precision. Gravity is
+/// along an axis of the world. No two bodies overlap (decided exactly); they may touch. The run time is proportional to
+/// the number of spheres if their sizes are similar.
 [[nodiscard]] std::optional<SceneDefect> first_defect(const Scene& scene);
 
 /// Whether the scene has no defect, except that bodies may overlap.

@@ -34,7 +34,7 @@ inline constexpr int solve_count = 7;
 /// The part of carom/impulse that a method uses.
 enum class MethodForm { law, in_basis, in_stable_basis, refined, guaranteed, batch };
 
-/// A way to compute an impulse: a subject that the gate judges and a kernel that a clock measures, of the same code.
+/// A way to compute an impulse. The subject for the gate and the kernel for the clock run the same code.
 struct Method {
   Subject subject;
   MethodForm form = MethodForm::law;

@@ -80,7 +80,6 @@ TEST(CollisionJson, LeavesOutWhatTheProtocolSaysIsAbsent) {
   EXPECT_EQ(collision_to_json(collision).at("tangential_restitution"), -0.5);
 }
 
-/// The example of the protocol.
 json example() {
   return json::parse(R"({
     "a":{"mass":2.0,"principal_inertia":[0.8,0.7,0.5],"orientation":[1,0,0,0],
@@ -110,7 +109,7 @@ TEST(CollisionJson, TakesTheDefaultsOfOptionalFields) {
   EXPECT_EQ(c.tangential_restitution, 0);
 }
 
-/// The error of the example with this change; "" if there is none.
+/// The error message for the example with this change. "" without an error.
 template <class Change>
 std::string error_of(const Change& change, const std::string& place = {}) {
   json record = example();

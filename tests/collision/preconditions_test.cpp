@@ -19,8 +19,7 @@
 #include <carom/properties/trial/trial.hpp>
 #include <carom/scene/crossing.hpp>
 
-/// Some preconditions of each library. All functions are defined in headers, so this program checks them even if the
-/// libraries are built without checks.
+/// Some preconditions of each library, in header functions. So this program checks them even if the libraries do not.
 namespace carom {
 namespace {
 

@@ -30,13 +30,12 @@ std::string_view name_of(Status status) {
   return "skipped";
 }
 
-/// The answers of a subject to a case and to the related collisions of Trial::questions.
+/// A subject's answers to a case and to its related collisions.
 struct Answers {
   Answer first;
   std::vector<Answer> related;
 };
 
-/// One of the two judges. It computes the facts of the case by itself.
 class Judge {
  public:
   Judge(const properties::Case& one, bool filtered) : judged_case_(one), filtered_(filtered) {}

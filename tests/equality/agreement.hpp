@@ -15,7 +15,7 @@
 /// Judges the same outcomes twice: with every filter, and in rational arithmetic alone.
 namespace carom::equality {
 
-/// The verdicts on one invariant by the rational judge.
+/// The numbers of the rational judge's verdicts on one invariant.
 struct Outcomes {
   std::uint64_t holds = 0;
   std::uint64_t violated = 0;
@@ -25,7 +25,7 @@ struct Outcomes {
 struct Agreement {
   std::uint64_t cases = 0;
   std::uint64_t judgements = 0;  // one for each subject's outcome of one case
-  std::uint64_t verdicts = 0;    // one for each invariant
+  std::uint64_t verdicts = 0;    // one for each invariant of a judgement
   std::map<std::string, Outcomes> invariants;
   std::vector<std::string> differences;  // in words, each with the case
   std::chrono::nanoseconds filtered{};   // time of judging, without the subject

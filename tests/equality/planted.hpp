@@ -7,8 +7,8 @@
 namespace carom::equality {
 
 /// The exact outcome rounded to the precision, with one vector moved. In half of the cases the backward error is ½ to 2
-/// times the limit. In the other half it is multiplied by 2⁻⁵ to 2⁶, because invariants have different limits.
-/// Preconditions: the case is valid; the law is `coulomb` or determines the outcome.
+/// times the limit. In the other half, this error is multiplied by 2⁻⁵ to 2⁶, because invariants have different limits.
+/// Preconditions: the case is valid; the law is not `any`.
 [[nodiscard]] ReportedOutcome planted_outcome(const oracles::ExactCase& exact_case, Law law, Precision precision,
                                               double allowance, properties::Stream& stream);
 

@@ -38,7 +38,7 @@ TEST(JudgeEquality, OnNumbersOfFewDigits) {
   EXPECT_GT(agreement.verdicts, 1000U);
 }
 
-/// Both verdicts occur within a factor of two of the limit.
+/// Both verdicts, holds and violated, must occur near the limit.
 TEST(JudgeEquality, AtTheEdgeOfWhatIsAllowed) {
   std::vector<Examined> examined;
   for (const Law law : laws_with_truth) {

@@ -10,8 +10,8 @@
 #include "on_families.hpp"
 #include "support/effort.hpp"
 
-/// The filters change no verdict on the built-in subjects and the mutants: rational arithmetic alone gives the same.
-/// The program `judge_equality` compares any number of cases.
+/// On the built-in subjects and the mutants, the filters change no verdict of rational arithmetic. The program
+/// `judge_equality` compares any number of cases.
 namespace carom::equality {
 namespace {
 

@@ -80,7 +80,7 @@ properties::Case shortened(properties::Case one, Stream& stream) {
 
 properties::Case wild_case(Stream& stream) {
   const auto families = properties::all_families();
-  // Extreme cases are rare, because one can cost the rational judge seconds.
+  // Extreme cases are rare, because each may take the rational judge seconds.
   constexpr std::array moderate{4, 8, 16, 40};
   constexpr std::array extreme{100, 200, 300, 1000};
   for (;;) {

@@ -13,9 +13,9 @@ namespace carom::equality {
 /// least half of the time. Rational arithmetic is quick on such a case, and exact coincidences occur.
 [[nodiscard]] properties::Case shortened(properties::Case one, properties::Stream& stream);
 
-/// A valid collision of one of three kinds: a family's case with each field scaled by its own power of two, up to 2^±k;
-/// numbers with exponents up to ±k; random bit patterns. k is at most 40. About one case in 64 has a larger k, up to
-/// 1000, or random bit patterns.
+/// A valid collision. Either each field of a family's case is scaled by its own power of two, up to 2^±k, or the
+/// numbers are random, with exponents up to ±k. k is at most 40. About one case in 64 has a larger k, up to 1000, or
+/// random bit patterns.
 [[nodiscard]] properties::Case wild_case(properties::Stream& stream);
 
 }  // namespace carom::equality

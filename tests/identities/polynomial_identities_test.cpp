@@ -17,13 +17,13 @@
 /// The laws as polynomial identities, proved except for a probability below 10⁻²⁶ (Schwartz–Zippel).
 ///
 /// The solver uses only + − × ÷, so each entry of its outcome is a quotient of polynomials in the numbers of the
-/// collision. Each law, cleared of denominators, says that a polynomial p is zero. If p is not zero and has degree d,
-/// it vanishes at a random point with probability at most d/s, with each variable uniform among s values.
+/// collision. Each law, cleared of denominators, says that a polynomial p is zero. If p is not zero and has degree d, p
+/// vanishes at a random point with probability at most d/s, with each variable uniform among s values.
 ///
-/// Degrees are written numerator/denominator. D = m_A m_B |q_A|⁴ |q_B|⁴ I_A I_B, with I the product of the three
-/// moments, has degree 2·(1 + 4 + 3) = 16.
+/// Degrees of quotients are written numerator/denominator. I_A and I_B are the products of the three moments of A and
+/// B. D = m_A m_B |q_A|⁴ |q_B|⁴ I_A I_B has degree 2·(1 + 4 + 3) = 16.
 ///
-///  J⁻¹ has degree 6/7, because its entries are sums of R_ri R_ci / I_i with R of degree 2/2.
+///  J⁻¹ has degree 6/7, because its entries are sums of R_ri R_ci / I_i with the rotation R of degree 2/2.
 ///
 ///  K = K̂ / D. The term r·r J⁻¹ of K gives K̂ the degree (2 + 6) + (16 − 7) = 17.
 ///
@@ -32,14 +32,14 @@
 ///
 ///  Δv = F/m: 55/54. Δw = J⁻¹ (r × F): 62/60.
 ///
-/// The law with the highest degree is energy: Δwᵀ J Δw is at most (62 + 62 + 5)/(60 + 60 + 4) = 129/124. Both bodies
-/// share the denominator ((N·N) det K̂)² m_A m_B times the two bodies' (|q|⁴ I)² |q|⁴, of degree 106 + 2 + 2·(14 + 4) =
-/// 144. Over this denominator the law has degree 149. The denominators of the other side divide this one. So d < 256
+/// Energy has the highest degree: Δwᵀ J Δw is at most (62 + 62 + 5)/(60 + 60 + 4) = 129/124. The common denominator of
+/// both bodies is ((N·N) det K̂)² m_A m_B (|q_A|⁴ I_A)² |q_A|⁴ (|q_B|⁴ I_B)² |q_B|⁴, of degree 106 + 2 + 2·(14 + 4) =
+/// 144. Over this denominator, the numerator has degree 149. The denominators of the other side divide it. So d < 256
 /// for every law.
 ///
-/// If the contact does not approach, the test uses −N, so it evaluates p at x or at x with −N. The product of both is a
-/// polynomial of degree below 512 = 2⁹. With s = 2³² and four independent points, a false law passes with probability
-/// at most (2⁹⁻³²)⁴ = 2⁻⁹² < 10⁻²⁶.
+/// If the contact does not approach, the test uses −N. So the test evaluates p or p₋, which is p with −N. The product p
+/// p₋ is a polynomial of degree below 512 = 2⁹. With s = 2³² and four independent points, a false law passes with
+/// probability at most (2⁹⁻³²)⁴ = 2⁻⁹² < 10⁻²⁶.
 namespace carom::properties {
 namespace {
 
@@ -102,7 +102,7 @@ Rational energy_gain(const RationalCollision& c, Law law) {
       // −(1 − ε²) (N·V⁻)² / (2 NᵀKN)
       return -(1 - c.restitution * c.restitution) * normal_velocity * normal_velocity / (2 * n.dot(Vector(k * n)));
     case Law::reflection: {
-      // ½ F·(V⁻ + V⁺) with K F = c N and c = −(1+ε) (N·V⁻)/(N·N): c/2 (2 V⁻ + c N)ᵀ K⁻¹ N
+      // K F = g N with g = −(1+ε) (N·V⁻)/(N·N), so ½ F·(V⁻ + V⁺) = g/2 (2 V⁻ + g N)ᵀ K⁻¹ N
       const Rational change = -(1 + c.restitution) * normal_velocity / n.dot(n);
       const Vector in_response = oracles::cramer<Rational>(k, n);
       return change / 2 * Vector(Rational(2) * v + change * n).dot(in_response);
@@ -120,8 +120,7 @@ Rational energy_gain(const RationalCollision& c, Law law) {
   oracles::determines_no_outcome(law);
 }
 
-/// The name of a law that the solver's outcome violates at a point. It also reports a solver that never acts, which
-/// satisfies most laws.
+/// The name of a law that the solver's outcome violates at a point. Also reports a solver that never acts.
 std::optional<std::string> false_identity(Solver solver, Law law) {
   Stream stream = stream_from(seed);
   for (int i = 0; i < points; ++i) {

@@ -36,7 +36,7 @@ TEST(WithoutExtremeLength, IsAnExactPowerOfTwoScaling) {
   properties::Stream stream = properties::stream_from(1);
   for (int i = 0; i < 2000; ++i) {
     Vector3<double> vector = stream.direction();
-    // With components that differ by up to 2^60, the smallest stays a normal number.
+    // With components that differ by factors up to 2^60, the smallest stays a normal number.
     vector[stream.integer(0, 2)] *= std::ldexp(1.0, -stream.integer(0, 60));
     vector *= std::ldexp(1.0, stream.integer(-900, 1000));
     expect_scaled_by_power_of_two(vector, without_extreme_length<double>(vector));
@@ -77,7 +77,7 @@ TEST(MakeContact, ReadsNothingThatAnImmovableBodyHasNot) {
   EXPECT_TRUE(outcome.a.velocity.allFinite() && outcome.b.angular_velocity.allFinite());
 }
 
-/// Whether the reported number is the given one, or is rounded to it in binary32.
+/// Whether the reported number is the given one or, in binary32, its rounding.
 bool is_unchanged(long double reported, double given, Precision precision) {
   const auto is = [&](long double number) {
     return reported == number && std::signbit(reported) == std::signbit(number);
@@ -122,8 +122,8 @@ TEST(Solvers, LeaveSeparatingAndInertContactsUnchangedBitForBit) {
   expect_unchanged_by(cases_of("both_immovable"), any_method);
 }
 
-/// Bodies of the family `resting` do not spin, so N·V is n0·(−n1 s) + n1·(n0 s), with s a power of two. The products
-/// round alike and cancel, unless the normal is normalised first, as a basis requires.
+/// Bodies of the family `resting` do not spin, so N·V is n0·(−n1 s) + n1·(n0 s), with a power of two s. The products
+/// round alike and cancel. Methods with a basis normalise N first, so their products may differ.
 TEST(Solvers, LeaveRestingContactsUnchangedBitForBit) {
   expect_unchanged_by(cases_of("resting"),
                       [](const Subject& method) { return method.name.find("basis") == std::string::npos; });
@@ -145,7 +145,6 @@ TEST(Solvers, LeaveTwoImmovableBodiesUnchangedThatApproach) {
   expect_unchanged_by({c}, any_method);
 }
 
-/// The tests of unchanged contacts are not vacuous.
 TEST(Solvers, ChangeACollidingContact) {
   const Collision collision = unit::case_of("elastic", 0).collision;
   for (const subjects::Method& method : subjects::methods()) {
@@ -158,7 +157,7 @@ TEST(Solvers, ChangeACollidingContact) {
   }
 }
 
-/// The smallest energy example: m = 1, J = I/6, r = (½, −½, 0), N = (0, 1, 0), on a fixed plane.
+/// The smallest example that gains energy (docs/findings/note.md).
 Contact<double> box_on_plane(double tangential_velocity) {
   Collision c;
   c.a.principal_inertia.setConstant(1.0 / 6);
@@ -168,8 +167,8 @@ Contact<double> box_on_plane(double tangential_velocity) {
   return make_contact<double>(c);
 }
 
-/// Head-on, F = (0, 4/5, 0), as frictionless. With any tangential velocity, F = (−3/4, 5/4, 0). The impulses differ by
-/// ‖(3/4, −9/20)‖ = 0.87.
+/// Head-on, the solver answers the frictionless F = (0, 4/5, 0). With any tangential velocity, F = (−3/4, 5/4, 0). The
+/// impulses differ by ‖(3/4, −9/20)‖ = 0.87.
 TEST(ReflectionInBasis, JumpsWhereTheTangentialVelocityVanishes) {
   const double slight = std::ldexp(1.0, -40);
   const Vector3<double> head_on = reflection_in_basis(box_on_plane(0)).a.velocity;
@@ -181,13 +180,13 @@ TEST(Reflection, IsContinuousWhereTheTangentialVelocityVanishes) {
   const double slight = std::ldexp(1.0, -40);
   const Vector3<double> head_on = reflection<Ldlt>(box_on_plane(0)).a.velocity;
   const Vector3<double> oblique = reflection<Ldlt>(box_on_plane(slight)).a.velocity;
-  // F depends only on N·V. Adding v_t to a number below 1 rounds by at most 2^-53.
+  // F depends only on N·V. Adding `slight` to a number below 1 rounds by at most 2^-53.
   EXPECT_LE((oblique - head_on).norm(), slight * 2);
   EXPECT_GT(oblique[0], head_on[0]);
 }
 
-/// A contact in binary32 at 10¹⁰ m from the origin. Lever arms are multiples of 512 m, but the moments are those of a
-/// body of one metre. The condition number of C exceeds 1/u, so the rounded C may be singular.
+/// A contact in binary32, as at 10¹⁰ m from the origin. Lever arms are multiples of 512 m, but the moments are those of
+/// a body of one metre. The condition number of C exceeds 1/u, so the rounded C may be singular.
 Contact<float> contact_with_lost_lever_arms(properties::Stream& stream) {
   Collision c;
   c.a.principal_inertia = Vector3<double>{1, 1, 1} * std::ldexp(1.0, -stream.integer(0, 9));
@@ -213,7 +212,7 @@ int not_finite(const Solver& solver) {
 TEST(Reflection, DividesByNoPivotThatRoundingHasMadeZero) {
   EXPECT_EQ(not_finite([](const auto& contact) { return reflection<Ldlt>(contact); }), 0);
   EXPECT_EQ(not_finite([](const auto& contact) { return reflection_in_stable_basis(contact); }), 0);
-  // The same matrices cause division by zero without the bound.
+  // Without the lower bound of pivots, the same matrices cause division by zero.
   EXPECT_GT(not_finite([](const Contact<float>& contact) {
               const Vector3<float> impulse = Ldlt::solve<float>(
                   printed_collision_matrix(contact, stable_tangent_basis(contact)), Vector3<float>{1, 0, 0});
@@ -222,7 +221,8 @@ TEST(Reflection, DividesByNoPivotThatRoundingHasMadeZero) {
             0);
 }
 
-/// Even if the rounded C has eigenvalues below λ = 1/m_A + 1/m_B, each component of the impulse is at most 2 ‖b‖∞ / λ.
+/// Even if the rounded C has eigenvalues below λ = 1/m_A + 1/m_B, each component of the solution x of C x = b is at
+/// most 2 ‖b‖∞ / λ.
 TEST(Ldlt, KeepsToTheLargestImpulseThatTheLeastEigenvalueAllows) {
   properties::Stream stream = properties::stream_from(98);
   const Vector3<float> b{1, 0, 0};
@@ -249,7 +249,7 @@ TEST(TangentBasis, IsOrthonormalWellAwayFromHeadOn) {
     }
     ++checked;
     const Matrix3<double> basis = tangent_basis(contact);
-    // T0 has an error of a few roundings of ‖V‖, relative to v_t ≥ ‖V‖/16: below 2^-53 · 8 · 16.
+    // The error of T0 is below 8 roundings times ‖V‖ / v_t ≤ 16, or 2^-53 · 8 · 16.
     const double bound = std::ldexp(1.0, -46);
     EXPECT_LE((basis.transpose() * basis - Matrix3<double>::Identity()).cwiseAbs().maxCoeff(), bound) << i;
   }

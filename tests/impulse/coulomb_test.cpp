@@ -51,7 +51,7 @@ TEST(Coulomb, KeepsWhatSeparates) {
   EXPECT_EQ(coulomb(make_contact<double>(c)).a.velocity, c.a.velocity);
 }
 
-/// F equals one of the exact answers, up to the roundings of a solve times the condition number of K, at most 16 for
+/// The outcome equals an exact answer, up to the roundings of a solve times the condition number of K, at most 16 for
 /// real bodies.
 TEST(Coulomb, FindsAnAnswer) {
   int slides = 0;
@@ -67,7 +67,7 @@ TEST(Coulomb, FindsAnAnswer) {
       for (const oracles::CoulombAnswer& answer : oracles::coulomb_answers(oracles::lift(collision))) {
         const auto exact = map_outcome<double>(answer.truth.outcome,
                                                [](const oracles::Rational& x) { return oracles::nearest_double(x); });
-        // Angular velocities are compared as speeds at a lever arm of about 1 m.
+        // 1 rad/s counts as 1 m/s.
         double distance = 0;
         for (const OutcomeVector k : all_outcome_vectors) {
           distance = std::max(distance, (*vectors(found)[k] - *vectors(exact)[k]).norm());

@@ -34,7 +34,7 @@ Outcome<double> outcome_of(Session& session, const Collision& collision) {
                              [](long double x) { return static_cast<double>(x); });
 }
 
-/// The number of valid collisions with a movable body that the subject leaves approaching, exactly.
+/// The number of valid collisions with a movable body for which the subject's outcome has N·V⁺ < 0, exactly.
 int approaching_outcomes(const std::string& subject) {
   Session session = subjects::subject_named(subject)->open();
   int approaching = 0;
@@ -112,7 +112,7 @@ TEST(NormalVelocitySign, IsThatOfRationals) {
   EXPECT_GT(zeros, 50);
 }
 
-/// N·V rounds to zero in binary64, so the number of missing ulps is unknown.
+/// N·V rounds to zero in binary64, so the size of the needed correction is unknown.
 TEST(Guaranteed, ComesToAnEndWhereTheNormalVelocityUnderflows) {
   Collision collision;
   collision.b.immovable = true;

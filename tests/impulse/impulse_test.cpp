@@ -12,7 +12,7 @@
 
 #include "support/exact.hpp"
 
-/// In rational arithmetic, the solvers satisfy their laws exactly, without a tolerance.
+/// In rational arithmetic, the solvers satisfy their laws exactly.
 namespace carom::impulse {
 namespace {
 
@@ -98,7 +98,7 @@ TEST(PrintedCollisionMatrix, EqualsTheCollisionMatrixInARationalOrthonormalBasis
   }
 }
 
-/// The printed equation has λ twice in the entries (2,2) and (3,3).
+/// Eq. 27 of the note has λ twice in the entries (2,2) and (3,3).
 TEST(PrintedCollisionMatrix, DiffersFromTheNoteWhichCountsLambdaTwice) {
   properties::Stream stream = stream_of(0);
   const auto contact = exact_contact(unit::small_collision(stream));
@@ -145,7 +145,7 @@ TYPED_TEST(Solve3, SolvesExactlyInAField) {
   }
 }
 
-/// In exact arithmetic no pivot is below the least eigenvalue.
+/// No exact pivot is below the least eigenvalue, so a lower bound of pivots changes nothing.
 TYPED_TEST(Solve3, SolvesTheMatricesOfEveryFamily) {
   for (const auto& [family, one] : unit::valid_cases(3)) {
     if (family == "both_immovable") {
@@ -164,8 +164,7 @@ Rational twice_energy(const BodyVelocity<Rational>& motion) {
   return motion.velocity.dot(motion.velocity) + motion.angular_velocity.dot(motion.angular_velocity) / 6;
 }
 
-/// The smallest example that gains energy (docs/findings/note.md): m = 1, J = I/6, r = (½, −½, 0), N = (0, 1, 0), V =
-/// (−1, −1, 0) against a fixed plane.
+/// The smallest example that gains energy (docs/findings/note.md).
 Outcome<Rational> smallest_example(int restitution) {
   BasicCollision<Rational> c;
   c.a.principal_inertia = {ratio(1, 6), ratio(1, 6), ratio(1, 6)};
@@ -273,7 +272,7 @@ TEST(Rough, SlipsByImpulsesThatAreSubnormal) {
   expect_rough_to_scale<float>(-110, -26, 0x1p-9F);
 }
 
-/// Compares the solver of `rough` in ℚ(√s) with the oracle's exact outcome.
+/// Compares the solver of `rough`, with exact square roots, with the oracle's exact outcome.
 void expect_same_rough(const oracles::ExactCase& exact_case, const std::string& family) {
   using oracles::Radical;
   const auto contact = make_contact<Radical>(

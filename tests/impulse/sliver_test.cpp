@@ -21,9 +21,9 @@
 
 #include "support/cases.hpp"
 
-/// The cost of world coordinates for slender and flat bodies, with moments 1 : ρ. J⁻¹ = R diag(1/I) Rᵀ has a rounding
-/// error of u ‖J⁻¹‖ in each entry, with u the unit roundoff. Multiplied by J, this error is u ρ. In the body frame, the
-/// error is only of the size that a rotation of the body by u causes.
+/// The cost of world coordinates for slender and flat bodies, with moments 1 : ρ. In world coordinates, each entry of
+/// J⁻¹ = R diag(1/I) Rᵀ has a rounding error of u ‖J⁻¹‖, with the unit roundoff u. Multiplied by J, this error is u ρ.
+/// In the body frame, the error is only as large as that of a rotation by u.
 namespace carom::impulse {
 namespace {
 
@@ -31,7 +31,7 @@ double ratio_of_moments(const Body& body) {
   return body.principal_inertia.maxCoeff() / body.principal_inertia.minCoeff();
 }
 
-/// The body compressed along one or two of its axes to 2^−exponent of its width, with the contact point.
+/// The body compressed to 2^−exponent along one or two axes. The contact point keeps its place in the material.
 Body compressed(const Body& body, const Vector3<double>& point, int axis, bool others, int exponent) {
   const Vector3<double> moments = body.principal_inertia;
   Vector3<double> squares = Vector3<double>::Constant(moments.sum() / 2) - moments;
@@ -134,7 +134,7 @@ TYPED_TEST(Slivers, LoseAngularMomentumInWorldCoordinatesAlone) {
   }
 }
 
-/// A rod that flies along its long axis into any body. The normal is that axis, up to rounding.
+/// A rod whose tip hits an immovable body. The normal is along the rod, up to rounding.
 Collision rod_on_its_tip(properties::Stream& stream, double ratio) {
   Collision c;
   c.b.immovable = true;
@@ -159,16 +159,15 @@ double backward_error(const Collision& c, Law law, const Outcome<S>& outcome) {
       .backward_error(yardstick.unit_roundoff);
 }
 
-/// Whether the rod is thinner than the rounding of its position, so that any spin about its long axis is within
-/// rounding.
+/// Whether the rod is thinner than the rounding of its position. If so, any spin about its long axis is permitted.
 template <class S>
 bool is_blind(const Collision& c) {
   const double allowance = oracles::default_limit_ulps * std::numeric_limits<S>::epsilon() / 2;
   return oracles::ExactCase(c).permitted_inputs(allowance) != nullptr;
 }
 
-/// Lever arm, impulse and long axis are parallel. The rounding error of their product would spin the rod about its long
-/// axis, by ρ times the error of the torque.
+/// Lever arm, impulse and long axis are parallel, so the torque consists of rounding errors. Such a torque would spin
+/// the rod about its long axis, ρ times as fast as about the others.
 TYPED_TEST(Slivers, DoNotSpinWhenStruckOnTheirTips) {
   properties::Stream stream = properties::stream_from(97);
   for (const double ratio : {8.0, 64.0, 1e4, 1e6, 1e8}) {
@@ -193,7 +192,7 @@ TYPED_TEST(Slivers, DoNotSpinWhenStruckOnTheirTips) {
   }
 }
 
-/// Both lever arms start at the same point, so the same torque turns both bodies, to its last bit.
+/// Both bodies have the same lever arm, so exactly the same torque turns both.
 TEST(SlenderBodies, ShareTheTorqueWithWhatTurnsAboutTheSamePlace) {
   Collision c;
   c.a.velocity = {0, 0, -1};
@@ -206,8 +205,8 @@ TEST(SlenderBodies, ShareTheTorqueWithWhatTurnsAboutTheSamePlace) {
   }
 }
 
-/// The lever arms lie exactly along the normal, so no body should turn. But the rounding error in the other body's K
-/// easily turns A.
+/// The lever arms lie exactly along the normal, so no body should turn. But a rounding error in B's part of K would
+/// easily turn A.
 TEST(SlenderBodies, AreNotTurnedByRoundingInTheMatrixOfTheOtherBody) {
   Collision c;
   c.a.mass = 37961134;
@@ -248,7 +247,7 @@ TEST(PrincipalInertia, OfEqualMomentsKnowsNoOrientation) {
   EXPECT_EQ(inertia.axes, Matrix3<double>::Identity());
 }
 
-/// A second impulse against an approach of a few ulps would change the spin about the long axis by far more.
+/// A second impulse against an approach of a few ulps would change the spin about the long axis by many ulps.
 TEST(SlenderBodies, KeepTheirSpinWhereTheApproachIsRoundedAway) {
   for (std::uint64_t i = 0; i < 2000; ++i) {
     properties::Stream stream = properties::case_stream(1, "physical", i);
@@ -260,7 +259,7 @@ TEST(SlenderBodies, KeepTheirSpinWhereTheApproachIsRoundedAway) {
   }
 }
 
-/// The family `physical` (a random generator) contains slender bodies, up to 1 : 10⁸.
+/// The family `physical` (a random generator) contains slender bodies, beyond 1 : 10⁷.
 TEST(PhysicalBodies, AreSlenderToo) {
   properties::Stream stream = properties::stream_from(96);
   double largest = 0;

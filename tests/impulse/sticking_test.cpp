@@ -7,8 +7,8 @@
 namespace carom::impulse {
 namespace {
 
-/// B spins fast along a lever arm of 10⁷ m, and A is a sphere of 10⁻² m. w × r rounds 10⁷ times more along z than along
-/// x and y. So a correction of V along N must follow these rounding errors.
+/// B spins fast about its lever arm of 10⁷ m. The rounding errors of w × r are about 200 times as large along z as
+/// along x and y. So a correction of N·V must be larger along z.
 Collision fast_spin_along_lever_arm() {
   Collision c;
   c.a.mass = 512;

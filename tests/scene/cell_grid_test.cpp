@@ -31,7 +31,7 @@ CellGrid grid_of(const std::vector<Path>& paths) {
   return grid;
 }
 
-/// The number of pairs in contact at a time. Checks that they are neighbours in the grid.
+/// The number of ordered pairs in contact at a time. Checks that these pairs are neighbours in the grid.
 int count_touching(const CellGrid& grid, const std::vector<Path>& paths, double time) {
   int touching = 0;
   for (std::size_t i = 0; i < paths.size(); ++i) {
@@ -68,8 +68,8 @@ TEST(CellGrid, NeighboursAreFewWhereSpheresAreApart) {
   for (std::size_t i = 0; i < paths.size(); ++i) {
     grid.for_neighbours(static_cast<CellGrid::Index>(i), [&](CellGrid::Index) { ++neighbours; });
   }
-  // A cell has 0.75³ of the volume per sphere, so 27 cells hold about 12 spheres. Other cells that share their lists
-  // add about as many.
+  // A cell has 0.75³ of the volume per sphere, so 27 cells hold about 12 spheres. Other cells with the same lists add
+  // about as many.
   EXPECT_LT(neighbours, 40 * paths.size());
 }
 

@@ -44,7 +44,7 @@ struct ExactQuadratic {
   }
 };
 
-/// What is wrong with the crossing of a quadratic that is not negative at 0; empty if it is right or undecided.
+/// The fault of a crossing of a quadratic that is not negative at 0; empty if the crossing is right or undecided.
 std::string wrong_with(const Crossing& found, const ExactQuadratic& truth) {
   switch (found.decision) {
     case Decision::none:
@@ -111,8 +111,8 @@ TEST(Crossing, BoundsThatOfEveryQuadraticWithinTheRadii) {
 TEST(Crossing, OfCoefficientsWithoutRadiiIsKnownToSomeUlps) {
   properties::Stream stream = properties::stream_from(2);
   for (int i = 0; i < 1000; ++i) {
-    // The discriminant D is at least c₁²/2, so the residual is a few unit roundoffs u of its terms, and the error a few
-    // u of s, times c₁/√D.
+    // The discriminant D is at least c₁²/2. The residual is a few unit roundoffs u of its terms, so the error is a few
+    // u s c₁/√D.
     const double c1 = -stream.between(0.5, 2);
     const double c0 = stream.between(0.1, 1);
     const double c2 = stream.signed_unit() * c1 * c1 / (8 * c0);
@@ -156,12 +156,12 @@ TEST(Crossing, OfALineIsItsRoot) {
 }
 
 TEST(Crossing, OfABallThatHasBouncedIsWhereItComesDownAgain) {
-  // The ball starts on the plane, a root at s = 0. The crossing is the other root of 3 s − s².
+  // The ball starts on the plane, so s = 0 is a root of 3 s − s². The crossing is the other root.
   const Crossing found = first_crossing({0, 3, -1, 0, 0, 0});
   ASSERT_EQ(found.decision, Decision::bounded);
   EXPECT_NEAR(found.s, 3, found.error);
   EXPECT_LE(found.error, 64 * roundoff * 3);
-  // The same quadratic with a radius of c₀ has the same crossing.
+  // The same quadratic with an error radius of c₀ has the same crossing.
   const Crossing state_at = first_crossing({0, 3, -1, 0x1p-50, 0, 0});
   ASSERT_EQ(state_at.decision, Decision::bounded);
   EXPECT_NEAR(state_at.s, 3, state_at.error);
@@ -180,7 +180,7 @@ TEST(Crossing, AsBoundsOfTimeContainsTheSum) {
     EXPECT_TRUE(Rational(bounds.earliest) <= earliest || bounds.earliest == now);
     EXPECT_TRUE(Rational(bounds.latest) >= latest);
     EXPECT_GE(bounds.earliest, now);
-    // The width is at most the error, and the rounding of three sums of this size.
+    // The width is at most twice the error, plus the rounding of three sums.
     EXPECT_LE(bounds.latest - bounds.earliest, 2 * crossing.error + 16 * roundoff * (now + crossing.s));
   }
 }

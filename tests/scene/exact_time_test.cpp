@@ -49,7 +49,7 @@ TEST(ExactTime, OrdersWhatDiffersByLessThanAnUlp) {
   const auto later = later_by(0x1p-51);
   ASSERT_TRUE(later);
   EXPECT_LT(*one, *later);
-  // 1/3 in two constructions, and doubles beside it.
+  // Two contacts at the time 1/3, and the doubles next to 1/3.
   const auto third = at(3, 1);
   const auto also_third = at(1.5, 0.5);
   ASSERT_TRUE(third && also_third);
@@ -128,7 +128,7 @@ TEST(ExactTime, OfContactAtPresentIsThePresent) {
   EXPECT_FALSE(exact_contact(sphere, path_of({1, 0, 0}, {1, 0, 0}, at_rest, 0.5), 0));
   EXPECT_FALSE(exact_contact(sphere, path_of({1, 0, 0}, {0, 3, 0}, at_rest, 0.5), 0));
   EXPECT_FALSE(exact_contact(sphere, resting({1, 0, 0}, 0.5), 0));
-  // The sphere is at rest but accelerated inwards.
+  // The second sphere is at rest, but accelerates towards the first.
   const auto pressed = exact_contact(sphere, path_of({1, 0, 0}, {0, 0, 0}, {-1, 0, 0}, 0.5), 0);
   ASSERT_TRUE(pressed);
   EXPECT_EQ(*pressed, ExactTime::at(0));

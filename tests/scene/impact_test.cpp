@@ -72,8 +72,9 @@ TEST(Impact, AgreesWithTheGenericSolversWithinUlps) {
       const auto expected = generic(law, collision);
       for (const Precision precision : {Precision::binary32, Precision::binary64, Precision::extended}) {
         const Outcome<double> found = struck(law, precision, collision);
-        // Both solvers have at most about 40 roundings. A rounding of the impulse changes an angular velocity by up to
-        // 5/(2 R) = 12.5 times its effect on the velocity. So 128 u of the greatest speed covers both.
+        // Both solvers have at most about 40 roundings of speeds of a few m/s, which 128 u covers. A rounding of the
+        // impulse changes an angular velocity by up to 5/(2 R) = 12.5 times its effect on the velocity, which `size`
+        // covers.
         const double u = std::max(roundoff, unit_roundoff(precision));
         const double size = 16;
         const auto ours = vectors(found);
@@ -133,7 +134,7 @@ TEST(KeepApart, IsExact) {
     const Vector b = 2 * stream.vector();
     Vector va = stream.vector();
     Vector vb = stream.vector();
-    // After an impact with ε = 0: no speed along the normal, up to rounding.
+    // As after an impact with ε = 0, there is no speed along the normal, up to rounding.
     const Vector n = (a - b).normalized();
     va += n.dot(vb - va) * n;
     const Vector before = va;

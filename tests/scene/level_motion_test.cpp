@@ -66,7 +66,7 @@ TEST(LevelMotion, SlipEndsAndRollsWithTheTextbooksVelocity) {
     EXPECT_EQ(rolling.turning.angular_velocity.z(), w.z());
     EXPECT_EQ(rolling.path.acceleration, Vector(0, 0, 0));
     EXPECT_EQ(rolling.path.end, never);
-    // The energy lost to friction: (1/7) u² of a unit mass.
+    // Friction takes the energy u²/7 of a unit mass.
     EXPECT_NEAR(energy(v, w) - energy(rolling.path.velocity, rolling.turning.angular_velocity), u.squaredNorm() / 7,
                 32 * few_roundings);
   }

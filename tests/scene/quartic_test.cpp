@@ -15,7 +15,7 @@ namespace {
 using unit::path_of;
 using unit::Vector;
 
-/// What is wrong with the bounds on the time of contact up to a horizon; empty if they are right.
+/// The fault of the bounds on the time of contact up to a horizon; empty if the bounds are right.
 std::string wrong_with(const TimeBounds& found, const std::optional<ExactTime>& truth, double horizon) {
   const bool in_time = truth && *truth <= ExactTime::at(horizon);
   if (found.earliest == never) {
@@ -35,7 +35,8 @@ struct Pair {
   Path a, b;
 };
 
-/// Two spheres that do not overlap at 0, with different accelerations. Often the second sphere is thrown at the first.
+/// Two spheres that do not overlap at 0, with different accelerations. The second sphere is thrown at or near the
+/// first.
 Pair random_pair(properties::Stream& stream) {
   const double size = stream.power_of_ten(-1, 1);
   const Path a = path_of(stream.vector() * size, stream.vector(), stream.vector(), stream.between(0.05, 0.5),
@@ -163,7 +164,7 @@ TEST(Quartic, FindsTheFirstOfFourRoots) {
   EXPECT_LE(found.error, 128 * 0x1p-48);
 }
 
-/// A point of subdivision is the root itself. An event takes place at the earlier bound, so the bounds must be narrow.
+/// The root is a point of subdivision. An event takes place at the earlier bound, so the bounds must be narrow.
 TEST(Quartic, FindsARootInTheMiddle) {
   const Crossing found = first_crossing(with_four_roots(0));
   ASSERT_EQ(found.decision, Decision::bounded);

@@ -75,7 +75,7 @@ TEST(QuickLook, RejectsNothingThatTouches) {
       ASSERT_TRUE(!look_until(horizon, never)) << seed;
       ASSERT_TRUE(!look_until(never, horizon)) << seed;
     }
-    // The bounds of `stay_apart` are narrower, so it rejects everything that the quick look rejects.
+    // The bounds of `stay_apart` are narrower, so `stay_apart` rejects every pair that the quick look rejects.
     const double before = now + (horizon - now) * (1 - stream.power_of_ten(-12, 0));
     if (look_until(before, never)) {
       ++rejected;

@@ -21,7 +21,6 @@ const MaterialPair elastic{1, 0, 0, 0, 0};
 
 MaterialPair with_restitution(double restitution) { return {restitution, 0, 0, 0, 0}; }
 
-/// The kind of the event and the names of its bodies, in sorted order.
 std::tuple<EventKind, std::string, std::string> who(const Scene& scene, const Event& event) {
   std::string first = scene.spheres[event.a.body].name;
   std::string second = event.b ? scene.spheres[event.b->body].name : "plane " + std::to_string(event.plane);
@@ -41,8 +40,8 @@ TEST(SphereSimulation, OfNothingHasNoEvents) {
   EXPECT_TRUE(unit::events_of(unit::empty_scene(Law::frictionless, elastic, 5), 10).empty());
 }
 
-/// Planes outside the reach of a cell are skipped, and planes from the eighth on are tested together. So ten planes
-/// that nothing touches must change nothing.
+/// The simulation skips planes out of reach of a cell, and tests planes from the eighth on together. So ten planes that
+/// nothing touches must change nothing.
 TEST(SphereSimulation, PlanesFarAwayChangeNothing) {
   const Scene box = unit::box_of_spheres(Law::frictionless, elastic, 4, 5, 11);
   Scene more = box;
@@ -80,15 +79,15 @@ TEST(SphereSimulation, BouncesAtTheTimesOfTheClosedForm) {
   for (std::size_t bounce = 0; bounce < 10; ++bounce) {
     EXPECT_EQ(events[bounce].kind, EventKind::plane_impact);
     // The two bounds of a time differ by about 2 · 28 u of the height's terms, divided by the speed (u is `roundoff`).
-    // This is less than 128 u of a time below 1. An event may be early by this amount, and its speed is then too small
-    // by g times this amount.
+    // This difference is below 128 u = 2⁻⁴⁶. An event may be early by so much. Then its speed is too small by g times
+    // as much.
     EXPECT_NEAR(events[bounce].time, time, static_cast<double>(bounce + 1) * 0x1p-46) << bounce;
     speed *= restitution;
     EXPECT_NEAR(events[bounce].a.after.path.velocity.z(), speed, static_cast<double>(bounce + 1) * g * 0x1p-46);
     EXPECT_EQ(events[bounce].a.after.path.velocity.x(), 0);
     time += 2 * speed / g;
   }
-  // The ball bounces until it would rise no higher than 10⁻⁶ R: ε²ⁿ h at n = 25.2….
+  // The ball bounces until it would rise by at most 10⁻⁶ R. The height ε²ⁿ h reaches this limit at n = 25.2….
   const Event& last = events.back();
   EXPECT_EQ(events.size(), 26U);
   EXPECT_EQ(last.kind, EventKind::capture);
@@ -113,7 +112,7 @@ TEST(SphereSimulation, ThrowsABallFromWallToWall) {
       time += 8 / speed;
       speed *= restitution;
       EXPECT_EQ(events[k].plane, k % 2 == 0 ? 1U : 0U);
-      // 128 u of each flight, by the bound in the test of bounces.
+      // An event may be early by 128 u of each flight, as in the test of bounces.
       EXPECT_NEAR(events[k].time, time, 128 * roundoff * time);
       EXPECT_EQ(events[k].a.after.path.velocity, Vector(k % 2 == 0 ? -speed : speed, 1, 0));
     }
@@ -134,7 +133,7 @@ TEST(SphereSimulation, TakesAGrazingPassForNoImpact) {
   Scene scene = unit::empty_scene(Law::frictionless, elastic, 10);
   unit::add_sphere(scene, 0.5, {0, 0, 0}, {0, 0, 0});
   unit::add_sphere(scene, 0.25, {-3, 0.75, 0}, {1, 0, 0});
-  unit::add_plane(scene, {0, -1, 0}, {0, 1, 0});  // it slides along this one
+  unit::add_plane(scene, {0, -1, 0}, {0, 1, 0});  // the second sphere slides along this plane
   EXPECT_TRUE(unit::events_of(scene, 10).empty());
   scene.planes.clear();
   scene.spheres[1].position.y() = std::nextafter(0.75, 0.0);
@@ -291,7 +290,7 @@ TEST(SphereSimulation, TurnsWithTheScene) {
 
 using Wide = long double;
 
-/// The first time from `now` on at which the quadratic falls below 0.
+/// The least s ≥ 0 at which c₀ + c₁ s + c₂ s² falls below 0.
 Wide first_fall(Wide c0, Wide c1, Wide c2) {
   const Wide discriminant = c1 * c1 - 4 * c0 * c2;
   if (c1 >= 0 && c2 >= 0) {

@@ -17,13 +17,13 @@ namespace carom::unit {
 
 inline constexpr std::uint64_t seed = 20240607;
 
-/// A case of a family. Precondition: the family exists.
+/// Precondition: the family exists.
 [[nodiscard]] inline properties::Case case_of(std::string_view family, std::uint64_t index) {
   return properties::drawn_case(*properties::family_named(family), seed, index);
 }
 
-/// The first cases of each family of valid collisions, with the family's name. Throws std::logic_error if there are
-/// none, because a loop over nothing tests nothing.
+/// The first cases of each family of valid collisions, with the family's name. Throws std::logic_error if there is no
+/// case.
 [[nodiscard]] inline std::vector<std::pair<std::string_view, properties::Case>> valid_cases(std::uint64_t of_each) {
   std::vector<std::pair<std::string_view, properties::Case>> cases;
   for (const properties::Family& family : properties::all_families()) {
@@ -63,7 +63,7 @@ inline constexpr std::uint64_t seed = 20240607;
   return c;
 }
 
-/// k/8 with |k| ≤ most.
+/// k/8 with a random integer |k| ≤ most.
 [[nodiscard]] inline double eighths(properties::Stream& stream, int most) { return stream.integer(-most, most) / 8.0; }
 
 [[nodiscard]] inline Vector3<double> eighths3(properties::Stream& stream, int most) {
@@ -73,8 +73,8 @@ inline constexpr std::uint64_t seed = 20240607;
   return {x, y, z};
 }
 
-/// A valid collision of small numbers k/8, with frequent zeros and equal numbers. A is movable, and B usually is. The
-/// normal is chosen so that the contact collides or, rarely, rests.
+/// A valid collision whose numbers are small multiples of 1/8, so zeros and equal numbers are frequent. A is movable,
+/// and B usually is. The contact collides or, rarely, rests.
 [[nodiscard]] inline Collision small_collision(properties::Stream& stream) {
   Collision c;
   for (Body* body : {&c.a, &c.b}) {
@@ -99,7 +99,7 @@ inline constexpr std::uint64_t seed = 20240607;
     c.normal[1] = 1;
   }
   c.restitution = stream.integer(0, 8) / 8.0;
-  // Exact, because all of these numbers have few bits.
+  // The arithmetic is exact, because the numbers have few bits.
   const Vector3<double> arm_a = c.point - c.a.position;
   const Vector3<double> arm_b = c.point - c.b.position;
   const auto cross = [](const Vector3<double>& x, const Vector3<double>& y) {

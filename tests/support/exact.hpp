@@ -71,7 +71,6 @@ template <class Derived, class OtherDerived>
   return oracles::relative_velocity<Rational>(c, unchanged(c));
 }
 
-/// k/8 with |k| ≤ most.
 [[nodiscard]] inline Rational exact_eighths(properties::Stream& stream, int most) {
   return ratio(stream.integer(-most, most), 8);
 }

@@ -8,7 +8,7 @@
 
 #include <carom/collision/collision.hpp>
 
-/// Collisions with recorded values. They are written out here, so that they do not depend on the families.
+/// Fixed collisions, for tests against recorded values. They do not depend on the families.
 namespace carom::unit {
 
 struct KnownCollision {
@@ -29,7 +29,7 @@ struct KnownCollision {
   return c;
 }
 
-/// Both lever arms along the normal, and equal moments.
+/// Both lever arms are along the normal. The moments of each body are equal.
 [[nodiscard]] inline Collision known_spheres() {
   Collision c = plain_collision();
   c.a.principal_inertia.setConstant(0.75);
@@ -39,7 +39,7 @@ struct KnownCollision {
   return c;
 }
 
-/// N·V⁻ is ±2⁻⁵¹, with velocities of order 1.
+/// N·V⁻ is `sign` · 2⁻⁵¹, and the velocities are of order 1.
 [[nodiscard]] inline Collision grazing_collision(double sign) {
   Collision c = plain_collision();
   c.a.velocity = {2, -0.25 + sign * 0x1p-52, 0};

@@ -6,14 +6,14 @@
 
 namespace carom::unit {
 
-/// A name without a line break, and numbers.
+/// A line of the file. The name has no colon and no line break.
 struct KnownLine {
   std::string name;
   std::vector<double> numbers;
 };
 
-/// Expects the names of the file, and its numbers to five digits. Otherwise writes the actual lines to a temporary file
-/// that the failure names.
+/// Expects `lines` to equal the lines of the file, with numbers to five digits. If not, writes `lines` to a temporary
+/// file that the failure names.
 void expect_known_lines(const std::string& file, const std::vector<KnownLine>& lines);
 
 }  // namespace carom::unit

@@ -10,21 +10,20 @@
 
 namespace carom::bounds {
 
-/// Bounds the size of a number by running the code that computes it on binary logarithms, which have no limit.
+/// A scalar that bounds the size of a number x. It computes on binary logarithms, which do not overflow.
 ///
 /// - `above`: |x| ≤ 2^above.
-/// - `below`: x ≥ 2^below > 0, if x is a sum of squares or a product of such sums. NaN if it is not known.
-/// - `unit`: x is a multiple of 2^unit, as rounded sums and products of doubles are. So |x| ≥ 2^unit unless x is zero.
-///  −∞ if it is not known.
+/// - `below`: |x| ≥ 2^below. NaN if unknown, as for a sum that may cancel.
+/// - `unit`: x is a multiple of 2^unit, even after rounding. So x is zero or |x| ≥ 2^unit. −∞ if unknown.
 ///
-/// Everything computed since `forget()` is at most 2^highest().
+/// All results since `forget()` are at most 2^highest() in size.
 class Magnitude {
  public:
   Magnitude() = default;
   Magnitude(int exact) : Magnitude(static_cast<double>(exact)) {  // NOLINT(google-explicit-constructor)
     unit_ = exact == 0 ? infinity : 0;
   }
-  /// All numbers of this size, of either sign and with any bits.
+  /// A number of this size and of either sign. All of its bits may be set.
   explicit Magnitude(double size) {
     if (size != 0) {
       above_ = std::log2(std::abs(size));
@@ -34,13 +33,13 @@ class Magnitude {
     }
   }
 
-  /// All numbers of at most this size that are multiples of the unit of a double of this size.
+  /// A number of at most this size, and a multiple of the last bit of a double of this size.
   [[nodiscard]] static Magnitude at_most(double size) {
     Magnitude x(size);
     x.below_ = unknown;
     return x;
   }
-  /// All numbers of at most 2^above.
+  /// A number of at most 2^above in size.
   [[nodiscard]] static Magnitude of_exponent(double above) {
     Magnitude x;
     x.above_ = above;
@@ -53,8 +52,8 @@ class Magnitude {
   [[nodiscard]] double unit() const { return unit_; }
   [[nodiscard]] bool is_zero() const { return above_ == -infinity; }
 
-  /// While this object exists, divisors without a bound of their own count as at least 2^below. A theorem must justify
-  /// this.
+  /// While this object exists, a divisor without a known lower bound counts as at least 2^below. A theorem must justify
+  /// this bound.
   class DivisorsAtLeast {
    public:
     explicit DivisorsAtLeast(double below) : outer_(divisors_below()) { divisors_below() = below; }
@@ -81,7 +80,7 @@ class Magnitude {
     Magnitude sum = of_exponent(log_of_sum(x.above_, y.above_));
     sum.is_positive_ = x.is_positive_ && y.is_positive_;
     if (sum.is_positive_) {
-      // One of x and y may be zero.
+      // A number without a lower bound may be zero.
       sum.below_ = std::isnan(x.below_) ? y.below_ : (std::isnan(y.below_) ? x.below_ : log_of_sum(x.below_, y.below_));
     }
     sum.unit_ = std::min(x.unit_, y.unit_);
@@ -106,7 +105,7 @@ class Magnitude {
     product.unit_ = x.unit_ + y.unit_;
     return product.noted();
   }
-  /// Precondition: a lower bound of the divisor is known, of its own or by DivisorsAtLeast.
+  /// Precondition: the divisor has a lower bound, its own or that of a DivisorsAtLeast.
   friend Magnitude operator/(const Magnitude& x, const Magnitude& y) {
     const double below = std::isnan(y.below_) ? divisors_below() : y.below_;
     if (std::isnan(below)) {
@@ -167,7 +166,7 @@ class Magnitude {
   double below_ = unknown;
   double unit_ = infinity;
   bool is_positive_ = false;
-  int identity_ = 0;  // a product of numbers of one identity is a square
+  int identity_ = 0;  // copies share it, so a product of equal identities is a square
 };
 
 }  // namespace carom::bounds

@@ -8,8 +8,8 @@
 
 #include "support/cases.hpp"
 
-/// Tests of the laws of a field for any type of number. A small file for each type specialises NumberType and
-/// instantiates the suite.
+/// Tests of the field laws for any number type. A small file for each type specialises NumberType and instantiates the
+/// suite.
 namespace carom::unit {
 
 /// The members of NumberType<T>:
@@ -17,14 +17,14 @@ namespace carom::unit {
 ///  static T draw(properties::Stream&)   a random number, sometimes zero
 ///  static bool is_zero(x)               whether x is or may be zero, so that it must not be a divisor
 ///
-///  static bool same(x, y)               whether both have the same bits, including their bounds
-///  static bool same_value(x, y)         whether both have the same bits, except for their bounds
+///  static bool same(x, y)               whether x and y, and their bounds, have the same bits
+///  static bool same_value(x, y)         whether x and y have the same bits; their bounds may differ
 ///
-///  static bool agrees(x, y, terms)      whether both can be the same real number
-///  static double size(x)                |x|, approximately; for `terms`
+///  static bool agrees(x, y, terms)      whether x and y can stand for the same real number
+///  static double size(x)                about |x|; tests compute `terms` from sizes
 ///
 /// For an exact type, `agrees` tests equality. For a type with bounds, it tests whether the bounds overlap. For a type
-/// that rounds without a bound, it tests whether x and y differ by a few roundings of a number of size `terms`.
+/// that rounds without a bound, it tests whether x and y differ by at most a few roundings of a number of size `terms`.
 template <class T>
 struct NumberType;
 
@@ -48,7 +48,7 @@ class NumberLaws : public testing::Test {
 
 TYPED_TEST_SUITE_P(NumberLaws);
 
-/// Even if they are rounded, x + y and y + x have the same bits. Their bounds may differ.
+/// x + y and y + x have the same bits, even after rounding. Their bounds may differ.
 TYPED_TEST_P(NumberLaws, CommuteBitForBit) {
   this->for_each_triple([&](const TypeParam& x, const TypeParam& y, const TypeParam&) {
     EXPECT_TRUE(NumberType<TypeParam>::same_value(x + y, y + x));
@@ -107,7 +107,7 @@ TYPED_TEST_P(NumberLaws, ContainTheIntegers) {
       EXPECT_TRUE(NumberType<TypeParam>::agrees(x + y, TypeParam(i + j), 0)) << i << ' ' << j;
       EXPECT_TRUE(NumberType<TypeParam>::agrees(x - y, TypeParam(i - j), 0)) << i << ' ' << j;
       EXPECT_TRUE(NumberType<TypeParam>::agrees(x * y, TypeParam(i * j), 0)) << i << ' ' << j;
-      // Different numbers do not agree, so `agrees` is not vacuous.
+      // `agrees` must reject different numbers.
       EXPECT_FALSE(NumberType<TypeParam>::agrees(x + y, TypeParam(i + j + 1), 1)) << i << ' ' << j;
     }
   }
@@ -129,7 +129,7 @@ TYPED_TEST_P(NumberLaws, AssignAsTheyCompute) {
 }
 
 TYPED_TEST_P(NumberLaws, SurviveBeingTheirOwnOperand) {
-  // Avoids a compiler warning.
+  // `sum += sum` would cause a compiler warning.
   const auto itself = [](const TypeParam& x) -> const TypeParam& { return x; };
   this->for_each_triple([&](const TypeParam& x, const TypeParam&, const TypeParam&) {
     TypeParam sum = x;
@@ -149,7 +149,7 @@ TYPED_TEST_P(NumberLaws, SurviveBeingTheirOwnOperand) {
   });
 }
 
-/// Vectors of Eigen, as the laws use them: (x × y)·z = x·(y × z), and x × x = 0.
+/// For Eigen vectors, (x × y)·z = x·(y × z) and x × x = 0.
 TYPED_TEST_P(NumberLaws, GoThroughEigen) {
   using Type = NumberType<TypeParam>;
   for (std::uint64_t i = 0; i < 100; ++i) {

@@ -10,7 +10,7 @@ namespace carom::unit {
 [[nodiscard]] inline const oracles::Rational& nearly(const oracles::Rational& x) { return x; }
 [[nodiscard]] inline oracles::Rational nearly(const oracles::Radical& x) { return oracles::approximately(x); }
 
-/// The exact outcome of the law; for `coulomb` the first answer. Irrational square roots are rounded far beyond any
+/// The exact outcome of the law. For `coulomb`, the first answer. Irrational square roots are rounded far beyond any
 /// judged precision.
 [[nodiscard]] inline Outcome<oracles::Rational> outcome_of_law(const oracles::ExactCase& exact_case, Law law) {
   const auto rational = []<class T>(const oracles::Truth<T>& truth) {

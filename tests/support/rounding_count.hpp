@@ -9,12 +9,11 @@
 
 namespace carom::bounds {
 
-/// Bounds the rounding error of a number by running the code that computes it. Let u be the unit roundoff. The computed
-/// number is Σ t Π (1 + δ) over the terms t of the exact number, with |δ| ≤ u. The type tracks Σ|t|, and the largest
-/// number n of factors 1 + δ (roundings) of a term. The error is at most γ_n Σ|t|, with γ_n = n u / (1 − n u) (N.
-/// Higham, Accuracy and Stability of Numerical Algorithms, §3.1). Operations with 0, and products and quotients with
-/// powers of two, are exact. Any other divisor must be at least 1, and a sum of positive terms, so that its relative
-/// error is that of its roundings.
+/// A scalar that bounds the rounding error of the code that computes with it. The exact result is a sum of terms t.
+/// Each rounding multiplies terms by a factor 1 + δ with |δ| ≤ u, the unit roundoff. The class tracks Σ|t|, and the
+/// largest number n of factors of a term. So the error is at most γ_n Σ|t|, with γ_n = n u / (1 − n u) (N. Higham,
+/// Accuracy and Stability of Numerical Algorithms, §3.1). Operations with 0, and products and quotients with powers of
+/// two, are exact. Precondition: any other divisor is at least 1 and a sum of positive terms.
 class RoundingCount {
  public:
   RoundingCount() = default;
@@ -23,13 +22,13 @@ class RoundingCount {
   explicit RoundingCount(long double exact)
       : terms_(static_cast<double>(std::abs(exact))), is_power_of_two_(is_power_of_two(exact)) {}
 
-  /// An input of at most this size, with this many earlier roundings.
+  /// An input of at most `size`, after `roundings` earlier roundings.
   [[nodiscard]] static RoundingCount input(double size = 1, int roundings = 0) { return {roundings, size}; }
 
   [[nodiscard]] int roundings() const { return roundings_; }
   [[nodiscard]] double terms() const { return terms_; }
 
-  /// n Σ|t|: the error of the computed number in u, to first order.
+  /// The error bound n Σ|t| in units of u, to first order.
   [[nodiscard]] double error() const { return roundings_ * terms_; }
 
   friend RoundingCount operator-(const RoundingCount& x) { return x; }
@@ -63,7 +62,7 @@ class RoundingCount {
   RoundingCount& operator/=(const RoundingCount& y) { return *this = *this / y; }
 
   friend RoundingCount abs(const RoundingCount& x) { return x; }
-  /// For a sum of positive terms: half of its roundings, plus one.
+  /// Precondition: x is a sum of positive terms. The root halves the relative error of x, and rounds once.
   friend RoundingCount sqrt(const RoundingCount& x) { return {(x.roundings_ + 1) / 2 + 1, std::sqrt(x.terms_)}; }
 
   // Compares Σ|t|, for code that checks whether a number is too large.

@@ -29,11 +29,11 @@ json numbers_to_json(const Vector& vector) {
   return array;
 }
 
-/// The number in the text as binary64, rounded once. `wide` is the same number as a long double.
+/// The number in the text, rounded once to binary64. `wide` is the number as a long double.
 double rounded_once(const std::string& text, long double wide) {
   double number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  // Beyond the range of binary64, the first rounding, to long double, cannot change the result.
+  // Beyond the range of binary64, rounding to long double first does not change the result.
   return error == std::errc() ? number : static_cast<double>(wide);
 }
 
@@ -86,7 +86,7 @@ class Builder : public nlohmann::json_sax<WideJson> {
 
   bool parse_error(std::size_t /*at*/, const std::string& /*token*/,
                    const nlohmann::detail::exception& error) override {
-    // The prefix of the library's message tells nothing.
+    // The messages of nlohmann-json begin with a tag in brackets.
     const std::string what = error.what();
     const std::size_t prefix = what.find("] ");
     throw FormatError("not JSON: " + (prefix == std::string::npos ? what : what.substr(prefix + 2)));
@@ -129,7 +129,7 @@ class Builder : public nlohmann::json_sax<WideJson> {
 
   Number number_;
   Json root_;
-  std::vector<Json*> open_;  // each is inside the one before; none grows while a value in it is open
+  std::vector<Json*> open_;  // open objects and arrays, outermost first; only the last one grows
   Json* next_ = nullptr;     // the value of the last key
 };
 

@@ -16,11 +16,11 @@
 /// Shared code of the JSON readers. It is not installed.
 namespace carom::detail {
 
-/// The value as JSON text, cut to one line.
+/// The value as JSON text, cut to 60 bytes.
 template <class Json>
 [[nodiscard]] std::string shortened(const Json& value) {
   constexpr std::size_t most = 60;
-  // The library cannot print long double.
+  // nlohmann-json cannot print long double.
   const std::string text = nlohmann::json(value).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
   return text.size() > most ? text.substr(0, most) + "…" : text;
 }
@@ -50,7 +50,7 @@ template <class Number, class Json, class Place>
   throw FormatError(place(), "expected a number" + found(value));
 }
 
-/// Reads as many numbers as the vector has.
+/// Reads all components of a vector.
 template <class Json, class Vector, class Place>
 void read_numbers(const Json& array, Vector& into, const Place& place) {
   if (!array.is_array() || array.size() != static_cast<std::size_t>(into.size())) {

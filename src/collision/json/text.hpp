@@ -14,7 +14,7 @@ namespace carom {
 /// The text of `printable`, with spaces in place of line ends and tabs.
 [[nodiscard]] std::string printable_line(std::string text, std::size_t longest);
 
-/// The word quoted for a POSIX shell, as split_words reads it.
+/// The word quoted for a POSIX shell. `split_words` reads it back.
 [[nodiscard]] std::string quoted(const std::string& word);
 
 }  // namespace carom

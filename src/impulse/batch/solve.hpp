@@ -23,7 +23,7 @@ void solve(const ContactArrays<const float>& contacts, Law law, const OutcomeArr
 void solve(const ContactArrays<const double>& contacts, Law law, const OutcomeArrays<double>& outcomes,
            InstructionSet set = best_instruction_set());
 
-/// Solves arrays of the length `task.count`. Conditions and other errors are those of the functions above.
+/// Solves arrays of the length `task.count`. Preconditions and other errors are as above.
 void solve(const PackTask<float>& task, Law law, InstructionSet set = best_instruction_set());
 void solve(const PackTask<double>& task, Law law, InstructionSet set = best_instruction_set());
 

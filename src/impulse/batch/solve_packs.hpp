@@ -29,8 +29,8 @@ class BlockPrefetch {
     return task_.count * (contact_number_count + outcome_number_count) * sizeof(S) > std::size_t{1} << 20;
   }
 
-  /// Prefetches the share of the next block for the contacts from i to i + width. Inlining is forced because gcc drops
-  /// a call that only prefetches.
+  /// Prefetches a share of the next block, while the contacts from i to i + width are solved. Inlining is forced
+  /// because gcc drops a call that only prefetches.
   [[gnu::always_inline]] void ask(std::size_t i, std::size_t width) const {
     const std::size_t next = (i / block + 1) * block;
     if (next >= task_.count) {
@@ -132,7 +132,8 @@ template <class P, class Solver>
   solve_as<P, PrincipalInertia<P>, 1>(task, i, solver);
 }
 
-/// Solves contacts with the faster type PrincipalInertia<P, false> if no body is slender and the solver accepts it.
+/// Solves contacts with the faster type PrincipalInertia<P, false> if no body is slender and the solver accepts this
+/// type.
 template <class P, std::size_t Packs, class Solver>
 void solve_from(const PackTask<typename P::value_type>& task, std::size_t i, const Solver& solver) {
   using NotSlender = PrincipalInertia<P, false>;

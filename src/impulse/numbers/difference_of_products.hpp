@@ -41,7 +41,7 @@ template <class S>
 }
 
 /// x y − `product`, exactly, with `product` the rounded x y (T. J. Dekker, "A floating-point technique for extending
-/// the available precision", Numerische Mathematik 18, 1971). Not exact within a factor of 2³³ of the end of the range.
+/// the available precision", Numerische Mathematik 18, 1971). Not exact within a factor of 2³³ of the largest number.
 [[nodiscard]] inline long double error_of_product(long double x, long double y, long double product) {
   static_assert(std::numeric_limits<long double>::radix == 2);
   constexpr int half = (std::numeric_limits<long double>::digits + 1) / 2;

@@ -82,7 +82,7 @@ class ExactSum {
   static constexpr int lowest_bit = 3 * least_exponent;
   static constexpr std::size_t digit_count = (3 * (least_exponent + 1024)) / digit_bits + 3;
 
-  // A product adds two halves of shifted digits to a digit. `sign()` adds a carry.
+  // `add` adds at most two numbers below 2³² to each digit. `sign()` adds a carry below 2³².
   static_assert(most_products <= (std::numeric_limits<std::int64_t>::max() - digit_mask) / (2 * digit_mask));
   // The place of a double is at most 2045. A product has six digits and a carry.
   static_assert((3 * 2045) / digit_bits + 7 <= digit_count);

@@ -12,7 +12,6 @@
 /// The data files of `carom chart`.
 namespace carom::report {
 
-/// All measurements, and their settings.
 struct Measurements {
   Environment environment;
   std::uint64_t seed;

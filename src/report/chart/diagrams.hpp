@@ -27,8 +27,8 @@ namespace carom::report {
 /// law.
 [[nodiscard]] Plot stability_map(const SweepMeasurement& sweep, Law law, double limit_ulps);
 
-/// For each time and each of deadline_digits: the largest share of cases that one method solves to so many digits in at
-/// most this time.
+/// For each time t and each d of deadline_digits: the largest share of cases that one method solves to d digits within
+/// t.
 [[nodiscard]] Plot deadline(std::span<const MethodMeasurement> of_one_law);
 
 /// One step of a deadline curve: given at least this time, the method solves this share of the cases.

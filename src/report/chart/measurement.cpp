@@ -12,13 +12,13 @@
 namespace carom::report {
 namespace {
 
-/// The quantiles of values of which small ones are good.
+/// The quantiles of values that should be small.
 Quantiles quantiles_of(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   return {quantile(values, 0.5), quantile(values, 0.99), values.back()};
 }
 
-/// The quantiles of values of which large ones are good.
+/// The quantiles of values that should be large.
 Quantiles quantiles_where_large_is_good(std::vector<double> values) {
   std::sort(values.begin(), values.end(), std::greater<>());
   return {quantile(values, 0.5), quantile(values, 0.99), values.back()};

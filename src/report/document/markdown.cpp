@@ -76,7 +76,7 @@ struct MarkdownWriter {
     }
   }
 
-  /// Each line is indented, which makes a code block that no text can end.
+  /// Indents each line. No text can end a code block made by indentation.
   void operator()(const Code& code) {
     part();
     bool begins = true;

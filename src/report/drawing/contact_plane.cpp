@@ -46,7 +46,7 @@ Plane contact_plane(const Collision& collision, const Vector3<double>& relative_
       best = candidate;
     }
   }
-  // A value below `visible` is rounding error of the subtraction.
+  // A length below `visible` is rounding error of the subtraction in `askew`.
   constexpr long double visible = 1e-12L;
   return best.askew.norm() > visible ? Plane{best.askew.normalized(), normal, best.name}
                                      : Plane{any_orthogonal(normal), normal, "any direction orthogonal to N"};
@@ -61,8 +61,8 @@ Outline outline(const Plane& plane, const Body& body) {
                 body.principal_inertia);
   const Direction inertia = body.principal_inertia.cast<long double>();
   const Quaternion<long double> orientation = body.orientation.cast<long double>();
-  // A uniform ellipsoid has I_x = m (b² + c²) / 5, and so on. Hence a² = 5 (I_y + I_z − I_x) / 2m. The squared outline
-  // is the sum of the squared axes, each projected into the plane.
+  // A uniform ellipsoid with semi-axes a, b and c has I_x = m (b² + c²) / 5, and so on. Hence a² = 5 (I_y + I_z − I_x)
+  // / 2m. The matrix of the outline is Σ p pᵀ, over the semi-axes p projected into the plane.
   long double xx = 0;
   long double xy = 0;
   long double yy = 0;

@@ -18,7 +18,7 @@ struct Plane {
   std::string_view spanned_by;  // in words
 };
 
-/// The plane that the normal spans with the vector least parallel to it: the relative velocity, or a movable body's
+/// The plane of the normal N and the vector that is least parallel to N: the relative velocity, or a movable body's
 /// lever arm. Precondition: the numbers are finite and the normal is not zero.
 [[nodiscard]] Plane contact_plane(const Collision& collision, const Vector3<double>& relative_velocity);
 

@@ -30,11 +30,11 @@ double overlap(const Rectangle& a, const Rectangle& b) {
   return width > 0 && height > 0 ? width * height : 0;
 }
 
-/// The letters of common sans-serif fonts, relative to the font size.
+/// The size of a letter of common sans-serif fonts, relative to the font size.
 constexpr double letter_width = 0.62;
 constexpr double letter_height = 1.0;
 
-/// The part of the greatest luminance that a number from 0 to 255 stands for (sRGB).
+/// The relative luminance of an sRGB channel from 0 to 255.
 double luminance(double channel) {
   const double part = channel / 255;
   return part <= 0.04045 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4);

@@ -104,11 +104,10 @@ inline constexpr std::string_view grey = "#999999";
 /// The distance of two names in a column, in font sizes.
 inline constexpr double name_distance = 1.35;
 
-/// The colour, as dark as a text in it must be on white: a contrast of 4.5 (WCAG 2.2, 1.4.3).
+/// The colour, darkened until text in it on white has a contrast of 4.5 (WCAG 2.2, 1.4.3).
 [[nodiscard]] std::string readable(std::string_view colour);
 
-/// Moves heights down until they are at least `gap` apart, and those that fall below `least` up again. They are sorted,
-/// the greatest first.
+/// Moves heights, sorted from the greatest, down until they are at least `gap` apart, and those below `least` up again.
 void spread(std::vector<double>& heights, double gap, double least);
 
 /// A gnuplot command for tics on an axis of times, at 1, 2 and 5 times the powers of ten if there is room, as plain

@@ -18,21 +18,19 @@ struct Json<Answer> {
   static Answer read(const Field& field, Reading reading);
 };
 
-/// "holds", "violated" or "skipped". A violation has both sides of the formula. Only violations are read.
+/// "holds", "violated" or "skipped". A violation has both sides of the formula. `read` takes only violations.
 template <>
 struct Json<properties::Verdict> {
   static nlohmann::json write(const properties::Verdict& verdict);
   static properties::Verdict read(const Field& field, Reading reading);
 };
 
-/// The limit that outcomes are judged by.
 template <>
 struct Json<oracles::Yardstick> {
   static nlohmann::json write(const oracles::Yardstick& yardstick);
   static oracles::Yardstick read(const Field& field, Reading reading);
 };
 
-/// The counts of cases that are not judged, by reason.
 template <>
 struct Json<properties::UnjudgedCounts> {
   static nlohmann::json write(const properties::UnjudgedCounts& counts);

@@ -43,7 +43,6 @@ struct SubjectSummary {
 };
 
 /// The change of an invariant of a subject in a family. An invariant is judged if it held or was violated in some case.
-/// It is not judged if every case was skipped.
 enum class Change {
   newly_violated,    // judged before, and not violated
   violated_unknown,  // violated now, not judged before; counts as new
@@ -64,8 +63,8 @@ struct ComparedViolation {
   properties::Count now;
 };
 
-/// A subject of either report, or of both. Two subjects are the same if they have the same name. Otherwise they are the
-/// same if they have the same specification on the command line.
+/// A subject of either report, or of both. Subjects are matched by name, otherwise by their specification on the
+/// command line.
 struct ComparedSubject {
   std::string name;
   bool counts = false;                         // in the newer report, its violations decide the exit status
@@ -90,7 +89,7 @@ struct Comparison {
   std::vector<ComparedSubject> subjects;  // of the newer report, then those only in the older one
 
   /// The number of violations with this change. `count_new` also counts the subjects that can no longer be judged.
-  /// `counting_alone` restricts it to the subjects that count.
+  /// `counting_alone` restricts `count_new` to the subjects that count.
   [[nodiscard]] std::size_t count_new(bool counting_alone) const;
   [[nodiscard]] std::size_t count(Change change) const;
 };
@@ -105,8 +104,8 @@ struct Comparison {
 /// "2 new, 3 known, 1 fixed", with "1 no longer judged" if there are any.
 [[nodiscard]] std::string summary_of(const Comparison& comparison);
 
-/// "nothing new, 3 known, 1 fixed". The new ones are those of the subjects that count. If other subjects have new ones,
-/// their number follows in parentheses. The known and fixed ones are those of all subjects.
+/// "nothing new, 3 known, 1 fixed". Only new violations of subjects that count are counted as new. If other subjects
+/// have new violations, their number follows in parentheses. The known and fixed violations are those of all subjects.
 [[nodiscard]] std::string baseline_verdict(const Comparison& comparison);
 
 }  // namespace carom::report

@@ -9,9 +9,8 @@
 /// The words that all forms of a comparison share.
 namespace carom::report {
 
-/// The counts of a violation, for places that name its change and what is counted. A known violation whose counts
-/// changed has "12 of 1000 → 15 of 1000". A violation that is gone has "12 of 1000 before". Any other one has "12 of
-/// 1000".
+/// The violated and judged cases: "12 of 1000"; for a violation of both reports with different counts, "12 of 1000 → 15
+/// of 1000"; for a violation of the older report alone, "12 of 1000 before".
 [[nodiscard]] std::string counts_in_short(const ComparedViolation& violation);
 
 /// "Carom 0.1.0, 2026-11-23T18:00:00Z, seed 1, 1000 cases of each of 35 families".

@@ -9,7 +9,7 @@ namespace carom::report {
 /// The text for a missing number.
 inline constexpr const char* no_number = "–";
 
-/// The correct digits that 50 %, 99 % and all of the cases have at least. None if no number of digits was measured.
+/// The numbers of correct digits that 50 %, 99 % and all cases reach. None if no number of digits was measured.
 struct Digits {
   std::optional<double> p50;
   std::optional<double> p99;

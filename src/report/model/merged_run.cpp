@@ -63,7 +63,6 @@ std::vector<std::pair<std::string, std::string>> common_facts(const ReadShard& s
   return facts;
 }
 
-/// Throws MergeError if a shard is of another run than the first.
 void require_one_run(const std::vector<ReadShard>& shards) {
   const auto expected = common_facts(shards[0]);
   for (const ReadShard& shard : shards) {
@@ -76,7 +75,6 @@ void require_one_run(const std::vector<ReadShard>& shards) {
   }
 }
 
-/// Throws MergeError if a shard is missing or occurs twice.
 void require_all_once(const std::vector<ReadShard>& shards) {
   const std::uint64_t of = shards[0].report.options.shard.of;
   std::vector<const ReadShard*> by_number(shards.size() + 1);
@@ -98,7 +96,7 @@ void require_all_once(const std::vector<ReadShard>& shards) {
   }
 }
 
-/// Adds the results of a shard. Preconditions: the same subject, and the same families.
+/// Adds the results of a shard.
 void add(SubjectResult& sum, const SubjectResult& part) {
   CAROM_EXPECTS(sum.subject.name == part.subject.name && sum.families.size() == part.families.size(), sum.subject.name,
                 part.subject.name);
@@ -140,7 +138,7 @@ std::uint64_t violated_beside(const Witness& witness, const SubjectResult& resul
   return 0;
 }
 
-/// One witness for each invariant, chosen from those of all shards.
+/// One witness for each invariant, from all shards.
 std::vector<Witness> best_witnesses(const SubjectResult& result,
                                     const std::vector<const properties::Family*>& families) {
   std::vector<Witness> best;

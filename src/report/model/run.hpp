@@ -71,10 +71,10 @@ struct Violation {
 
 /// A subject (a solver under test) that was judged, or should have been.
 struct JudgedSubject {
-  properties::SubjectResult result;  // families as in the run
+  properties::SubjectResult result;  // its families are those of the run, in the same order
   bool counts = false;               // whether its violations decide the exit status
-  /// "violated" if it violates an invariant, otherwise "error" if it was not judged to the end. Otherwise "not judged"
-  /// if too few cases could be posed to it, and "sound" if there were enough.
+  /// "violated" if the subject violates an invariant, otherwise "error" if it was not judged to the end, otherwise "not
+  /// judged" if it got too few cases, otherwise "sound".
   std::string status;
   properties::SubjectResult::WorstFamily worst;
   Digits digits;
@@ -83,7 +83,7 @@ struct JudgedSubject {
   std::optional<std::vector<std::string>> not_claimed;
   std::optional<properties::diagnosis::Diagnosis> diagnosis;  // of a subject with a violation
 
-  /// The reason why it was not judged, or not to the end; empty for other subjects.
+  /// The reason why the subject was not judged, or not to the end; otherwise empty.
   [[nodiscard]] const std::string& why_not_judged() const {
     return result.error.empty() ? result.not_judged : result.error;
   }
@@ -107,7 +107,7 @@ struct Run {
   [[nodiscard]] int exit_status() const;
 };
 
-/// Makes a Run of the gate's results, and their diagnoses. `counts` tells for each result if its subject decides the
+/// Makes a Run from the gate's results, and diagnoses them. `counts` tells for each result if its subject decides the
 /// exit status. `is_shard` tells if the run will be merged with others.
 [[nodiscard]] Run run_of(properties::GateReport report, const std::vector<bool>& counts, std::vector<Subject> absent,
                          Environment environment, std::vector<std::string> deviates, bool is_shard);
@@ -139,7 +139,7 @@ struct Overall {
 [[nodiscard]] std::string witness_path(const std::string& directory, const Subject& subject,
                                        const std::string& invariant);
 
-/// The POSIX shell command that replays the witness in that file with the same verdict.
+/// The POSIX shell command that replays the witness in `witness_file` with the same verdict.
 [[nodiscard]] std::string replay_command(const std::string& witness_file, const Subject& subject,
                                          const oracles::Yardstick& yardstick);
 

@@ -83,7 +83,6 @@ struct Json<properties::AdjustmentCounts> {
   }
 };
 
-/// The histogram by its bins.
 template <>
 struct Json<DigitsHistogram> {
   static json write(const DigitsHistogram& digits) {
@@ -125,7 +124,7 @@ inline const properties::Family* known_family(const Field& name) {
   return family;
 }
 
-/// Throws FormatError if a whole report names an unknown invariant.
+/// Throws FormatError if the name is unknown, and the archive reads a shard (Reading::whole).
 template <class A>
 void require_known_invariant(const A& archive, const char* field, const std::string& name) {
   if constexpr (A::reads) {
@@ -252,7 +251,6 @@ void fields(A& archive, Is<properties::Witness> auto& witness) {
   archive("reproduced", witness.is_reproduced);
 }
 
-/// The properties that a subject claims.
 template <class A>
 void subject_fields(A& archive, Is<Subject> auto& subject) {
   archive("name", subject.name);
@@ -266,14 +264,12 @@ void subject_fields(A& archive, Is<Subject> auto& subject) {
   archive.unless_default("version", subject.version);
 }
 
-/// Throws FormatError if the name occurs a second time in the list.
 inline void require_new(std::set<std::string>& names, const Field& name) {
   if (!names.insert(name.line()).second) {
     throw FormatError(name.place(), fmt::format("'{}' occurs twice; expected different names", name.line()));
   }
 }
 
-/// The fields of a subject on a family of the run.
 template <class A>
 void family_fields(A& archive, const std::string& family, Is<FamilyResult> auto& result) {
   if constexpr (A::reads) {
@@ -531,7 +527,7 @@ properties::FeatureCoverage coverage_of(const Features& features, const Field& r
   return properties::FeatureCoverage::reported(std::move(counts), missing);
 }
 
-/// Reads the shard's data of the subject other than its counts.
+/// Reads all data of the subject in the shard, except its counts.
 void read_shard_of_subject(const Field& shard, std::size_t s, const properties::GateOptions& options,
                            properties::SubjectResult& result) {
   const auto of_subject = [&](const char* name) {

@@ -34,7 +34,7 @@ namespace carom::report {
 /// The worst backward error [ulps] with three significant digits, or no_number for a law that determines no outcome.
 [[nodiscard]] std::string worst_in_words(const JudgedSubject& subject);
 
-/// "12 of 1000", for places that say what is counted.
+/// "12 of 1000".
 [[nodiscard]] std::string violated_of_judged(const properties::Count& count);
 
 /// "12 of 1000 judged cases".
@@ -44,7 +44,7 @@ namespace carom::report {
 [[nodiscard]] std::string listed(const std::vector<std::string>& names);
 
 /// The first `most_named` missing pairs (no case had both features), each as "a with b". `before` precedes the list,
-/// and "…" ends a shortened one. Empty if no pair is missing.
+/// and "…" ends a shortened list. Empty if no pair is missing.
 [[nodiscard]] std::string missing_pairs(const Features& features, const char* before, std::size_t most_named);
 
 /// The result of a run in a sentence.

@@ -52,7 +52,7 @@ std::string violation(const Run& run, const JudgedSubject& subject, const Witnes
                  message);
 }
 
-/// Leaves out what the diagnosis does not say.
+/// Omits the empty parts of the diagnosis.
 std::string in_lines(const properties::diagnosis::Diagnosis& diagnosis) {
   std::string lines = diagnosis.what;
   lines += diagnosis.where.empty() ? "" : '\n' + diagnosis.where;

@@ -37,7 +37,7 @@ enum class Subjects { counting, all };
 /// The worst backward error of each subject in each family.
 [[nodiscard]] Document families_part(const Run& run);
 
-/// For families beyond the domain that solvers claim: the boundary from which each subject fails. It is no verdict.
+/// For families beyond the domain that solvers claim: the boundary from which each subject fails, which is no verdict.
 /// Empty if no such family was posed.
 [[nodiscard]] Document beyond_domain_part(const Run& run, Subjects which);
 

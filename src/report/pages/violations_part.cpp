@@ -65,7 +65,7 @@ Table family_matrix(const Run& run, std::size_t s) {
   return table;
 }
 
-/// The number of sampled cases (sample.hpp) with a feature, and the number of them that violate each invariant.
+/// The number of sampled cases (sample.hpp) with a feature, and how many of these violate each invariant.
 struct FeatureRow {
   std::size_t feature = 0;
   std::uint64_t cases = 0;

@@ -9,8 +9,7 @@
 #include <carom/collision/json/object_reader.hpp>
 #include <carom/collision/vector.hpp>
 
-/// Reads fields of a scene file. The functions throw FormatError. valid_scene.hpp tests the ranges of the numbers
-/// later.
+/// The functions throw FormatError. valid_scene.hpp tests the ranges of the numbers later.
 namespace carom::scene {
 
 using Fields = detail::ObjectReader<nlohmann::json>;

@@ -88,7 +88,8 @@ void MaterialsReader::check_all_listed() const {
   if (!has_contacts_) {
     return;
   }
-  // Two bodies of each material are enough: one for pairs with other materials, and both for its pair with itself.
+  // Two bodies of each material are enough: one for pairs with other materials, and both for the pair of the material
+  // with itself.
   struct Users {
     std::vector<std::string> bodies;
     std::optional<std::string> plane;

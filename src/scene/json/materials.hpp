@@ -22,8 +22,8 @@ class MaterialsReader {
   /// The index of a body's material. Throws FormatError.
   [[nodiscard]] std::size_t material_of(Fields& body) const;
 
-  /// Call after all bodies are read. Throws FormatError if the file has "contacts" without the materials of two bodies
-  /// that can meet.
+  /// Call after all bodies are read. Throws FormatError if the file has "contacts", but no contact for the materials of
+  /// two bodies that can meet.
   void check_all_listed() const;
 
   /// The place of a pair of materials in the file; "/contacts" if the pair is not listed.

@@ -20,7 +20,6 @@ namespace {
 using detail::found;
 using nlohmann::json;
 
-/// Reads one file.
 class SceneReader {
  public:
   explicit SceneReader(const json& value) : json_(value), root_(value, {}), materials_(scene_) {}

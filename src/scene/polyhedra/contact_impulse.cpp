@@ -41,7 +41,7 @@ Outcome<double> struck_in(Law law, const Collision& collision) {
   return in_double(impulse::rough<Ldlt, S>(contact));
 }
 
-/// Restores the velocities of immovable bodies, which rounding to the solver's precision changes.
+/// Restores the velocities of immovable bodies, because rounding to the solver's precision changes them.
 Outcome<double> with_immovable_kept(Outcome<double> outcome, const Collision& collision) {
   const Outcome<double> before = unchanged(collision);
   if (collision.a.immovable) {
@@ -76,7 +76,7 @@ double parting_speed(const Collision& collision) {
 
 Outcome<double> sent_apart(const Collision& collision, double speed) {
   impulse::Contact<double> contact = impulse::make_contact<double>(collision);
-  // The impulse of a plastic impact (ε = 0) of bodies that approach at the missing speed.
+  // The impulse is that of a plastic impact (ε = 0) at the missing speed.
   contact.restitution = 0;
   const double missing = impulse::normal_velocity(contact) - speed * contact.normal.norm();
   return with_immovable_kept(impulse::apply_impulse(contact, impulse::frictionless_impulse(contact, missing)),

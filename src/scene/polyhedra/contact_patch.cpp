@@ -69,7 +69,7 @@ PlanePolygon common_of(const PlanePolygon& a, const PlanePolygon& b, double flat
     return common_of_segments(a, b, flatness);
   }
   PlanePolygon common = of_b == 2 ? clipped(a, b, flatness) : clipped(b, a, flatness);
-  // Empty only if the shapes are farther apart than the separation says.
+  // `common` is empty only if the shapes are farther apart than the separation says.
   return common.empty() ? PlanePolygon{centroid(of_b == 2 ? a : b)} : common;
 }
 

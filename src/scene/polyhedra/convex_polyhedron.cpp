@@ -67,7 +67,7 @@ std::optional<Triangle> first_triangle(const Points& points, std::size_t corner)
 
 /// The corners of the face in the plane of a triangle, in the triangle's orientation, by A. Andrew's monotone chain
 /// ("Another efficient algorithm for convex hulls in two dimensions", Inf. Process. Lett. 9, 1979). The chain needs an
-/// order along a direction in the plane. The order of coordinates is one.
+/// order along a direction in the plane; the order of coordinates suffices.
 Polygon face_through(const Points& points, const Polygon& order, const Triangle& t) {
   const Vector3<int> signs = normal_signs(points[t[0]], points[t[1]], points[t[2]]);
   int axis = 0;  // the axis along which the plane is projected
@@ -92,7 +92,7 @@ Polygon face_through(const Points& points, const Polygon& order, const Triangle&
       }
       corners.push_back(*i);
     }
-    corners.pop_back();  // it is the first point of the other chain
+    corners.pop_back();  // the last point is the first point of the other chain
   };
   add_chain(in_plane.begin(), in_plane.end());
   add_chain(in_plane.rbegin(), in_plane.rend());

@@ -26,7 +26,7 @@ struct ShapeDefect {
 /// The convex hull of points in any frame [m], or a defect if a point is not a corner of the hull. All decisions are
 /// exact. Points in one plane form one face. Defects are: a point inside the hull, on a face or on an edge; a point
 /// twice; fewer than four points; points in one plane; numbers that are not finite. The algorithm is gift wrapping (D.
-/// Chand, S. Kapur, "An algorithm for convex polytopes", J. ACM 17, 1970), in a time of the order of vertices times
+/// Chand, S. Kapur, "An algorithm for convex polytopes", J. ACM 17, 1970). Its time is of the order of vertices times
 /// edges.
 [[nodiscard]] std::variant<ConvexPolyhedron, ShapeDefect> convex_polyhedron(std::vector<Vector3<double>> vertices);
 

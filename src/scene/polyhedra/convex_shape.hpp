@@ -42,8 +42,8 @@ struct Placement {
 
 /// An upper bound of the rounding error of (x − y) · n [m], for placed vertices x and y of shapes with these core radii
 /// at this distance, and n of length 1 within rounding. In units of 2⁻⁵³, each number of the rotation matrix has an
-/// error of at most 8, and a rotated vertex at most 17 times its length. The positions add 2, the product with n adds
-/// 4, and the length of n adds 4. So 27 (distance + radii) suffices; the function uses 64 (distance + radii).
+/// error of at most 8, and a rotated vertex of at most 17 times its length. In units of 2⁻⁵³ (distance + radii), the
+/// positions add 2, the product with n adds 4, and the length of n adds 4. The sum is 27; the function uses 64.
 [[nodiscard]] inline double rounding_of_gap(double distance, double radius_a, double radius_b) {
   return 0x1p-47 * (distance + radius_a + radius_b);
 }

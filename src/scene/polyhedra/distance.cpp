@@ -21,20 +21,21 @@ namespace {
 using Vector = Vector3<double>;
 using Points = std::vector<Vector>;
 
-// Every constant was measured on 1000 pairs each of boxes and hulls, with gaps of 1, 10⁻², …, 10⁻¹² m and size ratios
-// from 1 : 1 to 1 : 10⁻⁶.
+// The constants come from measurements on 1000 pairs of boxes and 1000 pairs of hulls, with gaps of 1, 10⁻², …, 10⁻¹² m
+// and size ratios from 1 : 1 to 1 : 10⁻⁶.
 
 /// The tolerance of FCL's iteration, relative to the smaller body. With 10⁻⁶, the gap at the size ratio 1 : 10⁻⁴ is too
-/// small by 3 × 10⁻⁷ of the sizes. With 10⁻¹², it is too small only by the rounding of directions, 10⁻¹².
+/// small by 3 × 10⁻⁷ of the sizes. With 10⁻¹², only the rounding of directions, 10⁻¹², makes the gap too small.
 constexpr double fcl_tolerance = 1e-12;
 
-/// A gap within this share of FCL's distance is accepted, because the true distance lies between this gap and FCL's
-/// distance. Otherwise the search tries the features (faces and edges) at FCL's points. Without features, the gap is
-/// too small by up to 6 × 10⁻¹⁰ of the sizes at a gap of 10⁻⁶ m.
+/// A gap is accepted if it is less than FCL's distance by at most this share, because the true distance lies between
+/// the two. Otherwise the search tries the features (faces and edges) at FCL's points. Without features, the gap is too
+/// small by up to 6 × 10⁻¹⁰ of the sizes at a gap of 10⁻⁶ m.
 constexpr double share_that_is_distance = 1e-12;
 
-/// Features within this distance of FCL's points are tried, relative to the sizes. The error of the points is at most
-/// 10⁻¹², except for 1 of 1000 pairs at the size ratio 1 : 10⁻⁶. All values from 10⁻¹² to 10⁻⁶ give the same gaps.
+/// The search tries features within this distance of FCL's points, relative to the sizes. The error of the points is at
+/// most 10⁻¹², except for 1 of 1000 pairs at the size ratio 1 : 10⁻⁶. All tolerances from 10⁻¹² to 10⁻⁶ give the same
+/// gaps.
 constexpr double feature_tolerance = 1e-9;
 
 /// If a gap is smaller than FCL's distance by more than this share, FCL has failed, and the search tries every
@@ -102,7 +103,6 @@ class Search {
   Vector normal_{0, 0, 1};
 };
 
-/// The features of a body that pass within a distance of a point.
 struct Features {
   std::vector<Vector> normals;  // of faces, outward, with any length
   std::vector<Vector> edges;    // of length 1
@@ -139,8 +139,9 @@ Features all_features(const PlacedPolyhedron& body) {
   return features;
 }
 
-/// Tries every direction that two nearest points can have if one lies on a face or an edge. `between` is the direction
-/// from the nearest point of B to that of A. For an edge and a corner, it is made perpendicular to the edge.
+/// Tries every direction between two nearest points if one of them lies on a face or an edge. `between` is the
+/// direction from the nearest point of B to that of A. For an edge and a corner, the direction is the part of `between`
+/// perpendicular to the edge.
 void try_features(Search& search, const Features& a, const Features& b, const Vector& between) {
   for (const Vector& normal : a.normals) {
     search.try_direction(-normal);
@@ -163,8 +164,8 @@ void try_features(Search& search, const Features& a, const Features& b, const Ve
   }
 }
 
-/// The point of a triangle that is nearest to p: its projection if inside (C. Ericson, "Real-Time Collision Detection",
-/// 2005, §5.1.5), otherwise a point of a side.
+/// The point of a triangle that is nearest to p: the projection of p if it lies inside (C. Ericson, "Real-Time
+/// Collision Detection", 2005, §5.1.5), otherwise a point of a side.
 Vector nearest_of_triangle(const Vector& p, const Vector& a, const Vector& b, const Vector& c) {
   const Vector normal = (b - a).cross(c - a);
   const auto area = [&](const Vector& start, const Vector& end) { return normal.dot((start - p).cross(end - p)); };
@@ -180,7 +181,7 @@ Vector nearest_of_triangle(const Vector& p, const Vector& a, const Vector& b, co
   return *std::ranges::min_element(sides, {}, [&](const Vector& x) { return (p - x).squaredNorm(); });
 }
 
-/// The direction to a point outside from the nearest point of the surface.
+/// The direction from the nearest point of the surface to a point outside.
 Vector direction_from_surface(const PlacedPolyhedron& body, const Vector& point) {
   Vector best = Vector::Zero();
   double least = std::numeric_limits<double>::infinity();

@@ -11,12 +11,12 @@ namespace carom::scene {
 /// The distance of two shapes along a direction.
 struct Separation {
   Vector3<double> normal{0, 0, 1};  // from B to A, world, of length 1 within rounding
-  /// The least of normal · x over A minus the greatest over B, as computed [m]. Except for rounding, the gap is at most
-  /// the distance, and equals it for the best direction. If the shapes overlap, the gap is minus the least overlap of
-  /// the directions that were tried.
+  /// The least normal · x of all points x of A minus the greatest of B, as computed [m]. Except for rounding, the gap
+  /// is at most the distance, and equals the distance for the best direction. If the shapes overlap, −gap is the least
+  /// overlap along the directions tried.
   double gap = 0;
-  /// The gap minus bounds of every rounding error and of the errors of both placements [m]. If it is positive, the
-  /// shapes are certainly apart by so much along the normal.
+  /// The gap minus bounds of every rounding error and of the errors of both placements [m]. If `certified` is positive,
+  /// the shapes are apart by at least `certified` along the normal.
   double certified = 0;
 };
 
@@ -27,10 +27,10 @@ struct Separation {
 /// too large. If the gap is small, rounding spoils this direction, and the faces and edges at the nearest points give a
 /// better one. If FCL finds no distance because of an overlap or a failure, the class tries all face normals and cross
 /// products of edges (the separating axis theorem; S. Gottschalk, M. Lin, D. Manocha, SIGGRAPH 1996). For a ball and a
-/// polyhedron, the direction is that from the nearest point of all faces to the ball's centre.
+/// polyhedron, the direction leads from the nearest point of all faces to the ball's centre.
 ///
-/// In measurements, the gap was too small by at most 10⁻¹³ of the sizes for size ratios down to 1 : 10⁻⁴ (10⁻¹⁵ at gaps
-/// of 10⁻³ m and less). At the ratio 1 : 10⁻⁶, it was too small by up to 10⁻³ of itself in 1 of 1000 pairs.
+/// In measurements with size ratios down to 1 : 10⁻⁴, the gap is too small by at most 10⁻¹³ of the sizes (10⁻¹⁵ at gaps
+/// of 10⁻³ m and less). At the ratio 1 : 10⁻⁶, 1 of 1000 gaps is too small by up to 10⁻³ of the gap.
 class ShapePair {
  public:
   ShapePair(ConvexShape a, ConvexShape b);

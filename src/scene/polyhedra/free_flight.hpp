@@ -15,7 +15,7 @@ struct FreeFlight {
   RotationPath rotation;
   double start = 0;  // [s]
 
-  /// The end of the time for which the rotation is known [s].
+  /// The time up to which the rotation is known [s].
   [[nodiscard]] double end() const { return start + rotation.duration(); }
 };
 

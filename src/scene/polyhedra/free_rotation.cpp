@@ -56,8 +56,9 @@ Matrix3<double> derivative_of_step(const Vector3<double>& a, const Coefficients&
   return sum;
 }
 
-/// An upper bound of the greatest eigenvalue of the symmetric part of `derivative`, divided by ‖ω‖. The diagonal is
-/// zero, so this eigenvalue is at most √(2/3) of the Frobenius norm.
+/// An upper bound of the greatest eigenvalue of the symmetric part of `derivative`, divided by ‖ω‖. The diagonal of
+/// this part S is zero, so the eigenvalue is at most √(2/3) of the Frobenius norm of S. This norm is at most max |aᵢ +
+/// aⱼ| ‖ω‖/√2.
 double growth_rate(const Vector3<double>& a) {
   const double greatest =
       std::max({std::abs(a[0] + a[1]), std::abs(a[1] + a[2]), std::abs(a[2] + a[0])}) + 8 * unit_roundoff;
@@ -117,7 +118,7 @@ RotationPath::Bounds RotationPath::bounds_for(double a) {
       rate[k + 1] = rate[k] * a * x;
       rotation[k + 1] = rotation[k] * x * (0.5 + n * a) / (n + 1);
     }
-    const double ratio = x * std::max(0.5, a);  // upper bound of the ratio of each coefficient to the one before
+    const double ratio = x * std::max(0.5, a);  // upper bound of the ratio of successive coefficients
     if (ratio < 0.9) {
       rest_of_rate = rate[order + 1] / (1 - a * x);
       rest_of_rotation = rotation[order + 1] / (1 - ratio);
@@ -128,8 +129,8 @@ RotationPath::Bounds RotationPath::bounds_for(double a) {
   }
   bounds.scaled_length = x;
 
-  // The same recurrences for bounds of the errors of the computed coefficients, in unit roundoffs u. The error of a sum
-  // of k + 1 products is at most (k + 1) u Σ|terms|. Seven more roundings cover aᵢ, the length and the division.
+  // The same recurrences bound the errors of the computed coefficients, in unit roundoffs u. The error of a sum of k +
+  // 1 products is at most (k + 1) u Σ|terms|. Seven more roundings cover aᵢ, the length and the division.
   std::array<double, order + 1> rate_error{};
   std::array<double, order + 1> rotation_error{};
   double rate_units = 1;      // the last addition of Horner's scheme rounds the whole value
@@ -143,9 +144,9 @@ RotationPath::Bounds RotationPath::bounds_for(double a) {
       of_rotation += rotation_error[j] * rate[k - j] + rotation[j] * rate_error[k - j];
     }
     rate_error[k + 1] = of_rate * a * x / (n + 1) + (n + 8) * rate[k + 1];
-    // Quaternions of absolute values have a product whose norm is at most twice the product of their norms.
+    // The norm of a product of quaternions of absolute values is at most twice the product of their norms.
     rotation_error[k + 1] = of_rotation * x / (2 * (n + 1)) + 2 * (n + 8) * rotation[k + 1];
-    // Horner's scheme rounds the term of the k-th power 2 k + 1 times. The rounding of its argument adds k.
+    // Horner's scheme rounds the term of the k-th power 2 k + 1 times. The rounding of the argument adds k.
     rate_units += rate_error[k + 1] + (3 * (n + 1) + 1) * rate[k + 1];
     rotation_units += rotation_error[k + 1] + (3 * (n + 1) + 1) * rotation[k + 1];
   }
@@ -201,7 +202,7 @@ RotationPath::RotationPath(const Vector3<double>& principal_inertia, const Rotat
     const Matrix3<double> moved = derivative_of_step(a_, step.rate, step.length) * frame;
     const Eigen::HouseholderQR<Matrix3<double>> factors(moved);
     frame = factors.householderQ();
-    // The factor 1 + 2⁻²⁰ covers the remainder, rounding errors, and terms that are quadratic in the error.
+    // The factor 1 + 2⁻²⁰ covers the remainder of the series, rounding errors, and terms quadratic in the error.
     widths = (frame.transpose() * moved).cwiseAbs() * widths * (1 + 0x1p-20) + Vector3<double>::Constant(added);
     const double by_derivatives = widths.norm();
     now.rate_error = by_derivatives < 0x1p-20 * rate ? std::min(by_norms, by_derivatives) : by_norms;

@@ -22,8 +22,8 @@ struct RotationState {
 /// A state, with bounds of its distance from the exact motion that begins with the path's first state.
 struct BoundedRotation {
   RotationState state;
-  double angle_error = 0;  // upper bound of the angle of the rotation from the exact orientation to this one [rad]
-  double rate_error = 0;   // upper bound of the distance of body_rate from the exact one [rad/s]
+  double angle_error = 0;  // upper bound of the angle between the exact and this orientation [rad]
+  double rate_error = 0;   // upper bound of the distance of body_rate from the exact rate [rad/s]
 };
 
 /// The free rotation of a body over a duration. It solves Euler's equations I₁ ω₁' = (I₂ − I₃) ω₂ ω₃ (and so on) and q'
@@ -31,20 +31,20 @@ struct BoundedRotation {
 /// evaluation. The angular velocity is stored along the body axes, because a slender body would lose its digits along
 /// other axes.
 ///
-/// The bound of the error. Let aᵢ = (Iⱼ − Iₖ)/Iᵢ and α = max |aᵢ| ≤ 1 (`a` in the code), and let W = ‖ω‖ at the
-/// beginning of a step. The Taylor coefficients of ω are at most those of W/(1 − α W t), and the coefficients of q at
-/// most those of (1 − α W t)^(−1/(2α)), by induction from ‖(x₂y₃, x₃y₁, x₁y₂)‖ ≤ ‖x‖ ‖y‖. So a geometric series bounds
-/// the remainder of each series. A recurrence like that of the coefficients bounds their rounding errors.
+/// Let aᵢ = (Iⱼ − Iₖ)/Iᵢ for cyclic i, j, k, and α = max |aᵢ| ≤ 1 (`a` in the code). Let W = ‖ω‖ at the beginning of a
+/// step. The Taylor coefficients of ω are at most those of W/(1 − α W t), and the coefficients of q at most those of (1
+/// − α W t)^(−1/(2α)), by induction from ‖(x₂y₃, x₃y₁, x₁y₂)‖ ≤ ‖x‖ ‖y‖. So a geometric series bounds the remainder of
+/// each series. A recurrence like that of the coefficients bounds the rounding errors of the coefficients.
 ///
 /// An error of ω grows at most by Gronwall's bound exp ∫Λ, with Λ the greatest eigenvalue of the symmetric part of the
 /// derivative of the equation. If the error is below 2⁻²⁰ ‖ω‖, the derivatives of the steps also bound its growth, in
 /// orthogonal frames (R. Lohner, "Enclosing the solutions of ordinary initial and boundary value problems", 1987). The
-/// smaller bound is used. An error e of ω [rad/s] turns the orientation away by at most the angle e each second. Errors
-/// of the orientation do not grow.
+/// smaller bound is used. An error e of ω [rad/s] changes the orientation by at most the angle e each second. Errors of
+/// the orientation do not grow.
 class RotationPath {
  public:
-  /// Preconditions: the moments are positive, and each is at most the sum of the others (within rounding); the duration
-  /// is finite and ≥ 0; ‖ω‖ × duration is at most about 10⁵ (the path stores about eight steps a radian).
+  /// Preconditions: the moments are positive, and each is at most the sum of the others (within rounding). The duration
+  /// is finite and ≥ 0. The angle ‖ω‖ × duration is at most about 10⁵ (the path stores about eight steps a radian).
   RotationPath(const Vector3<double>& principal_inertia, const RotationState& start, double duration);
 
   /// The path of a body that does not turn, for any duration.

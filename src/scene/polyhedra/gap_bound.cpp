@@ -48,8 +48,8 @@ double time_open(const GapBound& bound, double least, double limit) {
   }
   constexpr int most_rounds = 30;  // about five suffice
   for (int round = 0; round < most_rounds && closed - open > 1e-3 * open; ++round) {
-    // If h is linear, h at the end of a chord is `least` up to rounding. So the chord is shortened slightly, and more
-    // if necessary.
+    // If h is linear, h at the end of the whole chord is `least` up to rounding, perhaps less. So the chord is
+    // shortened slightly, and more if necessary.
     const double whole = (closed - open) * (excess / (excess + (least - last.gap)));
     double chord = open + whole * (1 - 0x1p-30);
     double excess_there = value_at(bound, chord).gap - least;
@@ -62,7 +62,7 @@ double time_open(const GapBound& bound, double least, double limit) {
     }
     open = chord;
     excess = excess_there;
-    // A tangent lies above h, so where it falls to `least`, h is below `least`, or very nearly so.
+    // A tangent lies above the concave h. So h is at most `least`, up to rounding, where the tangent falls to `least`.
     const double tangent = closed + (last.gap - least) / -last.slope;
     if (last.slope < 0 && tangent > open && tangent < closed) {
       const Value there = value_at(bound, tangent);

@@ -7,7 +7,7 @@
 
 namespace carom::scene {
 
-/// The height of a point along a direction [m], and its speed along it [m/s].
+/// The height [m] and the speed [m/s] of a point along a direction.
 struct MovingPoint {
   double height;
   double speed;
@@ -19,7 +19,7 @@ struct MovingPoint {
 struct GapBound {
   std::vector<MovingPoint> a;
   std::vector<MovingPoint> b;
-  double lost = 0;       // makes h(0) the certified gap [m]
+  double lost = 0;       // chosen so that h(0) is the certified gap [m]
   double curvature = 0;  // ≥ 0 [m/s²]
 };
 
@@ -27,8 +27,8 @@ struct GapBound {
 /// chords approach the time of h = least from below.
 [[nodiscard]] double time_open(const GapBound& bound, double least, double limit);
 
-/// The speed at which the gap is certain to open at first [m/s]: the least speed of A's points minus the greatest speed
-/// of B's. Only A's points within `band` [m] of its lowest point count, and B's within `band` of its highest.
+/// The speed at which the gap certainly opens at Δ = 0 [m/s]: the least speed of A's points minus the greatest speed of
+/// B's points. Only points of A within `band` [m] of the lowest count, and points of B within `band` of the highest.
 [[nodiscard]] double opening_speed(const GapBound& bound, double band);
 
 }  // namespace carom::scene

@@ -18,8 +18,8 @@ using Triple = std::array<mpq_class, 3>;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// The double nearest to a number, with ties to an even last digit. Beyond the range of normal doubles, the result is
-/// outside of that range too, or zero.
+/// The double nearest to a number, with ties to an even last digit. For a number outside the range of normal doubles,
+/// the result is outside that range, too, or zero.
 double nearest(const mpq_class& number) {
   const double toward_zero = number.get_d();  // GMP truncates
   if (toward_zero == 0 || !std::isfinite(toward_zero)) {
@@ -166,7 +166,7 @@ std::variant<PolyhedralBody, ShapeDefect> polyhedral_body(const ConvexPolyhedron
   if (!is_in_range(size)) {
     return ShapeDefect{"its moments of inertia overflow or underflow binary64"};
   }
-  // A power of two makes the search for axes independent of the body's size.
+  // Scaling by a power of two makes the search for axes independent of the body's size.
   int exponent = 0;
   std::frexp(size, &exponent);
   Matrix3<DoubleDouble> scaled;

@@ -34,12 +34,12 @@ struct PolyhedralBody {
 /// 3-D tetrahedron inertia tensor in terms of its vertex coordinates", J. Math. Stat. 1, 2005), computed in rational
 /// numbers. Jacobi's rotations find the axes in numbers of 106 bits: ‖J − R D Rᵀ‖ ≤ 2⁻⁹⁰ ‖J‖ for the exact inertia J,
 /// the axes R and the diagonal matrix D of moments. So a principal moment keeps its relative accuracy if it is above
-/// 2⁻³⁵ of the greatest. The vertices are turned into the body frame in 106 bits and rounded once, so each vertex moves
-/// by at most 2⁻⁵³ of its distance from the centre.
+/// 2⁻³⁵ of the greatest moment. The vertices are turned into the body frame in 106 bits and rounded once, so each
+/// vertex moves by at most 2⁻⁵³ of its distance from the centre.
 ///
-/// The body that a scene moves is the hull of the rounded vertices. `faces`, `edges` and the mass properties are those
-/// of the given vertices, so a face of more than three corners is plane within `vertex_error`. The given frame affects
-/// only the rounding of the vertices, and the choice of axes if moments are equal.
+/// A scene moves the hull of the rounded vertices. `faces`, `edges` and the mass properties are those of the given
+/// vertices, so a face with more than three corners is plane only within `vertex_error`. The given frame affects only
+/// the rounding of the vertices, and the choice of axes if moments are equal.
 ///
 /// Returns a defect if the density is not a positive number, or if a result would leave the range of normal doubles.
 [[nodiscard]] std::variant<PolyhedralBody, ShapeDefect> polyhedral_body(const ConvexPolyhedron& polyhedron,

@@ -22,12 +22,12 @@ namespace {
 /// The limit of impacts at one instant. Every observed sequence that ends by itself needs fewer.
 constexpr unsigned long long most_at_one_instant = 10'000;
 
-/// The `flatness` of a contact patch (contact_patch.hpp), in contact tolerances. The patch then includes corners that
-/// were struck earlier at the same instant.
+/// The `flatness` of a contact patch (contact_patch.hpp), in contact tolerances. With this value, the patch includes
+/// corners struck earlier at the same instant.
 constexpr double flatness_in_tolerances = 4;
 
-/// The least speed after an impact, relative to the greatest speeds of the bodies. Rounding cannot reverse this speed,
-/// because the speed of a gap is accurate to 2⁻⁴⁷ of the bodies' speeds.
+/// The least speed after an impact, relative to the sum of the greatest speeds of the bodies. Rounding cannot reverse
+/// this speed, because the speed of a gap is accurate to 2⁻⁴⁷ of the bodies' speeds.
 constexpr double least_speed_share = 0x1p-40;
 
 RigidBody body_of(const Scene& scene, std::size_t index) {
@@ -41,8 +41,8 @@ RigidBody body_of(const Scene& scene, std::size_t index) {
   return std::get<RigidBody>(std::move(body));
 }
 
-/// A time up to which the bounding sphere of a body is certain not to overlap another sphere or a plane. `gap` is
-/// positive while they are apart.
+/// A time up to which the bounding sphere of a body certainly does not overlap another sphere or a plane. `gap` is
+/// positive while the two are apart.
 double balls_touch_from(const UncertainQuadratic& gap, double now) {
   if (!(gap.c0 > gap.e0)) {
     return now;
@@ -244,7 +244,7 @@ void PolyhedronSimulation::look_again(const Where& where) {
 }
 
 const Event* PolyhedronSimulation::advance() {
-  // This search is not part of the previous event, which remains in effect even if the search fails.
+  // This search is not part of the previous event. So the previous event remains in effect even if the search fails.
   for (const std::size_t body : changed_) {
     look_around(body);
   }

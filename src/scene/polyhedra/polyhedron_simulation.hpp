@@ -23,19 +23,19 @@ namespace carom::scene {
 /// least speed. So a body that would lie at rest hops instead.
 ///
 /// A contact is the first instant at which two bodies are within `contact_tolerance` of each other and do not draw
-/// apart. At the contact, the bodies are still certain not to touch (time_of_contact.hpp). If all corners of the
-/// contact patch (contact_patch.hpp) approach, the impulse acts at the middle of the patch, otherwise at the corner
-/// that approaches fastest. Other corners that approach have their own impact at the same time. When a body has turned
-/// by `longest_turn`, a renewal stores its state. Of events at one time, renewals come first and impacts on planes
-/// last; within one kind, lower body indices come first.
+/// apart. Even then, the bodies certainly do not touch (time_of_contact.hpp). If all corners of the contact patch
+/// (contact_patch.hpp) approach, the impulse acts at the middle of the patch, otherwise at the corner that approaches
+/// fastest. Other corners that approach have their own impact at the same time. When a body has turned by
+/// `longest_turn`, a renewal stores its state. Of events at one time, renewals come first and impacts on planes last;
+/// within one kind, lower body indices come first.
 class PolyhedronSimulation {
  public:
   /// Precondition: the scene is valid (valid_polyhedra.hpp). Throws SceneError if bodies are not certain to be apart.
   explicit PolyhedronSimulation(Scene scene);
 
   /// The next event, an impact or a renewal; null after the scene's duration. The pointer is valid until the next call.
-  /// Throws SceneError if impacts at one instant do not end, if bodies are no longer certain to be apart, or if
-  /// positions are no longer accurate to the tolerance. The last event remains in effect.
+  /// Throws SceneError if impacts at one instant do not end, if bodies are not certain to be apart, or if positions are
+  /// not accurate to the tolerance. The last event remains in effect.
   [[nodiscard]] const Event* advance();
 
   /// Makes `advance` end early and return null once a stop is requested.
@@ -51,7 +51,7 @@ class PolyhedronSimulation {
   /// The known future of two bodies, or of a body and a plane.
   struct Prediction {
     double time = never;   // [s]
-    bool touches = false;  // if not, they are apart until then, and the search continues
+    bool touches = false;  // if false, they stay apart up to `time`; the search continues from there
   };
   /// The kinds of events, in the order in which they happen at one time.
   enum class Kind : std::uint8_t { renewal, bodies, plane };
@@ -90,11 +90,11 @@ class PolyhedronSimulation {
   std::stop_token stop_;
   double now_ = 0;
   std::vector<TumblingBody> bodies_;
-  std::vector<std::size_t> changed_;             // bodies whose predictions must be found again
-  std::vector<std::optional<ShapePair>> pairs_;  // of bodies i > k at i (i − 1)/2 + k; created once they come near
+  std::vector<std::size_t> changed_;             // bodies whose predictions are outdated
+  std::vector<std::optional<ShapePair>> pairs_;  // entry i (i − 1)/2 + k: bodies i > k; made once they come near
   std::vector<Prediction> predictions_;          // indexed like pairs_
   std::vector<HalfSpace> grounds_;               // one for each plane
-  std::vector<Reach> reaches_;                   // of body i and plane k at i · planes + k
+  std::vector<Reach> reaches_;                   // entry i · planes + k: body i and plane k
   std::vector<Prediction> plane_predictions_;    // indexed like reaches_
   Event event_;
   Counts counts_;

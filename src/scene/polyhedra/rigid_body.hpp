@@ -9,7 +9,8 @@
 
 namespace carom::scene {
 
-/// A body at the beginning of a scene. Its shape has the origin at the centre of mass, and the principal axes as axes.
+/// A body at the beginning of a scene. In the shape's frame, the origin is the centre of mass, and the axes are the
+/// principal axes.
 struct RigidBody {
   ConvexShape shape;
   double mass = 1;                             // [kg]

@@ -43,7 +43,8 @@ Moving moving(const ConvexShape& shape, const FreeFlight& motion, double time) {
   m.turning = 1 + motion.rotation.greatest_turning();
   m.radius = shape.core_radius;
   m.bending = m.radius * m.greatest_rate * m.greatest_rate * m.turning;
-  // About 27 roundings of the terms of a speed, as in rounding_of_gap, and the errors of orientation and rate.
+  // The bound covers about 27 roundings of the terms of a speed, as in rounding_of_gap, and the errors of orientation
+  // and rate.
   m.speed_error =
       0x1p-47 * (motion.velocity.norm() + elapsed * motion.acceleration.norm() + m.greatest_rate * m.radius) +
       (2 * rotation.angle_error * m.greatest_rate + rotation.rate_error) * m.radius;
@@ -54,13 +55,13 @@ Moving moving(const ConvexShape& shape, const FreeFlight& motion, double time) {
   return m;
 }
 
-/// The number of later times at which the search looks for a direction along which the shapes draw apart, each a
-/// quarter as far ahead as the previous one.
+/// The search tries this number of later times to find a direction along which the shapes draw apart. Each time is a
+/// quarter as far ahead as the time before.
 constexpr int most_trials = 24;
 
 /// The gap along a direction n that turns at a constant rate Ω, up to a time `limit`. Speeds of vertices are relative
-/// to B's centre, in axes that turn with n. Heights are relative to each body's own centre, which `from_certified`
-/// makes up for.
+/// to B's centre, in axes that turn with n. Heights are relative to each body's own centre; `from_certified` corrects
+/// for the distance of the centres.
 GapBound along(const Moving& a, const Moving& b, const Vector& n, const Vector& turning, double limit) {
   const Vector between = a.placement.position - b.placement.position;
   const Vector velocity = a.velocity - b.velocity;
@@ -160,8 +161,8 @@ TimeOfContact advance(const SeparationAt& separation_at, const OpenFor& open_for
       result.status = ContactStatus::misses;
       return result;
     }
-    // A gap within the tolerance opens here. The step is half the time for which the gap stays open, because at the end
-    // of the whole time only half the gap might be left.
+    // If the gap is within the tolerance, it opens here. Then the step is half of `whole`, because only half the gap
+    // might be left at the end of `whole`.
     const double whole = open_for(result.time, separation, within ? separation.certified / 2 : tolerance / 2, limit);
     const double step = within && whole < limit ? whole / 2 : whole;
     // Rounded down.
@@ -191,8 +192,8 @@ TimeOfContact time_of_contact(const ShapePair& pair, const FreeFlight& a, const 
   CAROM_EXPECTS(tolerance > 0, tolerance);
   const auto separation_at = [&](double time) { return pair.separation(placement_at(a, time), placement_at(b, time)); };
   std::optional<Vector> way_out;  // the rate of a direction along which the shapes draw apart
-  // Calls use(Ω) for the rates Ω of a direction that does not turn, or turns with a face of a body, with an edge of
-  // each, or at the rate `way_out`.
+  // Calls use(Ω) for each rate Ω of the direction: 0, the rate of each body (the direction turns with a face), the rate
+  // that follows an edge of each body, and `way_out`.
   const auto for_each_turning = [&](const Moving& at_a, const Moving& at_b, const Vector& n, const auto& use) {
     use(Vector::Zero());
     if (at_b.greatest_rate > 0 && at_b.radius > 0) {

@@ -23,13 +23,12 @@ struct TimeOfContact {
 };
 
 /// The first time in [begin, horizon] at which two moving shapes are within the tolerance [m] of each other and do not
-/// draw apart. Up to and at that time, the shapes are certain not to touch, in the exact motion from the given numbers.
+/// draw apart. Up to and at that time, the shapes certainly do not touch, in the exact motion from the given numbers.
 ///
 /// Conservative advancement (B. Mirtich, "Impulse-based dynamic simulation of rigid body systems", 1996) starts from a
-/// certified separation along n at a time s. It advances the time as far as the gap along n is certain to stay open,
-/// and then finds a new n. Mirtich's step is gap / (greatest speed of any point), which is of first order. Here every
-/// vertex has its own velocity along n, and only the changes of velocities are bounded. So the steps are of second
-/// order:
+/// certified separation along n at a time s. It advances the time while the gap along n certainly stays open, and then
+/// finds a new n. Mirtich's step is gap / (greatest speed of any point), which is of first order. Here the bound uses
+/// the velocity of each vertex along n, and bounds only the changes of velocities. So the steps are of second order:
 ///
 ///     n·(x_v(s+Δ) − y_u(s+Δ)) ≥ n·(x_v − y_u) + Δ n·(ẋ_v − ẏ_u) + ½ Δ² n·(a_A − a_B) − ½ Δ² (C_A + C_B),
 ///     C = r ω² (1 + α/√3).
@@ -38,16 +37,16 @@ struct TimeOfContact {
 /// the greatest distance of a vertex from the centre, ω is the greatest rate of the whole motion, and ‖ω'‖ ≤ α ω²/√3
 /// (RotationPath).
 ///
-/// The bound is also tried for directions n that turn at a constant rate Ω. Ω is the angular velocity of A or of B, so
-/// that a normal of a face remains its normal, or a rate that keeps n perpendicular to an edge of each body. In axes
-/// that turn with n, the velocity of a point x relative to B's centre is ẋ − Ω × x, and C_A + C_B + ‖a_A − a_B‖ + 2 ‖Ω‖
-/// ‖ẋ‖ + ‖Ω‖² ‖x‖ bounds the second derivative. The longest step is taken. The shapes draw apart if the gap opens along
-/// one of these n.
+/// The search also tries directions n that turn at a constant rate Ω. The rate Ω is the angular velocity of A or of B,
+/// so that n stays normal to a face, or a rate that keeps n perpendicular to an edge of each body. In axes that turn
+/// with n, the velocity of a point x relative to B's centre is ẋ − Ω × x, and C_A + C_B + ‖a_A − a_B‖ + 2 ‖Ω‖ ‖ẋ‖ +
+/// ‖Ω‖² ‖x‖ bounds the second derivative. The search takes the longest step. The shapes draw apart if the gap opens
+/// along one of these n.
 ///
 /// Bodies that do not move relative to each other never meet. Preconditions: both motions start at `begin` or before,
 /// and end at the horizon or later; the tolerance is positive. If the tolerance is less than about 2⁻⁴⁴ of sizes and
-/// distance, plus the errors of the placements, the answer may be `undecided`, with the last time up to which the
-/// shapes are certain to be apart.
+/// distance, plus the errors of the placements, the answer may be `undecided`. Then `time` is the last time up to which
+/// the shapes are certainly apart.
 [[nodiscard]] TimeOfContact time_of_contact(const ShapePair& pair, const FreeFlight& a, const FreeFlight& b,
                                             double begin, double horizon, double tolerance);
 

@@ -9,7 +9,7 @@
 namespace carom::scene {
 
 /// The gap at which two bodies collide, relative to the lesser radius. Up to some thousand radii from the origin,
-/// stored positions are a hundred times more accurate than this.
+/// stored positions are a hundred times more accurate than this gap.
 inline constexpr double contact_tolerance = 0x1p-30;
 
 /// The angle by which a body turns before its state is stored again [rad]. An error of the angular velocity grows at
@@ -25,7 +25,7 @@ class TumblingBody {
   void set_motion(double now, const Vector3<double>& position, const Quaternion<double>& orientation,
                   const BodyVelocity<double>& velocity, const Vector3<double>& gravity);
 
-  /// Computes the rotation beyond a time, or up to the renewal if that is earlier.
+  /// Computes the rotation beyond a time, or up to the renewal if the renewal is earlier.
   void know_beyond(double time);
   /// The time up to which the rotation is known [s].
   [[nodiscard]] double known_until() const { return known_until_; }

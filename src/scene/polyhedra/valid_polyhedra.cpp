@@ -43,7 +43,7 @@ Found number_defect(const Scene& scene, std::size_t i) {
       return defect(field, "expected finite numbers");
     }
   }
-  // Up to this limit, a corner turns by less than a contact's tolerance in one ulp of the time.
+  // Up to this limit, a corner moves by less than the contact tolerance in one ulp of the time.
   if (!(polyhedron.angular_velocity.stableNorm() * scene.duration <= most_turn)) {
     return defect("angular_velocity",
                   text_of("expected a body that rotates by at most ", most_turn, " rad within the duration"));

@@ -31,8 +31,8 @@ struct EngineSummary {
   std::string friction;    // the engine's friction law in place of coulomb
 };
 
-/// The subjects of an engine, before `open` or `absent` is set. No subject is expected to pass. The configured subjects
-/// keep J⁻¹ in world coordinates, which fails on slender bodies, and their friction is not Coulomb's law.
+/// The subjects of an engine, before `open` or `absent` is set. No subject is expected to pass. Even the configured
+/// subjects keep J⁻¹ in world coordinates, which fails on slender bodies, and their friction is not Coulomb's law.
 [[nodiscard]] inline std::vector<Subject> engine_claims(const EngineSummary& summary, Precision precision) {
   std::vector<Subject> claims;
   for (const EngineSetting& setting : engine_settings) {
@@ -61,7 +61,7 @@ struct EngineSummary {
                        Precision::binary64);
 }
 
-/// The same claims, of an engine that this program was built without.
+/// The claims of an engine that this program was built without.
 [[nodiscard]] inline std::vector<Subject> absent(std::vector<Subject> claims, const std::string& package) {
   for (Subject& claim : claims) {
     claim.absent = package + " was not found when this program was built";

@@ -16,7 +16,7 @@ static_assert(std::is_same_v<dReal, double>, "needs the double build of ODE");
 ode::World make_world(dThreadingImplementationID threading, bool configured) {
   ode::World world(dWorldCreate());
   dWorldSetStepThreadingImplementation(world.get(), dThreadingImplementationGetFunctions(threading), threading);
-  const dWorldStepReserveInfo minimum{sizeof minimum, 1, 0};  // a failed assertion leaks this memory
+  const dWorldStepReserveInfo minimum{sizeof minimum, 1, 0};  // the least reserve, because a failed assertion leaks it
   dWorldSetStepMemoryReservationPolicy(world.get(), &minimum);
   if (configured) {
     dWorldSetCFM(world.get(), 0);  // ERP has no effect on a contact of depth 0
@@ -94,7 +94,7 @@ ReportedOutcome step(const Collision& collision, const EngineSetting& setting, d
   const dContact contact = make_contact(collision, setting);
   const ode::Joint joint(dJointCreateContact(world.get(), nullptr, &contact));
   dJointAttach(joint.get(), a.get(), b.get());
-  dWorldStep(world.get(), 1.0 / 60.0);  // [s]; has no effect on the configured engine
+  dWorldStep(world.get(), 1.0 / 60.0);  // [s]; does not affect the configured engine's answer
   return {velocity_of(a), velocity_of(b)};
 }
 

@@ -34,7 +34,6 @@ template <class S, class Inertia = impulse::PrincipalInertia<S>>
   return method;
 }
 
-/// The methods of `laws_with_truth`.
 template <class S>
 [[nodiscard]] std::vector<Method> law_methods() {
   std::vector<Method> methods;
@@ -64,7 +63,7 @@ inline constexpr Solve3 solve3<impulse::EigenLlt>{"LLT of Eigen", "EigenLlt", 2}
 template <>
 inline constexpr Solve3 solve3<impulse::EigenLdlt>{"LDLT of Eigen", "EigenLdlt", 3};
 
-/// The basis-free reflection with a solve of solve3.hpp, which the summary names `solve`.
+/// The basis-free reflection with the 3×3 solve `Solve`. The summary calls it `solve`.
 template <class S, class Solve>
 [[nodiscard]] Method reflection_method(const std::string& name, const std::string& solve) {
   Method method = solver_method<S>(

@@ -43,8 +43,7 @@ template <class S, class Solve, class Input>
   return outcome;
 }
 
-/// A kernel that applies `solve` (input, observer of the collision matrix → outcome) to each input and keeps the
-/// outcomes.
+/// A kernel that applies `solve` to each input and an observer of the collision matrix, and keeps the outcomes.
 template <class S, class Input, class Solve>
 [[nodiscard]] Kernel kernel_of(std::vector<Input> inputs, Solve solve) {
   struct Memory {
@@ -75,8 +74,8 @@ struct MethodFacts {
   bool forms_matrix = true;  // whether it forms the collision matrix if the contact collides
 };
 
-/// A method with the solver `solve` in S: (input, observer of the collision matrix) → Outcome<S>. `lay_out` makes the
-/// input of a collision.
+/// A method in S. `lay_out` makes an input from a collision. `solve` maps the input and an observer of the collision
+/// matrix to an Outcome<S>.
 template <class S, class LayOut, class Solve>
 [[nodiscard]] Method method_of(MethodFacts facts, LayOut lay_out, Solve solve) {
   Method method;
@@ -102,7 +101,7 @@ template <class S, class LayOut, class Solve>
   return method;
 }
 
-/// A method with a solver (Contact<S, Inertia>, observer of the collision matrix) → Outcome<S>.
+/// A method whose solver maps a Contact<S, Inertia> and an observer of the collision matrix to an Outcome<S>.
 template <class S, class Inertia = impulse::PrincipalInertia<S>, class Solve>
 [[nodiscard]] Method solver_method(MethodFacts facts, Solve solve) {
   return method_of<S>(std::move(facts), impulse::make_contact<S, Inertia, double>, solve);

@@ -59,7 +59,7 @@ struct AsProgramsExpect : process::extend::handler {
   }
 };
 
-/// Serialises starts. Another child that inherited these pipes would keep them open.
+/// Serialises starts, because a child that inherits the pipes of another one keeps them open.
 std::mutex& start_mutex() {
   static std::mutex mutex;
   return mutex;
@@ -155,7 +155,7 @@ class ChildProcess::State {
         wait("wrote no line within ", "; it must write one line for each request and flush it");
       }
     }
-    while (is_writing_) {  // all replies came before the child read the whole text
+    while (is_writing_) {  // the child may reply before it has read the whole text
       wait("did not read its standard input within ");
     }
   }
@@ -286,7 +286,7 @@ class ChildProcess::State {
     constexpr std::chrono::milliseconds moment{1};
     context_.restart();
     if (context_.run_one_for(at_most) == 0 && context_.stopped()) {
-      std::this_thread::sleep_for(std::min<Clock::duration>(at_most, moment));  // there is nothing to wait for
+      std::this_thread::sleep_for(std::min<Clock::duration>(at_most, moment));  // nothing is pending
     }
   }
 

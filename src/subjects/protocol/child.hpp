@@ -16,7 +16,7 @@ namespace carom::subjects::protocol {
 struct ChildLimits {
   std::chrono::milliseconds timeout{5000};             // for each line, and for the end of the process
   std::size_t line = std::size_t{1} << 20U;            // bytes
-  std::size_t standard_error = std::size_t{1} << 16U;  // the last bytes of standard error, which are kept
+  std::size_t standard_error = std::size_t{1} << 16U;  // how many of the last bytes of standard error are kept
 };
 
 /// The process misbehaved. The text does not name the subject.
@@ -25,8 +25,9 @@ class ChildError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A program in its own process group that reads and writes lines, without a shell, in this process's environment with
-/// the mark of mark.hpp. Use it only on the thread that made it. On Linux, it always ends with this process.
+/// A program that reads and writes lines, started without a shell in its own process group. It inherits this process's
+/// environment and the mark of mark.hpp. Use the object only on the thread that made it. On Linux, the program always
+/// ends with this process.
 class ChildProcess {
  public:
   /// From the first construction on, this process ignores SIGPIPE, unless it handles SIGPIPE already. Precondition:

@@ -47,7 +47,7 @@ class Splitter {
     in_word_ = false;
   }
 
-  /// A backslash outside of quotes removes a line end, and keeps any other character.
+  /// Outside of quotes, a backslash removes a line end, and makes any other character literal.
   void escaped() {
     if (at_ == text_.size()) {
       throw std::invalid_argument("the command ends with \\; remove it, or double it");

@@ -16,8 +16,8 @@ struct ExecOptions {
   ChildLimits limits;
   /// A request to stop ends every wait for the program.
   std::stop_token stop;
-  /// The spelling of every request, less than spelling_count: one way to write a collision (spelling.hpp). If it is
-  /// empty, the spelling changes from call to call.
+  /// The spelling (way to write a collision, spelling.hpp) of every request, less than spelling_count. If it is empty,
+  /// the spelling changes from call to call.
   std::optional<unsigned> spelling = {};
 };
 

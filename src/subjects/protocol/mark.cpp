@@ -10,7 +10,7 @@
 namespace carom::subjects::protocol {
 
 const std::string& mark_of_children() {
-  // The name is random, and not the value, because a subject may mark its own children.
+  // The name is random, so that a subject that marks its own children does not overwrite the variable.
   static const std::string mark = [] {
     std::random_device source;
     std::string name = "CAROM_CHILD";

@@ -48,7 +48,7 @@ Decimal shortest_decimal(double number) {
   return {std::signbit(number), shortest, number == 0 ? 1 : exponent};
 }
 
-/// "0.0015", "15" or "1500.0". A whole number ends in ".0" if `with_fraction`.
+/// The number without an exponent. A whole number ends in ".0" if `with_fraction`.
 std::string positional(const Decimal& decimal, bool with_fraction) {
   const auto count = static_cast<int>(decimal.digits.size());
   if (decimal.exponent <= 0) {

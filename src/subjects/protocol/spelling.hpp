@@ -13,7 +13,7 @@
 namespace carom::subjects::protocol {
 
 /// The number of spellings of each collision. Spelling 0 has the order of the protocol's example, no defaults, and the
-/// shortest numbers. The other spellings follow from the collision's bits.
+/// shortest numbers. The collision's bits determine the other spellings.
 inline constexpr unsigned spelling_count = 4;
 
 /// The collision as one JSON object. A reader that rounds decimals to the nearest binary64 number reads the same bits

@@ -18,7 +18,7 @@
 namespace carom::tool::chart {
 namespace {
 
-/// The most cases drawn for each case wanted.
+/// At most this many cases are drawn for each wanted case.
 constexpr std::size_t cases_drawn_for_each = 20;
 
 template <class Generate>

@@ -28,8 +28,8 @@ namespace carom::tool::chart {
 enum class AnswersOfCoulomb { found, left_out };
 
 /// The accuracy of each method on these colliding collisions, in the order of the methods. The truth (the exact
-/// outcome) judges an outcome. Under `coulomb`, which may have several answers, the law's equations judge it, and its
-/// digits are those of the nearest answer. A case is left out if the method's precision cannot represent it, or if the
+/// outcome) judges an outcome. Under `coulomb`, which may have several answers, the law's equations judge the outcome,
+/// and the nearest answer gives its digits. A case is left out if the method's precision cannot represent it, or if the
 /// law demands nothing of its outcome.
 [[nodiscard]] std::vector<report::Exactness> measured_exactness(std::span<const subjects::Method> methods,
                                                                 std::span<const Collision> collisions,

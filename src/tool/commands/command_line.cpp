@@ -23,7 +23,7 @@
 namespace carom::tool {
 namespace {
 
-/// For each unexpected argument, a line with the command or option that may have been meant.
+/// For each unexpected argument, a line with the command or option that the user may have meant.
 std::string meant_words(const CLI::App& app) {
   const std::vector<CLI::App*> chosen = app.get_subcommands();
   std::vector<std::string> options;
@@ -84,8 +84,8 @@ int run_command(int argc, char** argv, const std::vector<void (*)(CLI::App&, Cho
   return status;
 }
 
-/// Prints an error message. It may contain text of a file or a program, so it is made printable. If the message cannot
-/// be written, the exit status still reports the error.
+/// Prints an error message, without the control characters of foreign text in it. If the message cannot be written, the
+/// exit status still reports the error.
 void complain(const std::string& what) {
   if (has_run_out_of_memory()) {
     std::fputs(out_of_memory, stderr);  // the cause of any error that followed

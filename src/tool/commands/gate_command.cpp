@@ -147,7 +147,7 @@ std::vector<std::string> known_deviations(const GateArguments& arguments) {
   return deviates;
 }
 
-/// Adds these deviations (invariants that are not claimed) to those of every subject.
+/// Adds these deviations (unclaimed invariants) to those of every subject.
 void let_deviate(std::vector<Subject>& subjects, const std::vector<std::string>& deviates) {
   for (Subject& subject : subjects) {
     for (const std::string& text : deviates) {

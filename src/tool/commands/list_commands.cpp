@@ -45,8 +45,7 @@ std::string theorems_in_text(const properties::Invariant& invariant, const Spell
   return text;
 }
 
-/// The laws that the invariant is proved for, as in " of rough". Empty if it is proved for all laws that it is claimed
-/// for.
+/// The laws for which the invariant is proved: " of rough". Empty if these are all laws that claim the invariant.
 std::string proved_of(const properties::Invariant& invariant) {
   const std::vector<Law> proved = invariant.proved_laws();
   return proved.size() == invariant.laws.size() ? "" : " of " + joined(proved);

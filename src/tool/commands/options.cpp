@@ -10,7 +10,7 @@
 namespace carom::tool {
 namespace {
 
-// Below the smallest limit no arithmetic passes. Above the largest limit every arithmetic passes.
+// No arithmetic passes below `smallest_limit`, and every arithmetic passes above `largest_limit`.
 constexpr double smallest_limit = 1e-3;
 constexpr double largest_limit = 1e15;
 constexpr double shortest_timeout = 1e-3;  // [s]

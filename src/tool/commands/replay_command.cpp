@@ -190,7 +190,7 @@ struct Shown {
   std::string text;
 };
 
-/// The law that the judged subject claims. If no subject is judged, the law that the witness names, if it names one.
+/// The law that the judged subject claims. If no subject is judged, the law of the witness, otherwise `any`.
 Law claimed_law(const ReadCollision& read, const ReplaySubject* open) {
   if (open != nullptr) {
     return open->subject().law;

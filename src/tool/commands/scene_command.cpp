@@ -53,7 +53,7 @@ struct SceneArguments {
 
 namespace fs = std::filesystem;
 
-/// The most bodies of a replay. A browser draws this many several times a second.
+/// The most bodies of a replay. A browser draws so many bodies several times a second.
 constexpr std::size_t most_bodies_replayed = 20'000;
 
 /// A file that is written line by line while a scene runs.
@@ -192,8 +192,7 @@ class LawRun {
   std::unique_ptr<SceneRun> run_;
 };
 
-/// Runs the laws on threads, as many at once as `jobs` says. If several laws throw, rethrows the exception of the
-/// first.
+/// Runs `jobs` laws at once, on threads. If several laws throw, rethrows the exception of the first.
 void run_all(std::vector<std::unique_ptr<LawRun>>& runs, const SceneArguments& arguments, const std::stop_token& stop,
              Progress& progress) {
   std::vector<std::exception_ptr> errors(runs.size());

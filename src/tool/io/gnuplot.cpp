@@ -12,7 +12,7 @@
 namespace carom::tool {
 namespace {
 
-/// In a dark page the picture is dark too: light and dark change places, and the hues stay.
+/// In a dark page the picture is dark too: lightness is inverted, and hues stay.
 void add_dark_style(const std::filesystem::path& svg) {
   std::string text = content_of_file(svg.string());
   const std::size_t begin = text.find("<g ");

@@ -42,7 +42,7 @@ std::stop_token stop_on_interrupt() {
   sigaddset(&signals, SIGINT);
   sigaddset(&signals, SIGTERM);
   sigaddset(&signals, SIGHUP);
-  // All later threads block the signals. One thread waits for them, so no code runs in a handler.
+  // All later threads block the signals. One thread waits for the signals, so no code runs in a handler.
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   std::thread([signals] {
     int signal = 0;

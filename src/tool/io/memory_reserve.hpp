@@ -7,8 +7,8 @@ namespace carom::tool {
 
 /// Reserves memory for the report. If an allocation fails, the reserve is released and a stop is requested, so that the
 /// results so far can be reported. If the reserve is not enough, `new` throws std::bad_alloc, and an allocation of GMP
-/// ends the program with a message, because GMP cannot handle exceptions. Call it once, before any other thread is
-/// started.
+/// ends the program with a message, because GMP cannot handle exceptions. Call this function once, before any other
+/// thread is started.
 void keep_memory_for_the_report(const std::stop_source& stop);
 
 /// The message for exhausted memory. Printing it allocates no memory.

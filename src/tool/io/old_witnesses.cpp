@@ -52,7 +52,7 @@ std::vector<fs::path> listed_witnesses(const fs::path& report_file) {
   return listed;
 }
 
-/// Whether the path is "witnesses/SUBJECT.INVARIANT.json". Any other path could lead to a file elsewhere.
+/// Whether the path is "witnesses/SUBJECT.INVARIANT.json". Another path could lead to any file.
 bool is_witness_path(const fs::path& path) {
   const std::string invariant = path.stem().extension().string();
   return path == fs::path("witnesses") / path.filename() && path.extension() == ".json" && !invariant.empty() &&

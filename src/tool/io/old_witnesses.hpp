@@ -7,8 +7,9 @@
 namespace carom::tool {
 
 /// The witnesses of earlier runs, which could be mistaken for those of the next run. The report.json in the directory
-/// lists them. After a run was killed while it put its files in place, the report.json in its abandoned stage
-/// (staged_output.hpp) lists them. A report that cannot be read lists none. The paths are relative to the directory.
+/// lists them. If a run was killed while it put its files in place, the report.json in its abandoned stage
+/// (staged_output.hpp) lists them, too. A report that cannot be read lists none. The paths are relative to the
+/// directory.
 [[nodiscard]] std::vector<std::filesystem::path> old_witnesses(const std::filesystem::path& directory);
 
 /// Removes the old witnesses that the new report.json does not list. Only removes regular files directly in witnesses/,

@@ -44,8 +44,8 @@ std::optional<ProcessState> state_of(const std::filesystem::path& process) {
   return ProcessState{text[name_end + to_state], std::atoi(text.c_str() + name_end + to_parent)};
 }
 
-/// Kills the children of this process, or only those with the mark. Returns whether there was such a child, or an ended
-/// child that was not yet waited for. The caller must call again, because the children of an ended child become
+/// Kills the children of this process, or only those with the mark. Returns whether it killed a child, or found an
+/// ended child that was not yet waited for. The caller must call again, because the children of an ended child become
 /// children of this process.
 bool end_children(bool marked_alone) {
   bool any = false;

@@ -8,8 +8,9 @@ namespace carom::tool {
 /// the class does nothing.
 ///
 /// A shell that does `exec carom` leaves its background jobs as children of this process. The class ends neither these
-/// jobs nor the processes that they leave behind. If there are such jobs, it ends only processes with the mark of the
-/// subjects' programs (subjects/protocol/mark.hpp). A process that hides the mark and has left its group then lives on.
+/// jobs nor the processes that they leave behind. If there are such jobs, the class ends only processes with the mark
+/// of the subjects' programs (subjects/protocol/mark.hpp). In this case, a process that hides the mark and has left its
+/// group lives on.
 class Orphanage {
  public:
   Orphanage();

@@ -22,7 +22,7 @@ namespace carom::tool {
 struct ReplayedCase {
   Answer answer;
   properties::Judgement judgement;
-  std::size_t spellings = 0;           // ways to write JSON (spelling.hpp) in which it was asked; otherwise 0
+  std::size_t spellings = 0;           // the number of spellings (spelling.hpp) that a program got; otherwise 0
   std::size_t violated_spellings = 0;  // of these, those with a violation
   std::string spelt = {};              // the collision in the spelling of the answer
 };

@@ -16,7 +16,7 @@ struct ReadRun {
 [[nodiscard]] ReadRun read_report(const std::string& file_or_directory);
 
 /// Reads report.json, and the witnesses that it lists, from the directory of a gate with --shard. Throws UsageError
-/// that names the file and the place. It also throws if the report is no shard, is of another version of Carom, or was
+/// that names the file and the place. Also throws if the report is no shard, is of another version of Carom, or was
 /// interrupted.
 [[nodiscard]] report::ReadShard read_shard(const std::string& directory);
 

@@ -62,7 +62,7 @@ void bring_to_disk(const fs::path& path) {
   }
 }
 
-/// The files of the stage, relative to it.
+/// The files of the stage, as paths relative to the stage.
 std::vector<fs::path> files_below(const fs::path& stage) {
   std::vector<fs::path> files;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(stage)) {
@@ -74,7 +74,7 @@ std::vector<fs::path> files_below(const fs::path& stage) {
   return files;
 }
 
-/// Moves a file. Between file systems, it first copies the file next to its place.
+/// Moves a file. If the file systems differ, first copies it to a temporary file beside `to`.
 void move_file(const fs::path& from, const fs::path& to, const fs::path& stage_name) {
   if (std::rename(from.c_str(), to.c_str()) == 0) {
     return;

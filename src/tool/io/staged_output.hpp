@@ -11,7 +11,7 @@ namespace carom::tool {
 /// temporary directory inside that directory. When all files are complete, they replace the previous files.
 class StagedOutput {
  public:
-  /// Makes the directory, with its parents, and the stage. Throws UsageError if they cannot be made.
+  /// Makes the directory, with its parents, and the stage. Throws UsageError if one of them cannot be made.
   explicit StagedOutput(std::filesystem::path directory);
   /// Removes the files that were not put in place.
   ~StagedOutput();
@@ -22,7 +22,7 @@ class StagedOutput {
   [[nodiscard]] const std::filesystem::path& stage() const { return stage_; }
 
   /// Renames every file to its place, and the file `last` last. Every file is flushed to disk before the first rename.
-  /// Throws UsageError if a file cannot be renamed, if possible before the first rename.
+  /// Throws UsageError if a file cannot be renamed. If possible, it throws before the first rename.
   void put_in_place(const std::string& last);
 
  private:

@@ -31,7 +31,7 @@ std::string class_of(const scene::Scene& scene, const scene::Event& event) {
                      scene.materials[scene.planes[event.plane].material]);
 }
 
-/// Keeps every `stride`-th contact, and drops every second one when it has twice most_contacts_of_scene.
+/// Keeps every `stride`-th contact, and drops every second contact if it holds twice most_contacts_of_scene.
 class Sampled {
  public:
   void add(ClassedCollision contact) {

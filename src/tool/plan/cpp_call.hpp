@@ -22,8 +22,8 @@ struct CallableCandidate {
   CppCall code;
 };
 
-/// The method of this subject. None for methods that fail near head-on collisions because of their basis of the
-/// contact. Throws std::logic_error if no method has this name.
+/// The method of this subject. None for methods whose tangent basis fails near head-on collisions. Throws
+/// std::logic_error if no method has this name.
 [[nodiscard]] std::optional<CallableCandidate> callable_candidate(const Subject& subject);
 
 [[nodiscard]] std::vector<CallableCandidate> callable_candidates();

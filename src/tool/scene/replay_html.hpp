@@ -8,7 +8,7 @@
 
 namespace carom::tool {
 
-/// Whether the program was built with the page of replays, because src/tool/replay had its npm packages.
+/// Whether the program contains the page of replays. A build adds this page if src/tool/replay has its npm packages.
 [[nodiscard]] bool has_replay();
 
 /// The replay of a scene as one page. It loads nothing, and runs only the script that it contains. `replay` has the

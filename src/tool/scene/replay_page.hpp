@@ -5,8 +5,8 @@
 
 namespace carom::tool {
 
-/// The page that src/tool/replay/bundle.mjs makes, with the marks {{title}} and {{replay}}; empty if the program was
-/// built without it.
+/// The page that src/tool/replay/bundle.mjs makes, with the marks {{title}} and {{replay}}; empty in a build without
+/// the page.
 [[nodiscard]] std::string_view replay_page();
 
 }  // namespace carom::tool

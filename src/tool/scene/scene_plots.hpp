@@ -11,16 +11,15 @@
 
 namespace carom::tool {
 
-/// The data of one run for a picture.
 struct SampledLaw {
   std::string law;
   std::vector<Sample> samples;
 };
 
-/// Energy over time [J]. For one law: the parts of the energy, and the lost energy. For several laws: the total of
-/// each.
+/// Energy over time [J]. For one law: the parts of the energy, and the lost energy. For several laws: the total under
+/// each law.
 [[nodiscard]] report::Plot energy_plot(std::span<const SampledLaw> laws);
-/// Momentum over time [N s]. For one law: its components. For several laws: its magnitude under each.
+/// Momentum over time [N s]. For one law: the components. For several laws: the magnitude under each law.
 [[nodiscard]] report::Plot momentum_plot(std::span<const SampledLaw> laws);
 /// The mean of ‖w‖ over the bodies [rad/s], for each law.
 [[nodiscard]] report::Plot spin_plot(std::span<const SampledLaw> laws);

@@ -49,8 +49,7 @@ json arc_json(const scene::Arc& arc) {
   return row;
 }
 
-/// Adds a polyhedron's arc in pieces, each with its orientation. The replay treats the angular velocity on a piece as
-/// linear in time.
+/// Adds a polyhedron's arc in pieces, each with its orientation.
 void add_tumbling_arcs(json& arcs, const scene::Arc& arc, const Quaternion<double>& orientation,
                        const Vector3<double>& principal_inertia, double end) {
   const double span = std::max(0.0, end - arc.path.start);

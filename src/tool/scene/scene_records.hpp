@@ -25,12 +25,11 @@ namespace carom::tool {
 [[nodiscard]] nlohmann::json replay_record(const SceneRun& run);
 
 /// The header of events.csv, and the line of an event. A line has the event's number, kind and bodies, and the state of
-/// each body after it. Every number round-trips to the same bits. If the scene has polyhedra, their orientations at the
-/// event are the last columns.
+/// each body after the event. Every number round-trips to the same bits. If the scene has polyhedra, their orientations
+/// at the event are the last columns.
 [[nodiscard]] std::string events_csv_header(const scene::Scene& scene);
 [[nodiscard]] std::string events_csv_line(const scene::Scene& scene, std::uint64_t number, const scene::Event& event);
 
-/// The series.csv of a run: its samples.
 [[nodiscard]] std::string series_csv(const SceneRun& run);
 
 }  // namespace carom::tool

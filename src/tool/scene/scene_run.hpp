@@ -22,7 +22,7 @@ struct SceneOptions {
   std::uint64_t judge_every = 1;  // every Nth impulse is judged; 0: none
   bool check = true;              // whether to check that nothing overlaps
   std::optional<std::uint64_t> most_events;
-  std::uint64_t most_replayed = 100'000;  // most events of a replay, which ends after them; 0: no replay
+  std::uint64_t most_replayed = 100'000;  // the replay ends after this number of events; 0: no replay
   std::stop_token stop;
   std::function<void(const scene::Event&)> on_event;  // empty for none
   std::function<void(double)> on_progress;            // called with the simulated time [s]; empty for none
@@ -52,17 +52,17 @@ class SceneRun {
   [[nodiscard]] const scene::SceneState& first() const { return first_; }
   /// The events of a replay; empty if there is no replay.
   [[nodiscard]] const std::optional<std::vector<scene::Event>>& replayed() const { return replayed_; }
-  /// The time until which the replay has every event [s]: the present, or the time of the first event that it leaves
-  /// out.
+  /// The time until which the replay has every event [s]: the present, or the time of the first event that the replay
+  /// leaves out.
   [[nodiscard]] double replayed_until() const { return cut_ ? *cut_ : simulation_.time(); }
   [[nodiscard]] bool is_replay_cut() const { return cut_.has_value(); }
   /// The number of bodies whose angular velocity an event changed, even by one bit, or whose arc before an event had an
   /// angular acceleration.
   [[nodiscard]] std::size_t spins_changed() const;
   [[nodiscard]] double seconds() const { return seconds_; }  // wall time, including the judgement [s]
-  /// The reason why the duration was not reached; empty if it was reached.
+  /// The reason for an end before the duration; empty if the run reached the duration.
   [[nodiscard]] const std::string& ended_early() const { return ended_early_; }
-  /// Whether the scene could not continue, as opposed to being stopped.
+  /// Whether an error ended the run.
   [[nodiscard]] bool has_failed() const { return has_failed_; }
 
   /// The total rounding error relative to the scale of the energy, and its limit.

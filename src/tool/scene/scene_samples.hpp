@@ -9,7 +9,6 @@
 
 namespace carom::tool {
 
-/// The state of a scene at one time.
 struct Sample {
   double time = 0;                       // [s]
   double translation = 0, rotation = 0;  // kinetic energy [J]

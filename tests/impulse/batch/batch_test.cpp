@@ -21,7 +21,7 @@
 namespace carom::impulse {
 namespace {
 
-/// Cases of every family in turn, so that neighbours in a pack differ.
+/// Cases of every family in turn, so that neighbours in a pack (SIMD vector) differ.
 std::vector<Collision> mixed_collisions(std::size_t count) {
   const auto families = properties::all_families();
   std::vector<Collision> collisions;
@@ -105,7 +105,7 @@ TYPED_TEST(Batch, GivesTheBitsOfTheScalarSolvers) {
   }
 }
 
-/// Arrays of `length` numbers from `offset` numbers on. The numbers before and after must not change.
+/// Arrays of `length` numbers from index `offset` on, between guards. A solver must not change the guards.
 template <class S>
 struct Guarded {
   static constexpr S guard = S(12345);
@@ -176,7 +176,6 @@ TYPED_TEST(Batch, MayReplaceTheVelocitiesThatItReads) {
   }
 }
 
-/// A user's own law.
 TYPED_TEST(Batch, TakesALawThatMakesAnImpulseOrAnOutcome) {
   using S = TypeParam;
   const auto contacts = mixed_contacts<S>(4 * Pack<S>::size() - 1);
@@ -205,7 +204,7 @@ TYPED_TEST(Batch, TakesALawThatMakesAnImpulseOrAnOutcome) {
   }
 }
 
-/// A pack must keep a pivot that is NaN if the scalar solver does.
+/// A pack must keep a pivot that is NaN, as the scalar solver does.
 TYPED_TEST(Batch, BoundsEachNumberFromBelowAsTheScalarDoes) {
   using S = TypeParam;
   constexpr S nan = std::numeric_limits<S>::quiet_NaN();
@@ -248,7 +247,8 @@ TEST(ContactBatch, BeginsEachArrayAtACacheLine) {
   }
 }
 
-/// The numbers of one contact and its outcome are used together, so they lie in different cache lines of a page.
+/// A solver uses the numbers of a contact and its outcome together. So their addresses modulo a page lie in different
+/// cache lines.
 TEST(ContactBatch, KeepsApartWithinPagesWhatIsReadAndWrittenTogether) {
   constexpr std::uintptr_t page = 4096;
   for (const std::size_t size : {1U, 64U, 256U, 1000U, 4096U}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// isolation.cmake must find this inline function of the standard library.
+// isolation.cmake must report std::min, an inline function of the standard library.
 #include <algorithm>
 
 namespace carom::impulse::avx2 {

@@ -18,12 +18,12 @@ class DifferenceOfProducts : public testing::Test {};
 using FloatingPoint = testing::Types<float, double, long double>;
 TYPED_TEST_SUITE(DifferenceOfProducts, FloatingPoint);
 
-/// The difference of the rounded products has no correct digit.
+/// a b and c d are so close that the difference of the rounded products has no correct digit.
 TYPED_TEST(DifferenceOfProducts, HasAllDigitsButTheLast) {
   using S = TypeParam;
   properties::Stream stream = properties::case_stream(unit::seed, "difference_of_products", 0);
   int lost_by_rounded_products = 0;
-  // More digits than binary64 has.
+  // The numbers have more digits than binary64 has.
   const auto drawn = [&] { return static_cast<S>(stream.between(1, 2) + 0x1p-53L * stream.between(0, 1)); };
   for (int i = 0; i < 1000; ++i) {
     const S a = drawn();
@@ -34,7 +34,7 @@ TYPED_TEST(DifferenceOfProducts, HasAllDigitsButTheLast) {
     const auto missed = [&](S difference) {
       return std::abs(oracles::to_double(Rational(oracles::lift(difference) - exact)));
     };
-    // 3/2 ulps are at most 3 u, and the test's own rounding costs less than one u.
+    // An error of 3/2 ulps is at most 3 u, and the test's own rounding costs less than one u.
     const double allowed =
         4 * static_cast<double>(std::numeric_limits<S>::epsilon() / 2) * std::abs(oracles::to_double(exact));
     EXPECT_LE(missed(difference_of_products(a, b, c, d)), allowed) << i;

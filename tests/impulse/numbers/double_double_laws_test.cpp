@@ -7,8 +7,8 @@
 
 namespace carom::unit {
 
-/// Each law of number_laws.hpp has at most twelve operations on either side. Each operation is accurate to 15u², plus a
-/// small part of its terms, with u² = 2⁻¹⁰⁶ (double_double.hpp).
+/// Each side of a law of number_laws.hpp has at most twelve operations. The relative error of an operation is below
+/// 16u², with u² = 2⁻¹⁰⁶ (double_double.hpp).
 template <>
 struct NumberType<impulse::DoubleDouble> {
   using T = impulse::DoubleDouble;

@@ -15,12 +15,11 @@ using unit::Rational;
 
 Rational exact(const DoubleDouble& x) { return Rational(x.high()) + Rational(x.low()); }
 
-/// u² = 2⁻¹⁰⁶.
 const Rational u2 = Rational(std::ldexp(1.0, -106));
 
 Rational size(const Rational& x) { return x < 0 ? -x : x; }
 
-/// A number between 2⁻²⁰ and 2²⁰ in size, with all 106 bits random.
+/// A number between 2⁻²⁰ and 2²¹ in size, with all 106 bits random.
 DoubleDouble draw(properties::Stream& stream) {
   const double high = stream.between(1, 2) * stream.power_of_two(-20, 20) * (stream.chance(2) ? 1 : -1);
   return DoubleDouble(high) + DoubleDouble(high * std::ldexp(stream.between(-1, 1), -54));
@@ -44,7 +43,7 @@ TEST(DoubleDouble, KeepsTheBoundsOfThePaper) {
     const Rational difference = exact(x) - exact(y);
     const Rational product = exact(x) * exact(y);
     const Rational quotient = exact(x) / exact(y);
-    // 3u² / (1 − 4u) < 4u², and 15u² + 56u³ < 16u².
+    // Sums: 3u² / (1 − 4u) < 4u². Quotients: 15u² + 56u³ < 16u².
     EXPECT_LE(size(exact(x + y) - sum), 4 * u2 * size(sum));
     EXPECT_LE(size(exact(x - y) - difference), 4 * u2 * size(difference));
     EXPECT_LE(size(exact(x * y) - product), 7 * u2 * size(product));
@@ -69,7 +68,7 @@ TEST(DoubleDouble, ComparesByBothParts) {
   EXPECT_TRUE(DoubleDouble(-2) < one && DoubleDouble(2) > more);
 }
 
-/// |√x − r| ≤ e r with the computed root r and e = 25/8 u². The squares of r (1 ± e) check this.
+/// The computed root r satisfies |√x − r| ≤ e r with e = 25/8 u². The squares of r (1 ± e) check this.
 TEST(DoubleDouble, TakesSquareRootsAsThePaperSays) {
   const Rational most = u2 * Rational(25, 8);
   for_each_pair([&](const DoubleDouble& x, const DoubleDouble&) {

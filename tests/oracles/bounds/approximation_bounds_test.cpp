@@ -16,17 +16,17 @@ namespace approximation = oracles::approximation;
 using oracles::Approximation;
 using oracles::Rational;
 
-/// An input of size 3: no product with it is exact.
+/// An input of size 3, with which no product is exact.
 const RoundingCount any_radius = RoundingCount::input(3);
 
 TEST(ApproximationBounds, RoundUpByMoreThanTheirRoundings) {
   const int of_sum = approximation::radius_of_sum(any_radius, any_radius, any_radius).roundings() + 1;
   const int of_product =
       approximation::radius_of_product(any_radius, any_radius, any_radius, any_radius, any_radius).roundings();
-  // By (4) |x̂ / ŷ| ≤ (1 + u) |q|, which adds one.
+  // In (4), the quotient q replaces x̂ / ŷ. |x̂ / ŷ| ≤ (1 + u) |q| adds a rounding.
   const int of_quotient =
       approximation::radius_of_quotient(any_radius, any_radius, any_radius, any_radius).roundings() + 1;
-  // By (5) ẑ ≤ (1 + u) √x̂, which adds one.
+  // In (5), the root ẑ replaces √x̂. ẑ ≤ (1 + u) √x̂ adds a rounding.
   const int of_root = approximation::radius_of_root(any_radius, any_radius).roundings() + 1;
   const int of_size = approximation::above(any_radius, any_radius).roundings();
   const int most = std::max({of_sum, of_product, of_quotient, of_root, of_size});
@@ -35,7 +35,8 @@ TEST(ApproximationBounds, RoundUpByMoreThanTheirRoundings) {
   EXPECT_TRUE(covers(1 - approximation::down, approximation::below(any_radius, any_radius).roundings() * u, 128));
 }
 
-/// Each operation on a bound may lose half the least number. No formula has more operations than a product.
+/// Underflow costs each operation on a bound at most half the least number. No formula has more operations than that of
+/// a product.
 TEST(ApproximationBounds, HaveALeastThatCoversUnderflow) {
   constexpr int operations = 8;
   EXPECT_GE(approximation::least, operations * 0x1p-1074 / 2);
@@ -58,7 +59,7 @@ testing::AssertionResult contains_quotients(const Approximation& x, const Approx
   return testing::AssertionSuccess();
 }
 
-/// Divisors near zero at the end of the range: |q| r_y underflows, and is then divided by about 2⁻¹⁰⁴⁰.
+/// For divisors near zero, |q| r_y underflows. The division by |ŷ| − r_y, down to 2⁻¹⁰⁴⁰, enlarges the loss.
 TEST(ApproximationBounds, ContainQuotientsWhoseBoundUnderflows) {
   int tried = 0;
   for (int k = 1; k <= 40; ++k) {
@@ -75,7 +76,7 @@ TEST(ApproximationBounds, ContainQuotientsWhoseBoundUnderflows) {
   EXPECT_GT(tried, 700);
 }
 
-/// Checks (1) to (4) on numbers at the ends of their radii.
+/// Checks inequalities (1) to (4) on numbers at the ends of their radii.
 TEST(ApproximationBounds, HoldAtTheEndsOfTheRadii) {
   properties::Stream stream = properties::stream_from(51);
   for (int i = 0; i < 4000; ++i) {

@@ -18,11 +18,11 @@ namespace bounded_case_bounds = oracles::bounded_case_bounds;
 
 constexpr double ten_to_minus_6 = 1e-6;
 
-/// Inequalities (1) and (2) of N·V⁻.
+/// Inequalities (1) and (2) for N·V⁻.
 TEST(BoundedCase, KnowANormalVelocityToSixDigits) {
   const int n = oracles::normal_velocity_before(normalised_collision<RoundingCount>()).roundings();
   EXPECT_EQ(bounded_case_bounds::roundings_of_normal_velocity, n);
-  // The relative rounding error of S is less than a thousandth.
+  // S, the sum of the |terms|, has a relative rounding error below a thousandth.
   EXPECT_TRUE(
       covers(ten_to_minus_6, n * u / (1 - n * u) * 1.001 / bounded_case_bounds::known_share_of_normal_velocity, 8));
   EXPECT_TRUE(covers(ten_to_minus_6, bounded_case_bounds::known_radius_of_normal_velocity + u, 1.1));
@@ -41,7 +41,7 @@ BasicCollision<oracles::Dual<S, 8>> with_inertia_as_inputs(BasicCollision<oracle
   return c;
 }
 
-/// Inequality (1) of K: Σ_j x_j ∂K/∂x_j = −K over masses and moments x_j, exactly.
+/// Inequality (1) for K: Σ_j x_j ∂K/∂x_j = −K over masses and moments x_j, exactly.
 TEST(BoundedCase, RestOnAMatrixThatIsHomogeneous) {
   using T = oracles::Dual<oracles::Rational, 8>;
   properties::Stream stream = properties::stream_from(71);
@@ -65,7 +65,7 @@ TEST(BoundedCase, RestOnAMatrixThatIsHomogeneous) {
   }
 }
 
-/// The error of Σ_j ‖∂K/∂x_j‖_F |x_j| over masses and moments x_j, in u, for ‖r‖ = 1 and min I = 1.
+/// The error of Σ_j ‖∂K/∂x_j‖_F |x_j| over masses and moments x_j, in units of u, for ‖r‖ = 1 and min I = 1.
 double error_of_matrix_sensitivity() {
   using T = oracles::Dual<RoundingCount, 8>;
   const Matrix3<T> k = oracles::response_matrix(
@@ -81,7 +81,7 @@ double error_of_matrix_sensitivity() {
   return sum;
 }
 
-/// Inequalities (2) and (3) of K.
+/// Inequalities (2) and (3) for K.
 TEST(BoundedCase, CoverTheRoundingOfTheMatrixSensitivity) {
   const double needed = error_of_matrix_sensitivity();
   EXPECT_TRUE(covers(bounded_case_bounds::roundings_of_matrix_sensitivity, needed, 4));

@@ -26,22 +26,22 @@ Collision against_a_wall(const Vector3<double>& arm, double moment) {
   return c;
 }
 
-/// The bound t³ / (4 det K) of the condition number of K, with the trace t, in ℚ.
+/// The bound t³ / (4 det K) of the condition number of K, in ℚ, with the trace t of K.
 Rational condition_bound(const Collision& c) {
   const unit::ExactMatrix k = impulse::collision_matrix(unit::exact_contact(c));
   const Rational t = k.trace();
   return t * t * t / (Rational(4) * unit::ExactVector(k.col(0)).dot(unit::ExactVector(k.col(1)).cross(k.col(2))));
 }
 
-/// BoundedCase rounds its bound, so the test skips a thousandth around the threshold.
+/// BoundedCase rounds its bound, so the test skips a thousandth around the threshold 2²⁰.
 TEST(BoundedCase, IsWellConditionedUpToTheBoundInRationals) {
   properties::Stream stream = properties::stream_from(77);
   int well = 0;
   int ill = 0;
   for (int i = 0; i < 400; ++i) {
     const Vector3<double> arm = stream.direction();
-    // K = I + (r·r I − r rᵀ)/J has the trace t = 3 + 2 s and the determinant (1 + s)² with s = r·r/J, so t³ / (4 det)
-    // is about 2 s.
+    // With s = r·r/J, K = I + (r·r I − r rᵀ)/J has the trace t = 3 + 2 s and the determinant (1 + s)². So t³ / (4 det
+    // K) is about 2 s.
     const double s = 0x1p19 * stream.between(0.9, 1.1);
     const Collision c = against_a_wall(arm, arm.squaredNorm() / s);
     const Rational share = condition_bound(c) / Rational(0x1p20);
@@ -57,8 +57,8 @@ TEST(BoundedCase, IsWellConditionedUpToTheBoundInRationals) {
   EXPECT_GT(ill, 100);
 }
 
-/// The bodies spin about z, all positions lie along y, and the normal along x. So products of vectors are products of
-/// lengths, and the bound is ‖N‖ Σ (2 ‖v‖ + ‖w‖ (2 ‖r‖ + ‖P‖ + ‖X‖ + s)), with the extent s.
+/// The spins are along z, all positions along y, and the normal along x. So the length of each product is the product
+/// of lengths. The bound is ‖N‖ Σ (2 ‖v‖ + ‖w‖ (2 ‖r‖ + ‖P‖ + ‖X‖ + s)) over the bodies, with the extent s.
 TEST(BoundedCase, HasTheSensitivityOfTheNormalVelocityWhereNothingIsAslant) {
   Collision c;
   c.normal = {3, 0, 0};
@@ -84,7 +84,7 @@ TEST(BoundedCase, KnowsTheSignOfTheNormalVelocity) {
   EXPECT_EQ(BoundedCase(c).normal_velocity()->value, 1);
   c.a.velocity = {1, 0, 0};
   EXPECT_EQ(BoundedCase(c).normal_velocity()->sign, 0);
-  // All but 2⁻⁴⁰ of the velocity cancels. Binary64 keeps four digits of the rest, an enclosure twenty.
+  // All but 2⁻⁴⁰ of the velocity cancels. Binary64 keeps four digits of the rest, and an enclosure keeps twenty.
   c.b.velocity = {0, 0, 1};
   c.a.velocity = {0, 0, 1 + 0x1p-40};
   ASSERT_TRUE(BoundedCase(c).normal_velocity());

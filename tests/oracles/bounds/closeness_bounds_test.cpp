@@ -10,7 +10,7 @@
 #include "covers.hpp"
 #include "normalised_collision.hpp"
 
-/// Checks the constants of oracles/filters/closeness_bounds.hpp by its inequalities (3) to (6), which define the
+/// Checks the constants of oracles/filters/closeness_bounds.hpp by its inequalities (3) to (6). That header defines the
 /// symbols. closeness_test.cpp checks (1).
 namespace carom::bounds {
 namespace {
@@ -18,8 +18,8 @@ namespace {
 namespace closeness = oracles::closeness_bounds;
 using SlopeDual = oracles::Dual<RoundingCount, oracles::outcome_inputs>;
 
-/// The length of the rounding errors of ∂g/∂ŷ_k, in u, for a normalised collision and velocities of at most one,
-/// without the roundings of the norm.
+/// The norm of the rounding errors of ∂g/∂ŷ_k for each k, in units of u, without the roundings of this norm. Velocities
+/// are at most one.
 template <class OneEquation>
 PerVector<double> errors_of_slopes(const OneEquation& equation, bool against_wall = false) {
   BasicCollision<SlopeDual> c = normalised_collision<SlopeDual>();
@@ -51,7 +51,8 @@ PerVector<double> errors_of_slopes(const OneEquation& equation, bool against_wal
 /// The roundings of a norm of up to six components: the squares, their sum and the root.
 constexpr double roundings_of_norm = 6;
 
-/// (3): the slopes are at least one, because ‖J‖ ≥ max I, ‖m [r]‖ ≥ m ‖r‖ and ‖N × (· × r)‖ ≥ ‖N‖ ‖r‖.
+/// Inequality (3). Here max I, m, ‖r‖ and ‖N‖ are one. So the slopes ‖J‖ ≥ max I, ‖m [r]‖ ≥ m ‖r‖ and ‖N × (· × r)‖ ≥
+/// ‖N‖ ‖r‖ are at least one, and absolute errors bound their relative errors.
 TEST(ClosenessBounds, CoverTheRoundingOfSlopes) {
   namespace equation = oracles::equation;
   double most = 0;
@@ -69,7 +70,7 @@ TEST(ClosenessBounds, CoverTheRoundingOfSlopes) {
   EXPECT_TRUE(covers(closeness::rounding_of_slope, most * u, 4));
 }
 
-/// (4): the errors are relative to products of lengths, which are one here.
+/// Inequality (4). The errors are relative to t_k, which is a product of ones here.
 TEST(ClosenessBounds, CoverTheNoiseOfSlopesThatCancel) {
   const PerVector<double> of_moment = errors_of_slopes(oracles::equation::Restitution{});
   EXPECT_TRUE(covers(
@@ -85,7 +86,7 @@ TEST(ClosenessBounds, CoverTheNoiseOfSlopesThatCancel) {
   }
 }
 
-/// (5): h covers the rounding of slopes, their noise, and the roundings of sums and products.
+/// Inequality (5). h covers the rounding and the noise of slopes, and the roundings of sums and products.
 TEST(ClosenessBounds, SetAsideMoreThanIsLost) {
   constexpr double of_noise = closeness::share_for_noise * (1 + 4 * closeness::share_for_noise);
   constexpr double of_sums = 32 * u;
@@ -93,7 +94,7 @@ TEST(ClosenessBounds, SetAsideMoreThanIsLost) {
   EXPECT_TRUE(covers(closeness::set_aside, closeness::rounding_of_slope + of_noise + of_sums, 4));
 }
 
-/// (6).
+/// Inequality (6).
 TEST(ClosenessBounds, LeaveAScaleThatTheJudgeTakes) {
   EXPECT_EQ(oracles::least_slope_of_moderate * closeness::least_size, oracles::smallest_scale);
   EXPECT_TRUE(

@@ -9,11 +9,11 @@
 
 namespace carom::bounds {
 
-/// u of binary64.
+/// The unit roundoff of binary64.
 inline constexpr double u = 0x1p-53;
 
-/// Whether needed ≤ constant ≤ slack · needed, so that the constant is sufficient and not vacuous. The test records
-/// both numbers for --gtest_output=json:FILE.
+/// Whether needed ≤ constant ≤ slack · needed, so that the constant is sufficient and not vacuous. Records `constant`
+/// and `needed` for --gtest_output=json:FILE.
 [[nodiscard]] inline testing::AssertionResult covers(double constant, double needed, double slack) {
   const testing::TestResult& so_far = *testing::UnitTest::GetInstance()->current_test_info()->result();
   std::ostringstream both;

@@ -11,9 +11,8 @@
 #include "support/exact.hpp"
 #include "support/rounding_count.hpp"
 
-/// Checks the constants of oracles/numbers/enclosure.hpp and src/impulse/numbers/double_double.hpp. A cited theorem
-/// bounds the errors of double-double operations, and tests compare it with ℚ. Errors of composed operations are
-/// counted.
+/// Checks the constants of oracles/numbers/enclosure.hpp and src/impulse/numbers/double_double.hpp. Tests compare the
+/// cited bounds of double-double operations with ℚ, and count the roundings of composed operations.
 namespace carom::bounds {
 namespace {
 
@@ -24,7 +23,7 @@ using oracles::Rational;
 
 const RoundingCount any_part = RoundingCount::input(3);
 
-/// The inputs count as exact, because `above` rounds its results up by itself.
+/// The inputs of the radius formulas count as exact, because `above` has rounded them up.
 TEST(EnclosureBounds, RoundUpByMoreThanTheirRoundings) {
   const int of_sum = enclosure::radius_of_result(any_part + any_part, any_part, any_part, 3).roundings();
   const int of_product =
@@ -38,27 +37,28 @@ TEST(EnclosureBounds, RoundUpByMoreThanTheirRoundings) {
   EXPECT_TRUE(covers(1 - enclosure::down, enclosure::below(any_part, any_part, any_part).roundings() * u, 16));
 }
 
-/// 16 u² |z| covers 7 u² |exact| with |exact| ≤ |z| / (1 − 7u²), and its own roundings.
+/// z is the computed product, and p the exact one: |z − p| ≤ 7u² |p|, with |p| ≤ |z| / (1 − 7u²). The computed 16u² |z|
+/// covers this error.
 TEST(EnclosureBounds, CoverTheRoundingOfDoubleDouble) {
   constexpr double of_product = 7 * u * u;
   EXPECT_TRUE(covers(enclosure::rounding, of_product / (1 - of_product) / (1 - 4 * u), 4));
 }
 
-/// The least number for each operation of a product, or of the two products of a quotient: fewer than 2⁶ operations.
+/// A product or quotient takes fewer than 2⁶ operations. Underflow costs each at most the least number, 2⁻¹⁰⁷⁴.
 TEST(EnclosureBounds, HaveALeastThatCoversUnderflow) {
   EXPECT_GE(enclosure::least, 0x1p6 * 0x1p-1074);
   // The last bit of a long double of size `least` is in the range of binary64.
   EXPECT_GE(enclosure::least, 0x1p-1074 * 0x1p64);
 }
 
-/// Numbers that bring double-double arithmetic near its bounds.
+/// Numbers for which double-double errors are near their bounds.
 DoubleDouble adversarial(properties::Stream& stream) {
   const std::array<double, 5> highs{1 + 0x1p-52, 2 - 0x1p-52, 1 + 0x1p-26, 1.5 - 0x1p-52, stream.between(1, 2)};
   const std::array<double, 5> lows{0x1p-53 * (1 - 0x1p-53), -0x1p-53 * (1 - 0x1p-52), 0x1p-54 * (2 - 0x1p-51), 0,
                                    0x1p-53 * stream.between(-1, 1)};
   const double high = highs[static_cast<std::size_t>(stream.integer(0, 4))] * (stream.chance(2) ? 1 : -1);
   const double low = lows[static_cast<std::size_t>(stream.integer(0, 4))];
-  // The sum normalises the parts: below a power of two, half an ulp is smaller than above.
+  // The sum normalises the parts, because high + low may round to another number than `high`.
   return (DoubleDouble(high) + DoubleDouble(low)) * DoubleDouble(stream.power_of_two(-30, 30));
 }
 
@@ -109,7 +109,7 @@ TEST(EnclosureBounds, KeepToTheTheoremOnDoubleDouble) {
   EXPECT_LE(by_splitting.quotient, enclosure::rounding / (u * u));
 }
 
-/// Checks (1) to (3) on numbers at the ends of their radii.
+/// Checks inequalities (1) to (3) of enclosure.hpp on numbers at the ends of their radii.
 TEST(EnclosureBounds, HoldAtTheEndsOfTheRadii) {
   properties::Stream stream = properties::stream_from(52);
   for (int i = 0; i < 4000; ++i) {

@@ -42,16 +42,16 @@ TEST(JudgeBounds, TryApproximationsWhereTheyMayDecide) {
   EXPECT_TRUE(covers(oracles::least_allowance_for_approximations, most * u, 64));
 }
 
-/// The invariant `homogeneous` (relations.cpp) permits the allowance times four sensitivities.
+/// The invariant `homogeneous` (relations.cpp) permits the most: the allowance times four sensitivities.
 TEST(JudgeBounds, AllowAFiniteNumberOfModerateCollisions) {
   for (const double largest : {oracles::largest_scale_of_moderate, oracles::largest_sensitivity_of_moderate}) {
     EXPECT_LE(oracles::largest_allowance_for_bounds * (3 * largest + largest), std::numeric_limits<double>::max());
   }
 }
 
-/// A square of a derivative loses at most half the least number, and a norm has up to twelve squares. D and M are the
-/// largest moderate direction and number. The norm is multiplied by ‖q‖: at most 2 D for the three directions, and 3 M
-/// for the other 18 quantities.
+/// Underflow costs a square at most half the least number. A norm ‖∂y/∂q‖ has up to twelve squares, and is multiplied
+/// by ‖q‖. With the largest moderate direction D and number M, ‖q‖ is at most 2 D for the three directions, and 3 M for
+/// the other 18 quantities.
 TEST(JudgeBounds, KeepTenDigitsOfSumsBySquares) {
   const double lost = std::sqrt(12 * 0x1p-1074 / 2) *
                       (3 * 2 * oracles::largest_moderate_direction + 18 * 3 * oracles::largest_moderate);

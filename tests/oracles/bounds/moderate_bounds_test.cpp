@@ -39,7 +39,7 @@ void for_each_law(const Collision& c, const Visit& visit) {
   visit(equation::Energy{});
 }
 
-/// Calls visit for the equations that are quadratic in the outcome.
+/// The equations of friction are quadratic in the outcome.
 template <class Visit>
 void for_each_law_of_friction(const Collision& c, const Visit& visit) {
   namespace equation = oracles::equation;
@@ -101,8 +101,8 @@ TEST(ModerateBounds, CoverTheScaleOfEveryLaw) {
   EXPECT_LE(largest.on_the_way, std::log2(oracles::largest_on_the_way_of_moderate));
 }
 
-/// (2), (4) for friction: the judge accepts the scale, and evaluating an equation does not overflow. If a square
-/// within the scale overflows, the scale is computed in extended.
+/// Inequalities (2) and (4) for friction. The judge accepts the scale, and the equation does not overflow. Squares
+/// within the scale may overflow, because the judge then computes the scale in extended precision.
 TEST(ModerateBounds, CoverTheScaleOfFriction) {
   Largest largest;
   for (const Corner& corner : corners()) {
@@ -126,8 +126,8 @@ Magnitude sensitivity(const std::vector<const MagnitudeDual*>& y, const std::vec
                                       [&](std::size_t i, std::size_t j) { return y[i]->derivative[j]; });
 }
 
-/// (1), (3), (4) for the linear laws. bounded_case_bounds.hpp covers `rough`, which combines two of them. Masses and
-/// moments occur only in denominators, so the smallest ones suffice.
+/// Inequalities (1), (3) and (4) for the linear laws. (bounded_case_bounds.hpp covers `rough`.) Masses and moments
+/// occur only in denominators, so only the smallest matter.
 TEST(ModerateBounds, CoverTheSensitivityOfTheTruth) {
   Largest largest;
   const double log_of_lambda = -std::log2(oracles::largest_moderate_mass);
@@ -138,7 +138,7 @@ TEST(ModerateBounds, CoverTheSensitivityOfTheTruth) {
     const auto inputs = differentiated(collision_at(corner));
     for (const Law law : oracles::linear_laws) {
       Magnitude::forget();
-      // (1): N·K N ≥ N·N / M, with one component of N as large as corner.normal.
+      // By (1), N·K N ≥ N·N / M, and N·N is at least corner.normal².
       const Magnitude::DivisorsAtLeast theorem(2 * std::log2(corner.normal) + log_of_lambda);
       const oracles::Truth<MagnitudeDual> truth =
           oracles::colliding_truth(inputs.collision, law, oracles::Branch::only);
@@ -163,7 +163,7 @@ TEST(ModerateBounds, CoverTheSensitivityOfTheTruth) {
   EXPECT_LE(std::log2(oracles::largest_on_the_way_of_moderate), std::numeric_limits<double>::max_exponent - 1);
 }
 
-/// (4): Cramer's rule as computed in binary64, with det K ≥ λ³.
+/// Inequality (4) for Cramer's rule in binary64, with det K ≥ λ³.
 TEST(ModerateBounds, CoverWhatCramersRuleComputesOnTheWay) {
   for (const Corner& corner : corners()) {
     if (!corner.is_light) {
@@ -181,8 +181,8 @@ TEST(ModerateBounds, CoverWhatCramersRuleComputesOnTheWay) {
   }
 }
 
-/// (5): slopes are multiples of a power of two, except slopes with an inertia tensor, which are at least its largest
-/// moment.
+/// Inequality (5). A slope with an inertia tensor is at least its largest moment. Other slopes are multiples of a power
+/// of two.
 TEST(ModerateBounds, CoverTheSlopesOfAffineEquations) {
   using T = oracles::Dual<Magnitude, oracles::outcome_inputs>;
   constexpr double tiny = oracles::smallest_moderate_direction;

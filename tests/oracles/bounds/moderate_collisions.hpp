@@ -11,13 +11,13 @@
 
 #include "support/magnitude.hpp"
 
-/// Collisions whose numbers are all at the limits of `is_moderate`, for the laws with `Magnitude` (logarithms of
-/// sizes). The largest result over all moderate collisions is at such a corner, because its logarithm is convex in the
+/// Collisions whose numbers are all at the limits of `is_moderate`. Tests run the laws on them with `Magnitude`. The
+/// largest result over all moderate collisions is at one of these, because the logarithm of a result is convex in the
 /// logarithms of the inputs (docs/internals/bounds.md).
 namespace carom::bounds {
 
 /// A corner of the moderate domain. Numbers in numerators have the largest size. Masses, moments and directions also
-/// occur in denominators, and have the largest or the smallest size.
+/// occur in denominators, so they have the largest or the smallest size.
 struct Corner {
   bool is_light;  // masses and moments are the smallest, else the largest
   double orientation_a;
@@ -69,7 +69,7 @@ struct Corner {
   return c;
 }
 
-/// Keeps only one component of a direction at full size, because the others may be smaller.
+/// Lets all components of a direction except the first be smaller.
 template <class Direction>
 void leave_one_component(Direction& direction) {
   for (int i = 1; i < direction.size(); ++i) {
@@ -82,7 +82,7 @@ void leave_one_component(Direction& direction) {
   leave_one_component(inputs.collision.a.orientation);
   leave_one_component(inputs.collision.b.orientation);
   leave_one_component(inputs.collision.normal);
-  // The extent of a body may be as large as a moderate number.
+  // The length of a position includes the extent, which may be as large as a moderate number.
   std::size_t first = 0;
   for_each_number(
       [&](const FieldPath& path, const double&) {
@@ -109,8 +109,8 @@ namespace carom::oracles {
 
 using MagnitudeDual = Dual<bounds::Magnitude, collision_inputs>;
 
-/// Replaces Cramer's rule, whose bound is useless, by λI ⪯ K (ExactCase::is_definite): K x = b gives ‖x‖ ≤ ‖b‖ / λ and
-/// ‖dx‖ ≤ (‖db‖ + ‖dK‖ ‖x‖) / λ. λ is at least 1/M, with the largest moderate mass M.
+/// Bounds x of K x = b and its derivative dx by λI ⪯ K (ExactCase::is_definite), because the bound by Cramer's rule is
+/// useless: ‖x‖ ≤ ‖b‖ / λ and ‖dx‖ ≤ (‖db‖ + ‖dK‖ ‖x‖) / λ. λ is at least 1/M, with the largest moderate mass M.
 template <>
 inline Vector3<MagnitudeDual> cramer<MagnitudeDual>(const Matrix3<MagnitudeDual>& k, const Vector3<MagnitudeDual>& b) {
   using bounds::Magnitude;

@@ -20,12 +20,12 @@ int roundings_of_distance() {
   return nearness::distance_above<RoundingCount>(any, any, RoundingCount::input(3)).roundings();
 }
 
-/// (3), (4): M (1 + 8u) is at least ‖x − y‖₁ despite five roundings.
+/// Inequalities (3) and (4). M (1 + 8u) is at least ‖x − y‖₁, despite five roundings.
 TEST(NearnessBounds, RoundUpByMoreThanTheirRoundings) {
   EXPECT_TRUE(covers(static_cast<double>(nearness::up - 1), roundings_of_distance() * u_of_long_double, 2));
 }
 
-/// (1), (2), (4): 2u (s + ‖x‖₁), rounded down, covers the terms of ‖x‖₁ and, larger, of s.
+/// Inequalities (1), (2) and (4). The rounded 2u (s + ‖x‖₁) is at least u ‖x‖₁ + √3 (1 + 2⁻⁵⁰) (1 + u) u s.
 TEST(NearnessBounds, CoverTheRoundingOfTheVectorItself) {
   const double left_by_rounding = 1 - roundings_of_distance() * u_of_long_double - 4 * u_of_long_double;
   const double of_scale = std::sqrt(3) * (1 + 0x1p-50) * (1 + u_of_long_double) * u_of_long_double;

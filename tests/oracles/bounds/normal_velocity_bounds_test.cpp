@@ -8,8 +8,8 @@
 #include "support/exact.hpp"
 #include "support/rounding_count.hpp"
 
-/// Checks the constants of src/impulse/normal_velocity.hpp, which defines T, S and ρ in its inequalities (1) to (4),
-/// and of guaranteed.hpp.
+/// Checks the constants of guaranteed.hpp, and of src/impulse/normal_velocity.hpp by its inequalities (1) to (4). That
+/// header defines T, S and ρ.
 namespace carom::bounds {
 namespace {
 
@@ -49,7 +49,8 @@ TEST(NormalVelocityBounds, CountTheRoundingsOfATerm) {
   EXPECT_EQ(detail::roundings_of_normal_velocity, counted_normal_velocity().value.roundings());
 }
 
-/// (2), (3): T is summed in double after a conversion from S, multiplied by 16 ρ, and added to the bound of underflow.
+/// Inequalities (2) and (3). T has three more roundings than its sum: the conversion from S, the product with 16 ρ, and
+/// the sum with the bound of underflow.
 TEST(NormalVelocityBounds, CoverTheRoundingsOfATermAndOfTheirSum) {
   const Counted counted = counted_normal_velocity();
   const int roundings_of_terms = counted.terms.roundings() + 3;
@@ -60,19 +61,19 @@ TEST(NormalVelocityBounds, CoverTheRoundingsOfATermAndOfTheirSum) {
   }
 }
 
-/// A product in DoubleDouble loses at most 7 u² (enclosure_bounds_test), a sum less.
+/// The error of a DoubleDouble product is at most 7 u² (enclosure_bounds_test.cpp), and the error of a sum is smaller.
 TEST(NormalVelocityBounds, KnowTheRoundingOfDoubleDouble) {
   EXPECT_EQ(detail::unit_roundoff_of_double_double, 7 * u * u);
   EXPECT_GT(detail::unit_roundoff_of_double_double, 3 * u * u / (1 - 4 * u));
 }
 
-/// (4): a product in DoubleDouble takes four products in double.
+/// Inequality (4). A product in DoubleDouble takes four products in double.
 TEST(NormalVelocityBounds, CoverUnderflow) {
   constexpr double products = 24 * 4;
   EXPECT_GE(detail::underflow_of_normal_velocity, products * 0x1p-1074);
 }
 
-/// A known value is accurate to 2⁻⁵⁰. Its error is a share of 10/16 of the bound, and one rounding to double.
+/// A known value is accurate to 2⁻⁵⁰. Its error is at most 10/16 of the bound, plus one rounding to double.
 TEST(NormalVelocityBounds, KnowTwelveDigits) {
   const double share =
       static_cast<double>(detail::roundings_of_normal_velocity) / detail::covered_roundings_of_normal_velocity;
@@ -88,7 +89,7 @@ TEST(NormalVelocityBounds, CoverTheRoundingOfASlope) {
   EXPECT_TRUE(covers(detail::rounding_of_slope, of_slope * u / (1 - (of_slope + of_size) * u), 2));
 }
 
-/// The largest ratio of the error, against ℚ, to the bound, with numbers of all sizes and cancellation.
+/// The largest ratio of the exact error to the bound, over numbers of all sizes that may cancel.
 template <class S>
 double worst_share_of_bound(double rounding, int exponents) {
   double worst = 0;
@@ -123,7 +124,7 @@ TEST(NormalVelocityBounds, HoldAgainstTheExactNumber) {
     EXPECT_GT(worst_share_of_bound<double>(detail::unit_roundoff_of_double, exponents), 0x1p-8);
     EXPECT_GT(worst_share_of_bound<DoubleDouble>(detail::unit_roundoff_of_double_double, exponents), 0x1p-10);
   }
-  // Down to exponents at which every product underflows.
+  // At the exponent −540, every product underflows.
   const auto at_the_end = [](auto scalar, double rounding) {
     return worst_share_of_bound<decltype(scalar)>(rounding, 540);
   };

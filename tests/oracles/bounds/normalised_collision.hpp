@@ -9,8 +9,7 @@
 /// one, because relative errors do not depend on these lengths.
 namespace carom::bounds {
 
-/// The bodies are at the origin, so P is the lever arm r = P − X. P counts as rounded once, which covers any
-/// cancellation in r.
+/// The bodies are at the origin, so P is the lever arm r = P − X. P counts as rounded once, as the difference P − X is.
 template <class T>
 [[nodiscard]] BasicCollision<T> normalised_collision() {
   BasicCollision<T> c;

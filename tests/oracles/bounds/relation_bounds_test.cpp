@@ -9,8 +9,8 @@
 
 #include "support/exact.hpp"
 
-/// Relations are invariants that compare answers to related collisions (properties/invariants/relations.cpp). They
-/// round numbers to fewer bits, so that the related collision is exact.
+/// Relations (properties/invariants/relations.cpp) round the numbers of a collision to fewer bits, so that the related
+/// collision is exact.
 namespace carom::bounds {
 namespace {
 
@@ -27,8 +27,7 @@ Vector3<Rational> exact_difference(const Vector3<double>& x, const Vector3<doubl
   return exactly(x) - exactly(y);
 }
 
-/// A grid of 48 bits and an offset of the same size: sums have at most 49 bits, and two more by the factor 3/4 of the
-/// offset.
+/// Numbers below 2^e lie on a grid of 2^(e − 48), and the offset is at most 2^e. So sums have at most 49 bits.
 TEST(RelationBounds, AddTheSameToEachVelocityAndPlace) {
   for (const auto& [family, one] : unit::valid_cases(40)) {
     const std::vector<Collision> moving = asked_by("galilean", one.collision);
@@ -43,7 +42,7 @@ TEST(RelationBounds, AddTheSameToEachVelocityAndPlace) {
   }
 }
 
-/// 50 bits, times three, give 52 bits.
+/// Three times a velocity of 50 bits has at most 52 bits.
 TEST(RelationBounds, MultiplyVelocitiesByThree) {
   for (const auto& [family, one] : unit::valid_cases(40)) {
     const std::vector<Collision> asked = asked_by("homogeneous", one.collision);
@@ -55,7 +54,7 @@ TEST(RelationBounds, MultiplyVelocitiesByThree) {
   }
 }
 
-/// The normal and the tangent each have 20 bits, thirty places apart.
+/// The approach and the added velocity each have 20 bits, thirty places apart. So their sum has 50 bits.
 TEST(RelationBounds, AddATangentialVelocity) {
   for (const auto& [family, one] : unit::valid_cases(40)) {
     if (one.collision.a.immovable && one.collision.b.immovable) {

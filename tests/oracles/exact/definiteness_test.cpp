@@ -28,7 +28,7 @@ ExactMatrix congruent_to(const ExactMatrix& d, properties::Stream& stream) {
   for (const auto& [row, column] : {std::pair{1, 0}, std::pair{2, 0}, std::pair{2, 1}}) {
     l(row, column) = unit::exact_eighths(stream, 30);
   }
-  // A second congruence Lᵀ … L, so that no order of the axes is special.
+  // The second congruence Lᵀ … L makes no order of the axes special.
   const ExactMatrix lower = l;
   return lower.transpose() * (lower * d * lower.transpose()) * lower;
 }
@@ -43,7 +43,7 @@ Matrix3<Enclosure> enclosed(const ExactMatrix& matrix) {
   return result;
 }
 
-/// All 27 combinations of signs of the three pivots, which determine definiteness, each under many congruences.
+/// The signs of the three pivots determine definiteness. The test takes all 27 combinations, under many congruences.
 TEST(Definiteness, FollowsFromTheSignsOfTheDiagonalByTheLawOfInertia) {
   properties::Stream stream = properties::stream_from(11);
   for (int x = -1; x <= 1; ++x) {
@@ -68,26 +68,30 @@ TEST(Definiteness, FollowsFromTheSignsOfTheDiagonalByTheLawOfInertia) {
 TEST(Definiteness, IsDecidedByEnclosuresWhereNoMinorVanishes) {
   EXPECT_EQ(is_positive_semidefinite(enclosed(symmetric(4, 1, 3, 1, 1, 2))), true);
   EXPECT_EQ(is_positive_semidefinite(enclosed(symmetric(4, 1, -3, 1, 1, 2))), false);
-  // 1/3 · 1/3 − 1/3 · 1/3 = 0, which no enclosure can prove.
+  // The minor 1/3 · 1/3 − 1/3 · 1/3 is 0, and no enclosure can prove this.
   const Rational third = ratio(1, 3);
   EXPECT_EQ(is_positive_semidefinite(enclosed(symmetric(third, third, third, 0, 0, 1))), std::nullopt);
 }
 
 TEST(PositiveSemidefinite, IsNotFooledByLeadingMinorsThatVanish) {
-  // The first two leading minors are 0, and there is a negative direction.
+  // The first two leading minors are 0.
   EXPECT_FALSE(is_positive_semidefinite(diagonal(0, 0, -1)));
   EXPECT_FALSE(is_positive_semidefinite(diagonal(0, -1, 0)));
   EXPECT_FALSE(is_positive_semidefinite(diagonal(0, 1, -1)));
   EXPECT_FALSE(is_positive_semidefinite(symmetric(0, 0, 1, 1, 0, 1)));
-  // The second leading minor is 0, and there is a negative direction.
+  // The second leading minor is 0.
   EXPECT_FALSE(is_positive_semidefinite(symmetric(1, 1, 1, 0, 1, 1)));
   EXPECT_FALSE(is_positive_semidefinite(symmetric(1, 1, 1, 1, 1, 0)));
-  // The diagonal is nonnegative, but the matrix is indefinite.
+  // The diagonal is nonnegative.
   EXPECT_FALSE(is_positive_semidefinite(symmetric(0, 1, 0, 0, 0, 0)));
   EXPECT_FALSE(is_positive_semidefinite(symmetric(1, 2, 1, 0, 0, 1)));
   EXPECT_FALSE(is_positive_semidefinite(symmetric(1, 0, 1, 2, 0, 1)));
   EXPECT_FALSE(is_positive_semidefinite(symmetric(1, 0, 1, 0, 2, 1)));
-  // All 2×2 minors are positive, but not the determinant: eigenvalues 1 + 2c = −1/5 and twice 1 − c.
+  // Only one minor of two axes is negative.
+  EXPECT_FALSE(is_positive_semidefinite(symmetric(1, 2, 1, 0, 0, 0)));
+  EXPECT_FALSE(is_positive_semidefinite(symmetric(1, 0, 0, 2, 0, 1)));
+  EXPECT_FALSE(is_positive_semidefinite(symmetric(0, 0, 1, 0, 2, 1)));
+  // All 2×2 minors are positive, but the determinant is negative. The eigenvalues are 1 + 2c = −1/5, and 1 − c twice.
   const Rational c = ratio(-3, 5);
   EXPECT_FALSE(is_positive_semidefinite(symmetric(1, c, 1, c, c, 1)));
 }

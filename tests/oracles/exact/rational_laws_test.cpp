@@ -4,7 +4,6 @@
 
 namespace carom::unit {
 
-/// Numbers agree only if they are equal.
 template <>
 struct NumberType<Rational> {
   static Rational draw(properties::Stream& stream) { return ratio(stream.integer(-40, 40), stream.integer(1, 40)); }

@@ -21,7 +21,6 @@ using unit::two_to;
 using Limits = std::numeric_limits<double>;
 using LongLimits = std::numeric_limits<long double>;
 
-/// p · 2^exponent, by multiplication alone.
 Rational scaled(const Rational& p, int exponent) {
   const Rational power = two_to(std::abs(exponent));
   return exponent < 0 ? p / power : p * power;
@@ -142,7 +141,7 @@ TEST(Lift, IsExactForRandomBitsAndExponents) {
   for (int i = 0; i < 5000; ++i) {
     const std::uint64_t bits = stream.bits();
     const int exponent = stream.integer(-16445, 16319);
-    // ldexp rounds bits below the smallest subnormal. Numbers with such bits do not count.
+    // ldexp rounds bits below the smallest subnormal. The test skips numbers with such bits.
     const long double number = std::ldexp(static_cast<long double>(bits), exponent);
     if (exponent < -16380 && std::ldexp(number, -exponent) != static_cast<long double>(bits)) {
       continue;
@@ -182,7 +181,7 @@ TEST(NearestDouble, IsExactForDoubles) {
   }
 }
 
-/// The mean of two neighbours rounds to the even one, and a number next to the mean to the nearer one.
+/// The mean of two neighbours rounds to the even one, and a number beside the mean rounds to the nearer one.
 void expect_ties_to_even(double lower, double upper, bool lower_is_even) {
   SCOPED_TRACE(lower);
   const Rational half = (Rational(lower) + Rational(upper)) / 2;

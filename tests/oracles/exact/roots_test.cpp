@@ -82,7 +82,7 @@ TEST(PositiveRoots, LieOnThePositiveSide) {
   expect_positive_roots({}, polynomial, {Rational(-1), Rational(0)});
 }
 
-/// √2 accurate to 2⁻²⁰⁰: (√2 (1 ± 2⁻²⁰⁰))² surrounds 2.
+/// The root r of x² = 2 is accurate to 2⁻²⁰⁰, so 2 lies between (r (1 − 2⁻²⁰⁰))² and (r (1 + 2⁻²⁰⁰))².
 TEST(PositiveRoots, AreAsNearAsAsked) {
   constexpr int bits = 200;
   const std::vector<Rational> roots = positive_roots({Rational(-2), Rational(0), Rational(1)}, everywhere, bits);

@@ -78,7 +78,8 @@ Outcome<Rational> small_outcome(properties::Stream& stream) {
           {unit::exact_eighths3(stream, 9), unit::exact_eighths3(stream, 9)}};
 }
 
-/// The assumptions of Closeness: g(y + d) + g(y − d) = 2 g(y), and the truth y satisfies every equation exactly.
+/// Closeness assumes that equations are affine, g(y + d) + g(y − d) = 2 g(y), and that the truth y satisfies them
+/// exactly.
 TEST(Closeness, RestsOnLawsThatAreAffineAndSatisfiedByTheTruth) {
   properties::Stream stream = properties::stream_from(41);
   for (const auto& [family, one] : unit::sampled_cases(4)) {
@@ -100,7 +101,8 @@ TEST(Closeness, RestsOnLawsThatAreAffineAndSatisfiedByTheTruth) {
   }
 }
 
-/// g = E⁺ − E⁻ − W is convex: g(y + d) + g(y − d) ≥ 2 g(y). At the truth y of the frictionless law, g ≤ 0.
+/// g = E⁺ − E⁻ − W, with the work W of a moving wall, is convex: g(y + d) + g(y − d) ≥ 2 g(y). At the truth y of the
+/// frictionless law, g ≤ 0.
 TEST(Closeness, RestsOnAnEnergyThatIsConvex) {
   properties::Stream stream = properties::stream_from(42);
   const auto gain = [](const ExactCase& exact_case, const Outcome<Rational>& y) {
@@ -118,7 +120,7 @@ TEST(Closeness, RestsOnAnEnergyThatIsConvex) {
   }
 }
 
-/// ‖∂g/∂ŷ_k‖ of an affine equation g, exactly: g(y + e) − g(y) for unit vectors e.
+/// ‖∂g/∂ŷ_k‖ of an affine equation g, by exact differences g(y + e) − g(y) for unit vectors e.
 template <class OneEquation>
 PerVector<double> exact_slopes(const OneEquation& equation, const ExactCase& exact_case) {
   const Outcome<Rational> before = unchanged(exact_case.exact());
@@ -139,7 +141,7 @@ PerVector<double> exact_slopes(const OneEquation& equation, const ExactCase& exa
   return slopes;
 }
 
-/// Slopes (norms of derivatives) agree to 2⁻⁴⁰. Slopes with r × N may cancel.
+/// Computed and exact slopes (norms of derivatives) agree to 2⁻⁴⁰. Slopes with r × N may cancel.
 TEST(Closeness, RestsOnSlopesThatAreKnownToTwelveDigits) {
   int moderate = 0;
   for (const auto& [family, one] : unit::sampled_cases(6)) {
@@ -174,8 +176,8 @@ struct Shown {
   int energies = 0;
 };
 
-/// Moves each vector of the rounded truth by up to `times` the allowance of its length. If closeness shows an equation
-/// for this outcome, the exact judge must agree.
+/// Moves each vector of the rounded truth by up to `times` · allowance · its length. If Closeness shows that the result
+/// satisfies an equation, the exact judge must agree.
 Shown expect_shown_to_hold(double times, double least_shown, properties::Stream& stream) {
   Shown counts;
   Yardstick yardstick;
@@ -223,7 +225,7 @@ TEST(Closeness, ShowsOnlyWhatHolds) {
   EXPECT_LT(beyond.shown, beyond.laws / 2);
 }
 
-/// Two spheres spin, with both lever arms along the normal. Then r × N = 0, so the scale of N·V⁺ consists of rounding
+/// Two spheres spin, with both lever arms along the normal. Then r × N = 0, so the computed slopes of N·V⁺ are rounding
 /// errors.
 TEST(Closeness, LeavesANormalVelocityThatCancelsToOthers) {
   Collision c;
@@ -291,7 +293,7 @@ TEST(Closeness, ShowsNothingThatTheTruthDoesNotSatisfy) {
   EXPECT_FALSE(reflection.shows_energy());
 }
 
-/// An equation depends on a vector if its slope is not zero for some collision.
+/// An equation depends on a vector if the slope for this vector is not always zero.
 TEST(Closeness, KnowsTheVectorsThatAnEquationSpeaksOf) {
   for (const Equation& equation : affine_equations) {
     PerVector<bool> occurs{};

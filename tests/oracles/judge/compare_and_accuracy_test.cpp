@@ -26,7 +26,6 @@ ReportedOutcome perturbed(const ExactCase& exact_case, Law law, double allowance
   ReportedOutcome outcome =
       map_outcome<long double>(exact_case.nearest_truth(law), [](double x) { return static_cast<long double>(x); });
   const auto k = static_cast<OutcomeVector>(stream.integer(0, 3));
-  // 0.01 to 1000, uniform in its logarithm.
   const double times = std::pow(10.0, stream.between(-2, 3));
   const Vector3<double> step = stream.direction() * (times * allowance * exact_case.sensitivity(law, allowance)[k]);
   *vectors(outcome)[k] += step.cast<long double>();
@@ -38,9 +37,9 @@ struct Counts {
   int violated = 0;
 };
 
-/// The printed numbers of a violation may come from enclosures, which are accurate to 2⁻¹⁰⁰ of the terms. A violation
-/// exceeds 32 ulps of the terms, at least 2⁻⁵⁹. So the numbers agree to 2 · 2⁻¹⁰⁰ / 2⁻⁵⁹ of the residual, and to an
-/// ulp.
+/// The printed numbers of a violation may come from enclosures, with an error of 2⁻¹⁰⁰ of the terms. The residual
+/// exceeds 32 ulps, at least 2⁻⁵⁹ of the terms. So two numbers differ by at most 2 · 2⁻¹⁰⁰ / 2⁻⁵⁹ of the residual, plus
+/// an ulp.
 void expect_printed_alike(double filtered, double exact, double residual, const std::string& name) {
   constexpr double of_residual = 0x1p-99 / (default_limit_ulps * unit_roundoff(Precision::extended));
   if (filtered != exact) {
@@ -149,7 +148,6 @@ TEST_P(Filter, AllowsTheSameErrorsAsExactArithmeticDoes) {
 INSTANTIATE_TEST_SUITE_P(Each, Filter, testing::Values(Precision::binary32, Precision::binary64, Precision::extended),
                          [](const auto& test) { return std::string(name_of(test.param)); });
 
-/// A ball hits a wall head-on.
 TEST(Compare, AllowsWhatTheScaleSays) {
   Collision c;
   c.a.velocity = {0, -1, 0};
@@ -158,8 +156,8 @@ TEST(Compare, AllowsWhatTheScaleSays) {
   Yardstick yardstick;
   yardstick.unit_roundoff = 0x1p-53;
   yardstick.limit_ulps = 32;
-  // The scale of g = N·V⁺ + ε N·V⁻ is 4 + 2 d for N = (0, 1, 0), V⁺ = (0, 1 + d, 0), V⁻ = (0, −1, 0) and ε = 1: d for
-  // N, 1 for ε, 1 for v_A⁻, and ‖v_A⁺‖ + ‖v_A⁻‖ = 2 + d for v_A⁺. The lever arm is zero, so w contributes nothing. d is
+  // N = (0, 1, 0), V⁺ = (0, 1 + d, 0), V⁻ = (0, −1, 0) and ε = 1. The parts of the scale of g = N·V⁺ + ε N·V⁻ are d for
+  // N, 1 for ε, 1 for v_A⁻, and ‖v_A⁺‖ + ‖v_A⁻‖ = 2 + d for v_A⁺. The lever arm is zero, so w has no part. d is
   // negligible.
   const double allowed = yardstick.allowance() * 4;
   for (const auto& [deviation, holds] : std::vector<std::pair<double, bool>>{{0, true},
@@ -219,7 +217,7 @@ Collision extreme_collision(properties::Stream& stream, int most) {
   return equality::scaled_fields(c, most, stream);
 }
 
-/// Judges collisions with exponents up to `most`, and exits with 0 if the filter makes no difference.
+/// Judges collisions with exponents up to `most`, and exits with 0 if the filter changes no verdict.
 void judge_extreme_collisions(int most) {
   Yardstick yardstick;
   yardstick.unit_roundoff = 0x1p-53;
@@ -231,7 +229,7 @@ void judge_extreme_collisions(int most) {
                                                          [](double x) { return static_cast<long double>(x); }));
     expect_same_verdicts(exact_case, outcome, yardstick, counts);
     for (const Law law : laws_with_truth) {
-      // Exact derivatives in ℚ(√s) of numbers with thousands of digits take seconds.
+      // Exact derivatives with square roots and thousands of digits take seconds.
       if (law == Law::rough && i % 12 != 0) {
         continue;
       }
@@ -281,7 +279,7 @@ TEST(PermittedInputs, AreAskedForWhereABodySpinsAboutTheNormal) {
   c.point = {0, 0, 0.5};
   c.a.velocity = {0, 0, -1};
   c.b.immovable = true;
-  // ‖N‖ ‖w‖ ‖r‖ = ‖w‖ / 2 against 32 times the sensitivity, ‖V⁻‖ + ‖v‖ = 2.
+  // The case is hard if ‖N‖ ‖w‖ ‖r‖ = ‖w‖ / 2 exceeds 32 times the sensitivity of N·V⁻, ‖V⁻‖ + ‖v‖ = 2.
   for (const double spin : {96.0, 160.0}) {
     c.a.angular_velocity = {0, 0, spin};
     EXPECT_EQ(ExactCase(c).permitted_inputs(0x1p-48) != nullptr, spin / 2 > 64) << spin;
@@ -321,7 +319,7 @@ TEST(Accuracy, HasDigitsUpToTheLastBit) {
 }
 
 TEST(Accuracy, CountsUlpsAndDigits) {
-  // A unit mass hits a wall head-on at ε = 1. Its velocity changes by 2 m/s, and the outcome has an error of 2⁻²⁰ m/s.
+  // The velocity changes by 2 m/s, and the outcome has an error of 2⁻²⁰ m/s.
   Collision c;
   c.a.velocity = {0, -1, 0};
   c.b.immovable = true;
@@ -365,7 +363,7 @@ TEST(Accuracy, AllowsWhatTheYardstickSays) {
   }
 }
 
-/// A spin that underflows in binary32 has an error of half of η, the least number, whatever its size.
+/// Underflow in binary32 causes an error of η / 2, with the least number η, for a spin of any size.
 TEST(Yardstick, KnowsWhatUnderflowTakes) {
   constexpr long double least = std::numeric_limits<float>::denorm_min();
   Collision c;
@@ -462,8 +460,8 @@ TEST(Range, AnAllowanceThatUnderflowsDecidesNothing) {
   EXPECT_EQ(Yardstick().allowed(0x1p-1074), 0);
 }
 
-/// A ball slides along a wall and approaches it by less than rounding. The law `sticking` stops the slip or leaves it.
-/// Either outcome passes, but no outcome between them.
+/// A ball slides along a wall, and rounding exceeds its approach. If the ball collides, `sticking` stops its slip.
+/// Otherwise the slip stays. Both outcomes pass, but no outcome between them.
 TEST(Accuracy, TakesEitherOfTwoAnswers) {
   Yardstick yardstick;
   yardstick.unit_roundoff = 0x1p-53;
@@ -495,7 +493,7 @@ TEST(Accuracy, TakesEitherOfTwoAnswers) {
   }
 }
 
-/// An outcome that equals one of the two answers is compared with this answer, although it also passes by the other.
+/// The judge compares an outcome with the nearer of two answers, even if both permit the outcome.
 TEST(Accuracy, IsThatOfTheNearerAnswer) {
   Yardstick yardstick;
   yardstick.unit_roundoff = 0x1p-53;
@@ -512,8 +510,8 @@ TEST(Accuracy, IsThatOfTheNearerAnswer) {
       0);
 }
 
-/// A body moves with a moving wall, so the first derivatives of the energy vanish. Rounding of the velocity exceeds its
-/// change by the impulse.
+/// A body has the velocity of a moving wall, so the first derivatives of the energy vanish. Rounding of the velocity
+/// exceeds its change by the impulse.
 TEST(Compare, AllowsTheEnergyWhatRoundingOfVelocitiesMakes) {
   Yardstick yardstick;
   yardstick.unit_roundoff = 0x1p-24;
@@ -535,10 +533,10 @@ TEST(Compare, AllowsTheEnergyWhatRoundingOfVelocitiesMakes) {
   EXPECT_FALSE(holds());
 }
 
-/// A ball keeps its velocity of length 5 and gains the velocity d across the normal. With n = ‖N‖, F = m (d, 0, 0) has
-/// N·F = 0 and ‖N × F‖² = (n m d)². With the allowance α, the permitted residual is (n m)² α times a sum. The sum is 10
-/// d for v⁻, 20 d for v⁺ (its uncertainty has both lengths), negligible 4 d² for m and N, and 100 α (1 + μ²) for the
-/// square of the uncertainty of F. With μ = 7, d² ≤ α (30 d + 5000 α) gives d ≤ 87.3 α.
+/// A ball keeps its velocity of length 5 and gains the velocity d across the normal. With n = ‖N‖ and F = m (d, 0, 0),
+/// N·F = 0, so the residual is ‖N × F‖² = (n m d)². With the allowance α, the permitted residual is (n m)² α times a
+/// sum: 10 d for v⁻, 20 d for v⁺, negligible 4 d² for m and N, and 100 α (1 + μ²) for the square of the uncertainty of
+/// F. So with μ = 7, the outcome passes if d² ≤ α (30 d + 5000 α), or d ≤ 87.3 α.
 TEST(Compare, AllowsTheFrictionConeWhatRoundingOfTheImpulseMakes) {
   Yardstick yardstick;
   yardstick.unit_roundoff = 0x1p-53;
@@ -565,10 +563,10 @@ TEST(Compare, AllowsTheFrictionConeWhatRoundingOfTheImpulseMakes) {
   }
 }
 
-/// With F = (d, 0, 2), d is below an ulp of binary64 of the velocity. The allowance is α = d / 16, and μ N·F = d − t α.
-/// The residual ‖N × F‖² − (μ N·F)² = d² − (d − t α)² is (2 t − t² / 16) d α. The permitted residual is 12.5 d α. Its
-/// parts, over d α, are 8.1 for the velocities (2 ‖v⁺‖ + 4 ‖v⁻‖), 4 for N, and 0.5 (7.3 α / d) for the square of the
-/// uncertainty of F. So t ≤ 8.5 passes.
+/// F = (d, 0, 2), and d is below an ulp of binary64 of the velocity. The allowance is α = d / 16, and t = `times` gives
+/// μ N·F = d − t α. The residual is ‖N × F‖² − (μ N·F)² = d² − (d − t α)² = (2 t − t² / 16) d α. The permitted residual
+/// is 12.5 d α: 8.1 d α for the velocities (2 ‖v⁺‖ + 4 ‖v⁻‖), 4 d α for N, and 7.3 α² for the square of the uncertainty
+/// of F. So t ≤ 8.5 passes.
 TEST(Compare, AllowsTheFrictionConeAllDigitsOfExtended) {
   Yardstick yardstick;
   yardstick.unit_roundoff = unit_roundoff(Precision::extended);

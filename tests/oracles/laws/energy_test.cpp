@@ -25,7 +25,7 @@ Rational energy_change(const BasicCollision<Rational>& c, const Outcome<Rational
   return sides.left[0] - sides.right[0];
 }
 
-/// Some do not collide, because the formulas hold for N·V⁻ of either sign.
+/// Some contacts do not collide, because the formulas hold for N·V⁻ of either sign.
 std::vector<BasicCollision<Rational>> collisions() {
   std::vector<BasicCollision<Rational>> result;
   for (std::uint64_t i = 0; i < 300; ++i) {
@@ -77,8 +77,9 @@ TEST(Energy, IsLostByTheFrictionlessLawAsTheFormulaSays) {
   }
 }
 
-/// Reflection: with A = K⁻¹, ΔE = (1+ε)/2 · [(ε−1) v_n² A₀₀ − 2 v_n v_t A₀₁] in the basis {N, T0, T1}. In any basis,
-/// and for N of any length, v_n² A₀₀ = (N·V⁻)² NᵀAN/(N·N)² and v_n v_t A₀₁ = (N·V⁻) NᵀAV_T/(N·N).
+/// Reflection: with A = K⁻¹ and V⁻ = v_n N + v_t T0, ΔE = (1+ε)/2 · [(ε−1) v_n² A₀₀ − 2 v_n v_t A₀₁] in the basis {N,
+/// T0, T1}. In any basis, and for N of any length, v_n² A₀₀ = (N·V⁻)² NᵀAN/(N·N)² and v_n v_t A₀₁ = (N·V⁻)
+/// NᵀAV_T/(N·N).
 TEST(Energy, ChangesUnderReflectionAsTheFormulaSays) {
   for (const auto& c : collisions()) {
     const ExactVector n = c.normal;
@@ -94,7 +95,7 @@ TEST(Energy, ChangesUnderReflectionAsTheFormulaSays) {
   }
 }
 
-/// At ε = 1 the formula is odd in V_T, so one of two contacts that slide in opposite directions gains what the other
+/// At ε = 1, ΔE is odd in the slip V_T. So of two contacts with opposite slips, one gains the energy that the other
 /// loses.
 TEST(Energy, IsCreatedByReflectionInExactlyOneOfTwoOppositeSlips) {
   int created = 0;
@@ -119,12 +120,12 @@ int creations(const char* family, int cases) {
   return count;
 }
 
-/// By the symmetry of the test above, half of all contacts create energy if V_T is as likely as −V_T. The test allows
-/// five standard deviations √(1000/4) = 15.8.
+/// If V_T and −V_T are equally likely, half of all contacts create energy. The test allows five standard deviations
+/// √(1000/4) = 15.8.
 TEST(Energy, IsCreatedByReflectionInAboutHalfOfElasticContacts) { EXPECT_NEAR(creations("elastic", 1000), 500, 79); }
 
-/// Up to the factor 1 + ε > 0, ΔE is linear in ε, and its term −2 v_n v_t A₀₁ that may create energy does not depend on
-/// ε. So a contact that creates energy at ε = 0 also creates it at ε = 1.
+/// ΔE / (1 + ε) grows with ε, because v_n² A₀₀ ≥ 0. So a contact that creates energy at ε = 0 also creates energy at ε
+/// = 1.
 TEST(Energy, IsCreatedByReflectionAtRestitutionOneWhereverItIsAtZero) {
   int created = 0;
   for (std::uint64_t i = 0; i < 300; ++i) {
@@ -138,8 +139,8 @@ TEST(Energy, IsCreatedByReflectionAtRestitutionOneWhereverItIsAtZero) {
   EXPECT_GT(created, 0);
 }
 
-/// At ε = 0 energy is created if 2 v_t A₀₁ > |v_n| A₀₀: for a quarter of the family `inelastic`, by counting. The test
-/// allows five standard deviations √(1000·3/16) = 13.7.
+/// At ε = 0, a contact creates energy if 2 v_t A₀₁ > |v_n| A₀₀. By counting, a quarter of the family `inelastic` does.
+/// The test allows five standard deviations √(1000·3/16) = 13.7.
 TEST(Energy, IsCreatedByReflectionInAboutAQuarterOfInelasticContacts) {
   EXPECT_NEAR(creations("inelastic", 1000), 250, 68);
 }
@@ -152,9 +153,9 @@ TEST(Energy, IsLostByStickingWithoutRestitution) {
   }
 }
 
-/// Sticking: for given N·V⁻ and A = K⁻¹, the least V⁻ᵀ A V⁻ is (N·V⁻)²/(NᵀKN). So ΔE ≤ ½ (N·V⁻)² (ε² NᵀAN/(N·N)² −
-/// 1/(NᵀKN)). This is never positive if ε² (NᵀAN) (NᵀKN) ≤ (N·N)². Otherwise the slip of least energy makes it
-/// positive.
+/// Sticking: for a given N·V⁻ and A = K⁻¹, the least V⁻ᵀ A V⁻ is (N·V⁻)²/(NᵀKN). So ΔE ≤ ½ (N·V⁻)² (ε² NᵀAN/(N·N)² −
+/// 1/(NᵀKN)), with equality for the slip of least V⁻ᵀ A V⁻. The bound is positive exactly if ε² (NᵀAN) (NᵀKN) > (N·N)²
+/// and N·V⁻ ≠ 0.
 TEST(Energy, IsCreatedByStickingFromARestitutionOn) {
   int can_create = 0;
   for (BasicCollision<Rational> c : collisions()) {
@@ -163,7 +164,7 @@ TEST(Energy, IsCreatedByStickingFromARestitutionOn) {
     const Rational length = n.dot(n);
     const Rational product = n.dot(impulse::Ldlt::solve<Rational>(k, n)) * n.dot(ExactVector(k * n));
     const ExactVector v = unit::velocity_before(c);
-    // The slip of least energy has V⁻ along K N.
+    // The slip of least V⁻ᵀ A V⁻ has V⁻ along K N.
     const ExactVector least = k * n * Rational(n.dot(v) / n.dot(ExactVector(k * n)));
     (c.a.immovable ? c.b : c.a).velocity += (c.a.immovable ? Rational(-1) : Rational(1)) * ExactVector(least - v);
     const Rational change = energy_change(c, colliding_truth(c, Law::sticking, Branch::only).outcome);
@@ -174,7 +175,8 @@ TEST(Energy, IsCreatedByStickingFromARestitutionOn) {
   EXPECT_GT(can_create, 0);
 }
 
-/// Sticking between general bodies pulls (N·F < 0), and creates energy if ε > 0. Spheres do neither.
+/// Sticking pulls (N·F < 0) in some contacts of general bodies, and creates energy in some with ε > 0. Spheres do
+/// neither.
 TEST(Energy, IsCreatedByStickingInSomeContactsAndPulledInSome) {
   for (const char* family : {"elastic", "inelastic", "physical", "collinear_spheres"}) {
     int creates = 0;
@@ -192,8 +194,8 @@ TEST(Energy, IsCreatedByStickingInSomeContactsAndPulledInSome) {
   }
 }
 
-/// (NᵀAN) (NᵀKN) ≤ (κ + 1)²/(4κ) (N·N)² for the condition number κ of K and A = K⁻¹ (Kantorovich). κ is at most 16 for
-/// convex uniform bodies. So sticking creates no energy for ε ≤ 8/17.
+/// Kantorovich: (NᵀAN) (NᵀKN) ≤ (κ + 1)²/(4κ) (N·N)² for A = K⁻¹ and the condition number κ of K. For convex uniform
+/// bodies κ ≤ 16, so the factor is at most (17/8)². So sticking creates no energy for ε ≤ 8/17.
 TEST(Energy, IsNeverCreatedByStickingConvexBodiesBelowEightSeventeenths) {
   for (std::uint64_t i = 0; i < 200; ++i) {
     BasicCollision<Rational> c = lift(unit::case_of("physical", i).collision);

@@ -25,7 +25,7 @@ TEST(CoulombAnswers, StickWhereFrictionSuffices) {
   EXPECT_TRUE(same(answers[0].truth.impulse, unit::ExactVector(1, 6, 0)));
 }
 
-/// F = (3/4, 6, 0) and V⁺ = V⁻ + K F = (−3/4, 2, 0), so ν = 1.
+/// F = (3/4, 6, 0) and V⁺ = V⁻ + K F = (−3/4, 2, 0), so F_T opposes V_T⁺.
 TEST(CoulombAnswers, SlideWhereItDoesNot) {
   const auto answers = coulomb_answers(lift(ball_on_a_plane(0.125)));
   ASSERT_EQ(answers.size(), 1U);
@@ -40,7 +40,7 @@ TEST(CoulombAnswers, AreFrictionlessWithoutFriction) {
   EXPECT_TRUE(same(answers[0].truth.impulse, unit::ExactVector(0, 6, 0)));
 }
 
-/// The answer satisfies the definition of the law, up to the accuracy of its slip resistance ν.
+/// Expects that the answer satisfies the law. An answer that slips comes from a root, so its ‖N × F‖ is rounded.
 void expect_lawful(const Collision& collision, const CoulombAnswer& answer) {
   const BasicCollision<Rational> c = lift(collision);
   const Vector3<Rational>& f = answer.truth.impulse;

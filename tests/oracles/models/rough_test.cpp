@@ -16,7 +16,8 @@
 #include "support/exact.hpp"
 #include "support/forward_differentiation.hpp"
 
-/// The truth (exact answer) of the law `rough`. models/rough.hpp defines the symbols.
+/// The truth (exact answer) of the law `rough`: F = (1 + ε) P_I + κ D with D = P_II − P_I. P_I stops the approach, and
+/// P_II stops the contact point.
 namespace carom::oracles {
 namespace {
 
@@ -53,7 +54,7 @@ TEST(Rough, SlidesWhereItDoesNot) {
   EXPECT_EQ(truth.outcome.a.angular_velocity[2], Radical(ratio(3, 2)));
 }
 
-/// Inside the cone F = (1 + ε) P_I + (1 + e_t) (P_II − P_I). `truth_by_elimination` shares no formula with the truth.
+/// Inside the cone κ = 1 + e_t. `truth_by_elimination` shares no formula with the truth.
 TEST(Rough, IsCombinedOfWhatEliminationFinds) {
   int inside = 0;
   for (const auto& [family, one] : unit::sampled_cases(20)) {
@@ -74,7 +75,7 @@ TEST(Rough, IsCombinedOfWhatEliminationFinds) {
   EXPECT_GT(inside, unit::effort(100));
 }
 
-/// A case throws if its truth does not satisfy the law exactly in ℚ(√s).
+/// ExactCase throws if its truth does not satisfy the law exactly.
 TEST(Rough, IsCertifiedOnBothSidesOfTheCone) {
   int on_cone = 0;
   int irrational = 0;
@@ -94,7 +95,7 @@ TEST(Rough, IsCertifiedOnBothSidesOfTheCone) {
   EXPECT_GT(irrational, unit::effort(100));
 }
 
-/// Inputs that violate the conditions of `certify_rough` one by one.
+/// The tests violate the conditions of `certify_rough` one by one.
 class CertifiedRough : public testing::Test {
  protected:
   CertifiedRough() {
@@ -108,7 +109,7 @@ class CertifiedRough : public testing::Test {
   [[nodiscard]] Outcome<Rational> after(const Vector3<Rational>& impulse) const {
     return sum(unchanged(exact), response<Rational>(exact, impulse));
   }
-  /// The error of `certify_rough` for the outcome of an impulse.
+  /// The error message of `certify_rough` for the outcome of an impulse.
   [[nodiscard]] std::string said_of(const Vector3<Rational>& impulse) const {
     try {
       certify_rough(exact, after(impulse), parts);
@@ -198,7 +199,7 @@ TEST(Rough, AsksNothingWhereEveryAnswerBetweenIsWithinRounding) {
   EXPECT_FALSE(accuracy_of(exact_case, unchanged(exact_case.collision())).is_decided);
 }
 
-/// At μ = 1/4, F lies exactly on the surface. The sensitivity there is the larger of both sides.
+/// At μ = 1/4, F lies exactly on the cone's surface. There, the sensitivity is the larger of both sides' sensitivities.
 TEST(Rough, IsAsSensitiveAtTheSurfaceAsOnEitherSide) {
   const auto sensitivity_at = [](double friction) {
     Collision c = ball_on_a_plane();
@@ -218,7 +219,6 @@ TEST(Rough, IsAsSensitiveAtTheSurfaceAsOnEitherSide) {
   }
 }
 
-/// Without friction P_II has no influence, although it would turn the body.
 TEST(Rough, IsFrictionlessWithoutFriction) {
   Collision c = ball_on_a_plane();
   c.tangential_restitution = 0.5;
@@ -233,7 +233,7 @@ TEST(Rough, IsFrictionlessWithoutFriction) {
   EXPECT_FALSE(ExactCase(grazing).has_two_answers(Law::rough, allowance));
 }
 
-/// With κ = 1 + e_t, F = (3/2, 6, 0). So |μ N·F − ‖N × F‖| = |6/8 − 3/2| = 3/4.
+/// With κ = 1 + e_t, F = (3/2, 6, 0). So the distance |μ N·F − ‖N × F‖| = |6/8 − 3/2| = 3/4.
 TEST(ConeDistance, IsHowFarTheImpulseIsFromTheSurface) {
   Collision c = ball_on_a_plane();
   c.a.principal_inertia.setConstant(0.5);
@@ -245,7 +245,7 @@ TEST(ConeDistance, IsHowFarTheImpulseIsFromTheSurface) {
   EXPECT_FALSE(cone_distance(c).is_within(0x1p-10));
 }
 
-/// The distance |μ N·F − ‖N × F‖|, rounded once.
+/// The distance |μ N·F − ‖N × F‖|, exact up to one rounding.
 double exact_distance(const Collision& collision) {
   const BasicCollision<Rational> c = lift(collision);
   const detail::RoughImpulses<Rational> of(c, nullptr);
@@ -287,8 +287,8 @@ TEST(ConeDistance, IsTheSameBothWays) {
     const double exact = exact_distance(one.collision);
     for (const double distance : {quick.distance, enclosed.distance}) {
       EXPECT_LE(distance, exact) << family;
-      // A lower bound is rounded down by 2⁻⁴⁸ of itself (enclosure.hpp). Enclosures have an error of 2⁻¹⁰⁰ times the
-      // condition number of K, which is below 2²⁰.
+      // A lower bound is rounded down by 2⁻⁴⁸ of itself (enclosure.hpp). The relative error of enclosures is 2⁻¹⁰⁰
+      // times the condition number of K, here below 2²⁰.
       EXPECT_GE(distance, (1 - 0x1p-47) * exact - 0x1p-80 * band) << family;
     }
     ++compared;

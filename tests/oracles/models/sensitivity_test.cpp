@@ -40,8 +40,8 @@ struct Differentiated {
         collision);
   }
 
-  /// Σ_j degree(path_j) x_j ∂y/∂x_j. By Euler this is d · y, if y is homogeneous of degree d under x_j → k^degree
-  /// x_j.
+  /// Σ_j d_j x_j ∂y/∂x_j with d_j = degree(path_j). By Euler's theorem, the sum is d y if x_j → k^d_j x_j multiplies y
+  /// by k^d.
   template <class Degree>
   [[nodiscard]] Radical euler_sum(const ExactDual& y, const Degree& degree) const {
     Radical sum(0);
@@ -140,7 +140,7 @@ double length_by_definition(const Collision& collision, const FieldPath& of, con
   return std::sqrt(squares) + std::sqrt(std::max(least, 0.0) / (2 * body.mass));
 }
 
-/// The sensitivity from exact derivatives, with each norm and the sum rounded.
+/// The sensitivity by exact derivatives and rounded norms.
 Sensitivity sensitivity_by_definition(const Collision& collision, Law law) {
   const Differentiated differentiated(collision, law);
   const Outcome<double> before = unchanged(collision);
@@ -166,8 +166,8 @@ Sensitivity sensitivity_by_definition(const Collision& collision, Law law) {
   return result;
 }
 
-/// In binary64 each operation loses κ(K) u, with the condition number κ(K) < 2²⁰. Fewer than 2⁷ operations depend on
-/// one another, so the sums are accurate to 2^(20 + 7 − 53).
+/// In binary64, each operation adds a relative error of up to κ(K) u, with the condition number κ(K) < 2²⁰. A sum takes
+/// fewer than 2⁷ successive operations. So its error is below 2^(20 + 7 − 53).
 TEST(Sensitivity, IsTheSumOfTheExactDerivatives) {
   constexpr double relative = 0x1p-26;
   int colliding = 0;
@@ -201,7 +201,7 @@ Sensitivity sensitivity_by_forward_differentiation(const Collision& collision, L
   return result;
 }
 
-/// The tolerance is the loss of binary64 for κ(K) < 2²⁰ and for cancelling spins of slender bodies.
+/// The tolerance covers the rounding of binary64 for κ(K) < 2²⁰, and for spins of slender bodies that cancel.
 TEST(Sensitivity, IsTheSameByImplicitDifferentiation) {
   constexpr double relative = 0x1p-24;
   int compared = 0;
@@ -236,7 +236,7 @@ TEST(Sensitivity, IsTheSameByImplicitDifferentiation) {
   EXPECT_GT(compared, unit::effort(400));
 }
 
-/// T / λ of growth_of_roundings, which is at least κ(K).
+/// 1 + Σ (‖r‖² / min I) / λ over the movable bodies, which is at least κ(K).
 double growth(const Collision& c) {
   double lambda = 0;
   double arms = 0;
@@ -249,8 +249,8 @@ double growth(const Collision& c) {
   return 1 + arms / lambda;
 }
 
-/// Double-double arithmetic loses fewer than 2⁹ roundings of 2⁻¹⁰² each, times their growth. Binary64 adds eight
-/// roundings.
+/// Double-double arithmetic makes fewer than 2⁹ roundings of 2⁻¹⁰². `growth` multiplies their error. Binary64 adds
+/// eight roundings.
 TEST(Sensitivity, IsKnownWhereTheMatrixIsNearlySingular) {
   std::size_t compared = 0;
   std::size_t unknown_by_radii = 0;
@@ -336,7 +336,7 @@ TEST(Sensitivity, HasNoUnits) {
   }
 }
 
-/// The lever arm is along the normal up to rounding, and long for the moments. Binary64 keeps no digit of r × N.
+/// The lever arm is along the normal up to rounding, and long compared with √(I/m). Binary64 keeps no digit of r × N.
 TEST(Sensitivity, IsKnownWhereTheLeverArmIsAlongTheNormal) {
   for (const double length : {1.0, 1e3, 1e6}) {
     Collision c;
@@ -394,8 +394,7 @@ TEST(Sensitivity, IsAtLeastItsLowerBound) {
   EXPECT_GT(moderate, unit::effort(1000));
 }
 
-/// If nothing happens, y = y⁻. The derivative of y by itself has the Frobenius norm √3, so the sensitivity is √3 ‖y‖ +
-/// ‖y‖.
+/// If nothing happens, y = y⁻. ∂y/∂y⁻ = I has the Frobenius norm √3, so the sensitivity is √3 ‖y‖ + ‖y‖.
 TEST(Sensitivity, IsThatOfTheIdentityWhereNothingHappens) {
   const Collision c = unit::case_of("separating", 0).collision;
   const ExactCase exact_case(c);
@@ -403,12 +402,11 @@ TEST(Sensitivity, IsThatOfTheIdentityWhereNothingHappens) {
   const Sensitivity& actual = exact_case.sensitivity(Law::frictionless, 0x1p-48);
   const Vector3<double>& v = c.b.velocity;
   const double expected = (std::sqrt(3.0) + 1) * std::sqrt(v.dot(v));
-  // At most eight roundings. The second order adds the allowance times the possible change by an impulse.
+  // The tolerance covers eight roundings, and the second order: the allowance times a possible change by an impulse.
   EXPECT_NEAR(actual[OutcomeVector::velocity_of_b], expected, 0x1p-50 * expected + 0x1p-48 * 64 * expected);
 }
 
-/// N = (1, 1, 0) and V⁻ = (1, −1 ∓ 2⁻⁴⁰, 0), so N·V⁻ = ∓2⁻⁴⁰. Its sensitivity ‖V⁻‖ ‖N‖ + ‖N‖ ‖v_A‖ is slightly more
-/// than 4.
+/// N = (1, 1, 0) and V⁻ = (1, −1 ± 2⁻⁴⁰, 0), so N·V⁻ = ±2⁻⁴⁰. The sensitivity of N·V⁻ is ‖V⁻‖ ‖N‖ + ‖N‖ ‖v_A‖, about 4.
 TEST(Grazing, IsWithinTheAllowanceOfTheInputs) {
   for (const double side : {-1.0, 1.0}) {
     Collision c;
@@ -431,7 +429,7 @@ TEST(Grazing, TakesEveryDerivativeOfTheNormalVelocity) {
     const double sensitivity = sensitivity_of({&velocity}, inputs.quantities);
     EXPECT_NEAR(exact_case.normal_velocity_sensitivity(), sensitivity, 0x1p-40 * sensitivity) << family;
     const double edge = std::abs(velocity.value) / sensitivity;
-    // If N·V⁻ cancels, its own rounding moves the edge. For hard cases an enclosure decides.
+    // If N·V⁻ cancels, rounding of N·V⁻ moves the edge. In hard cases, an enclosure decides instead.
     if (exact_case.approach() == Approach::inert || !(edge > 0x1p-20) ||
         exact_case.permitted_inputs(edge * (1 - 0x1p-20)) != nullptr) {
       continue;
@@ -443,7 +441,7 @@ TEST(Grazing, TakesEveryDerivativeOfTheNormalVelocity) {
   EXPECT_GE(seen, 4);
 }
 
-/// The derivative by the position of A exceeds binary64, but the position is zero and contributes nothing.
+/// The derivative of N·V⁻ by A's position exceeds binary64, but this position is zero and contributes nothing.
 TEST(Grazing, LeavesZerosOutHoweverSteepTheLawIsThere) {
   Collision c;
   c.normal = {1e200, 0, 0};

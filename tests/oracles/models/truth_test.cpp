@@ -100,7 +100,7 @@ TEST(Approach, IsTheSignOfTheExactNormalVelocity) {
   }
 }
 
-/// The terms of N·V⁻ have size 1, and the sum is ±2⁻¹⁵⁰ or 0, beyond double-double.
+/// N·V⁻ is ±2⁻¹⁵⁰ or 0, and its terms are about 0.1. Double-double numbers have too few bits for such a sum.
 TEST(Approach, IsDecidedExactlyWhereEnclosuresCannot) {
   for (const int sign : {-1, 0, 1}) {
     Collision c;
@@ -161,7 +161,7 @@ std::string reproach(const BasicCollision<Rational>& exact, Law law, const Outco
   return "";
 }
 
-/// A spin about the lever arm does not move the contact point, so all other equations hold.
+/// An added spin about the lever arm does not move the contact point, so all other equations hold.
 TEST(Certify, NeedsTheAngularMomentumOfEachBody) {
   for (const Law law : linear_laws) {
     const ExactCase exact_case(unit::case_of("elastic", 0).collision);

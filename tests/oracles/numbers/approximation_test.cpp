@@ -113,7 +113,7 @@ TEST(Approximation, GoesToEnclosuresAndBack) {
 const Rational& nearly(const Rational& x) { return x; }
 Rational nearly(const Radical& x) { return approximately(x); }
 
-/// The refined result contains the truth, nearly as accurately as double-double arithmetic.
+/// The refined enclosures contain the truth, and are nearly as accurate as double-double arithmetic.
 TEST(RefinedTruth, ContainsTheTruth) {
   int good = 0;
   int all = 0;
@@ -134,7 +134,7 @@ TEST(RefinedTruth, ContainsTheTruth) {
         double radius = 0;
         for (int i = 0; i < 3; ++i) {
           const Rational& y = (*vectors(exact)[k])[i];
-          // √s has 150 bits, of which an enclosure keeps at most 110.
+          // Square roots in `exact` have 150 bits, of which an enclosure keeps at most 110.
           const Enclosure difference = (*enclosed[k])[i] - Enclosure(y);
           EXPECT_EQ(difference.magnitude_below(), 0) << family << ' ' << name_of(k);
           radius = std::max(radius, (*enclosed[k])[i].radius());
@@ -148,7 +148,7 @@ TEST(RefinedTruth, ContainsTheTruth) {
   EXPECT_GT(good, all / 10 * 9);
 }
 
-/// low² ≤ x ≤ high² at both ends of the radius.
+/// The bounds low and high of √x satisfy low² ≤ x ≤ high² for each x within the radius.
 TEST(Approximation, ContainsSquareRoots) {
   properties::Stream stream = properties::stream_from(61);
   for (int i = 0; i < 2000; ++i) {

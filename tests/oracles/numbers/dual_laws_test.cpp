@@ -8,7 +8,7 @@ namespace carom::unit {
 
 using RationalDual = oracles::Dual<Rational, 2>;
 
-/// The derivatives agree exactly too. The ring has zero divisors, so `is_zero` tests the value.
+/// A dual number of value zero has no inverse, so `is_zero` tests the value.
 template <>
 struct NumberType<RationalDual> {
   static RationalDual draw(properties::Stream& stream) {

@@ -46,7 +46,7 @@ TEST(Dual, GivesConstantsNoDerivative) {
   EXPECT_EQ(D().value, 0);
 }
 
-/// x, in a way that causes no compiler warning.
+/// Returns x. `sum += sum` would cause a compiler warning.
 const D& itself(const D& x) { return x; }
 
 TEST(Dual, SurvivesBeingItsOwnOperand) {

@@ -5,7 +5,6 @@
 
 namespace carom::unit {
 
-/// Numbers agree if they differ by at most the sum of their bounds.
 template <>
 struct NumberType<oracles::Enclosure> {
   using T = oracles::Enclosure;

@@ -40,8 +40,8 @@ testing::AssertionResult encloses(const Both& both) {
   return testing::AssertionSuccess();
 }
 
-/// A sharper test of the radius: x minus its exact value must not exclude zero. It applies only if the exact value has
-/// an enclosure that is accurate to 2⁻¹⁰⁰.
+/// A sharper test of the radius: the enclosure minus the exact value must contain zero. Values whose enclosure is less
+/// accurate than 2⁻¹⁰⁰ pass.
 testing::AssertionResult contains(const Both& both) {
   const double rounded = std::abs(to_double(both.exact));
   if (!(rounded > 0x1p-800 && rounded < 0x1p800)) {
@@ -117,7 +117,7 @@ Both expression(properties::Stream& stream, int depth, int exponents, Count& cou
   }
   const Both x = expression(stream, depth - 1, exponents, count);
   if (stream.chance(6)) {
-    // Near cancellation: x minus its leading bits, or minus nearly itself.
+    // Near cancellation: x minus its leading bits, and plus or minus a trifle.
     const double leading = to_double(x.exact);
     if (std::isfinite(leading) && (leading == 0 || std::abs(leading) > Limits::min())) {
       const double trifle = std::ldexp(leading, -stream.integer(40, 110));
@@ -129,7 +129,6 @@ Both expression(properties::Stream& stream, int depth, int exponents, Count& cou
   return combined(x, y, stream.integer(0, 3), count);
 }
 
-/// Exponents as wide as those of engines, far wider, and past the ends of binary64.
 TEST(Enclosure, ContainsTheExactValueOfEveryExpression) {
   for (const int exponents : {4, 60, 250, 1000}) {
     Count count;
@@ -141,7 +140,7 @@ TEST(Enclosure, ContainsTheExactValueOfEveryExpression) {
       }
     }
     if (exponents <= 60) {
-      // The enclosures also decide, except for cancellations beyond double-double.
+      // Only cancellations beyond double-double leave a sign open.
       EXPECT_GT(count.decided, count.operations / 10 * 8);
     }
   }
@@ -193,7 +192,6 @@ TEST(Enclosure, DoesNotCallATinyProductZero) {
   EXPECT_EQ((tiny * Enclosure(0)).sign(), 0);
 }
 
-/// A long double has a wider range than binary64.
 TEST(Enclosure, ContainsExtendedNumbersOfEveryExponent) {
   properties::Stream stream = properties::stream_from(31);
   for (int i = 0; i < 5000; ++i) {
@@ -214,7 +212,7 @@ TEST(Enclosure, ContainsRationalsOfEveryExponentOfBinary64) {
   }
 }
 
-/// The second half of the double-double, or the whole number, is subnormal or underflows.
+/// The low part of the double-double, or the whole number, is subnormal or underflows.
 TEST(Enclosure, ContainsRationalsBelowTheRangeOfBinary64) {
   for (int exponent = -1200; exponent < -900; ++exponent) {
     const Rational x = ratio(5, 3) * two_to(exponent);
@@ -234,7 +232,7 @@ TEST(Enclosure, RefusesRationalsAboveTheRangeOfBinary64) {
   EXPECT_EXIT(encloses_huge(), testing::ExitedWithCode(0), "");
 }
 
-/// low² ≤ x ≤ high² at both ends of the radius.
+/// The bounds low and high of √x satisfy low² ≤ x ≤ high² for each x within the radius.
 TEST(Enclosure, ContainsSquareRoots) {
   properties::Stream stream = properties::stream_from(61);
   for (int i = 0; i < 2000; ++i) {

@@ -115,7 +115,7 @@ TEST(SceneJson, DrawsTheSameVelocitiesEverywhere) {
   json file = small_scene();
   file["lattices"][0]["at_rest_as_a_whole"] = false;
   const Scene scene = scene_from_json(file);
-  // Another program computed this from the seed 7.
+  // Another program computed this velocity from the seed 7.
   EXPECT_EQ(scene.spheres[1].velocity, Vector3<double>(0.4848048562114556, -0.022616638311467097, -0.4375740810531299));
 }
 
@@ -140,7 +140,7 @@ TEST(SceneJson, ReadsAHundredThousandSpheresInASecond) {
   const json written = scene_to_json(scene_from_json(lattice));
   const auto begin = std::chrono::steady_clock::now();
   EXPECT_EQ(scene_from_json(written).spheres.size(), 100'000);
-  // It takes some tenths of a second, but tests run in parallel and without optimisation.
+  // Reading takes some tenths of a second, but tests run in parallel and without optimisation.
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
 }
 

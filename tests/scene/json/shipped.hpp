@@ -32,7 +32,7 @@ namespace carom::tests {
   return parse_json(std::string(std::istreambuf_iterator<char>(file), {}));
 }
 
-/// A valid scene, which tests make invalid.
+/// A valid scene that tests change.
 [[nodiscard]] inline nlohmann::json small_scene() {
   return parse_json(R"({
     "title": "Two balls over a floor", "law": "coulomb", "precision": "extended", "duration": 2, "gravity": [0, 0, -9.81],

@@ -24,7 +24,7 @@ std::string defect_of(const Scene& scene) {
 }
 
 TEST(ValidScene, DecidesOverlapExactly) {
-  // The exact sum of the radii lies between the two doubles.
+  // The exact sum of the radii lies between 0.3 and the double 0.1 + 0.2.
   EXPECT_EQ(defect_of(scene_of_two(0.1 + 0.2)), "");
   EXPECT_EQ(defect_of(scene_of_two(0.3)), "spheres[1]: sphere 1 (right) overlaps sphere 0 (left)");
 }

@@ -73,7 +73,8 @@ void expect_one_impulse(const Collision& collision, const Outcome<double>& outco
   }
 }
 
-/// About a hundred roundings, for numbers of about 1, moments that differ by a factor of 2, and lever arms up to 2.
+/// These tolerances cover about a hundred roundings of numbers of about 1, with moments that differ by a factor of 2,
+/// and lever arms up to 2.
 constexpr double in_double = 128 * 0x1p-53;
 constexpr double in_float = 128 * 0x1p-24;
 

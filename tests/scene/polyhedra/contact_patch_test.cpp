@@ -22,7 +22,7 @@ const HalfSpace ground{{0, 0, 1}, 0};
 
 ConvexShape box(const Vector& size) { return convex_shape(unit::body_of(unit::box_points(size))); }
 
-/// A rotation by an angle about the axis x or y.
+/// A rotation by an angle about an axis: x (0), y (1) or z (2).
 Quaternion<double> about(int axis, double angle) {
   Quaternion<double> q(std::cos(angle / 2), 0, 0, 0);
   q[axis + 1] = std::sin(angle / 2);
@@ -114,7 +114,7 @@ TEST(ContactPatch, OfABallIsOnePoint) {
   EXPECT_LE((balls.point - Vector(0, 2.5, 0)).norm(), 1e-14);
 }
 
-/// Bodies with random faces placed on each other.
+/// A random face of one body lies on a random face of the other.
 TEST(ContactPatch, LiesOnBothBodies) {
   const ConvexShape point{{{Vector::Zero()}, {}, {}}, 0, 0};
   int polygons = 0;

@@ -59,7 +59,6 @@ TEST(ConvexPolyhedron, MergesTrianglesThatShareAPlane) {
   EXPECT_EQ(faces_by_corners(prism), (std::map<std::size_t, int>{{3, 1}, {4, 3}, {5, 3}}));
 }
 
-/// A prism with 13 sides.
 TEST(ConvexPolyhedron, FindsLargeFaces) {
   Points points;
   for (int i = -6; i <= 6; ++i) {

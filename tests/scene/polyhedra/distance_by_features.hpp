@@ -30,7 +30,6 @@ struct ExtendedPolyhedron {
   return result;
 }
 
-/// The distance from p to the segment from a to b.
 [[nodiscard]] inline long double to_segment(const Extended& p, const Extended& a, const Extended& b) {
   const Extended edge = b - a;
   const long double share = std::clamp((p - a).dot(edge) / edge.squaredNorm(), 0.0L, 1.0L);
@@ -46,7 +45,7 @@ struct ExtendedPolyhedron {
   return inside ? (p - foot).norm() : std::numeric_limits<long double>::infinity();
 }
 
-/// The distance of two segments whose nearest points both lie within them; infinite otherwise.
+/// The distance of two segments if the nearest points of their lines lie within them; otherwise infinite.
 [[nodiscard]] inline long double within_segments(const Extended& a, const Extended& b, const Extended& c,
                                                  const Extended& d) {
   const Extended u = b - a;

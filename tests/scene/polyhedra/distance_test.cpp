@@ -52,7 +52,7 @@ Posed posed(properties::Stream& stream, double gap) {
   p.at_b = pose(stream.vector());
   p.at_a = pose(p.at_b.position + 6 * unit::unit_vector(stream));
   const ShapePair pair(p.a, p.b);
-  for (int i = 0; i < 30; ++i) {  // each step moves them by nearly the permitted distance
+  for (int i = 0; i < 30; ++i) {  // each step moves A by the excess of the gap
     const Separation now = pair.separation(p.at_a, p.at_b);
     p.at_a.position -= (now.gap - gap) * now.normal;
   }

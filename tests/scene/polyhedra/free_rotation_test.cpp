@@ -102,7 +102,7 @@ Comparison compare(const FreeMotion& motion) {
 
 RotationState turning(const Vector& body_rate) { return {{1, 0, 0, 0}, body_rate}; }
 
-/// A random motion. The moments come from positive second moments, so that a body can have them.
+/// The moments come from positive second moments, so that a body can have them.
 FreeMotion random_motion(properties::Stream& stream, double angle) {
   const Vector second = stream.vector().cwiseAbs() + Vector::Constant(stream.chance(4) ? 1e-4 : 0.1);
   const Vector moments = Vector::Constant(second.sum()) - second;

@@ -56,7 +56,7 @@ TEST(MassProperties, OfACutCubeAreADifference) {
   const Vector corner_centre = Vector::Constant(1.75);
   const Vector centre = (8 * Vector::Ones() - corner_centre / 6) / volume;
   // About its own centre, the tetrahedron that is cut off (edge 1) has ∫x² = 1/160 and ∫xy = −1/480, both for the
-  // volume V = 1/6.
+  // volume 1/6.
   Matrix3<double> second = Matrix3<double>::Constant(-1.0 / 480);
   second.diagonal().setConstant(3.0 / 480);
   const Matrix3<double> corner =
@@ -76,7 +76,6 @@ TEST(MassProperties, AddUp) {
       continue;
     }
     const PolyhedralBody whole = unit::body_of(points);
-    // Tetrahedra from an inner point to each triangle of each face.
     const Vector inner = whole.properties.centre;
     double volume = 0;
     Matrix3<double> inertia = Matrix3<double>::Zero();
@@ -162,7 +161,6 @@ TEST(MassProperties, TurnWithTheBody) {
   }
 }
 
-/// A needle 10⁶ times as long as wide.
 TEST(MassProperties, OfNeedlesKeepTheLeastMoment) {
   properties::Stream stream = properties::stream_from(1);
   for (int i = 0; i < 20; ++i) {
@@ -188,7 +186,7 @@ TEST(PrincipalAxes, AreGoodToA106Bits) {
         j(i, k) = j(k, i) = DoubleDouble(stream.signed_unit() * (seed % 3 == 0 && i != k ? 1e-12 : 1)) +
                             DoubleDouble(stream.signed_unit() * 0x1p-60);
       }
-      j(i, i) += DoubleDouble(3);  // makes it definite
+      j(i, i) += DoubleDouble(3);  // makes j definite
     }
     const PrincipalAxes p = principal_axes(j);
     Matrix3<DoubleDouble> diagonal = Matrix3<DoubleDouble>::Constant(DoubleDouble(0));

@@ -63,12 +63,13 @@ TEST(PolyhedronSimulation, ACubeThatFallsFlatReboundsAndThenHopsNoHigherThanIsFo
   EXPECT_GE(events[0].time, std::sqrt(2 * (2 - nearness) / g));
   double speed = g * events[0].time;
   std::size_t bounce = 0;
-  // The cube bounces until it rises at most 10⁻⁶ of its radius R: 0.25ⁿ · 2 m at n = 10.6.
+  // The cube bounces until it rises by at most 10⁻⁶ of its radius R. The height 0.25ⁿ · 2 m reaches this limit at n =
+  // 10.6.
   for (; bounce < 10; ++bounce) {
     const Event& event = events[bounce];
     EXPECT_EQ(event.kind, EventKind::plane_impact);
     EXPECT_FALSE(event.was_slow) << bounce;
-    // A tolerance in the height of a fall changes its speed v by ± g tolerance/v. The rounding of g t adds to this.
+    // The tolerance in the height of a fall changes the speed v by up to g tolerance/v. The rounding of g t adds 2⁻⁴⁸.
     EXPECT_NEAR(event.a.after.path.velocity.z(), speed / 2, g * nearness / speed + 0x1p-48) << bounce;
     speed = event.a.after.path.velocity.z();
     // The impact is at the middle of the face, except for a rounding error of 2⁻⁵³ in the lever arm.
@@ -76,7 +77,7 @@ TEST(PolyhedronSimulation, ACubeThatFallsFlatReboundsAndThenHopsNoHigherThanIsFo
     const double fall = events[bounce + 1].time - event.time;
     EXPECT_NEAR(fall, 2 * speed / g, nearness / speed + 0x1p-48) << bounce;
   }
-  // After these bounces, each hop rises by at most 10⁻⁶ R. After a slow contact, it rises by exactly 10⁻⁶ R. Rounding
+  // After these bounces, each hop rises by at most 10⁻⁶ R. After a slow contact, the cube rises by 10⁻⁶ R. Rounding
   // gives the cube at most 2⁻⁴⁶ rad/s per hop, so it stays flat.
   const double greatest = default_capture_height * cube_radius;
   int slow = 0;
@@ -125,8 +126,8 @@ TEST(PolyhedronSimulation, ACubeThatFallsOnItsFaceEdgeOrCornerTurnsAsTheArmSays)
     EXPECT_GE(event.time, std::sqrt(2 * (4 + lowest - nearness) / g));
     const double speed = -g * event.time;
     const Vector torque = arm.cross(Vector(0, 0, 1));
-    const double impulse = -1.75 * speed / (1 + 6 * torque.squaredNorm());  // of mass 1
-    // Lever arms have an error of half a tolerance. A speed of about 8 m/s and 1/I = 6 multiply it.
+    const double impulse = -1.75 * speed / (1 + 6 * torque.squaredNorm());  // the mass is 1
+    // Lever arms have an error of half a tolerance. A speed of about 8 m/s and 1/I = 6 multiply this error.
     EXPECT_NEAR(event.a.after.path.velocity.z(), speed + impulse, 100 * nearness);
     EXPECT_LE((event.a.after.turning.angular_velocity - 6 * impulse * torque).norm(), 100 * nearness);
     EXPECT_EQ(event.a.after.path.velocity.x(), 0);
@@ -152,7 +153,7 @@ TEST(PolyhedronSimulation, BodiesMeetWhoseBallsOverlapAndRecede) {
     }
     const std::vector<Event> events = events_of(scene, 1);
     ASSERT_EQ(events.size(), 1U);
-    // The rod's corner (1/16, ·, 1) rotates about y: x = cos/16 + sin − t/16 reaches the slab's face at 1/2.
+    // The rod's corner (1/16, ·, 1) rotates about y: x = cos t/16 + sin t − t/16 reaches the slab's face at x = 1/2.
     const auto gap = [](double t) { return 0.5 - (std::cos(t) / 16 + std::sin(t) - t / 16); };
     double low = 0;
     double high = 1;
@@ -340,9 +341,10 @@ std::pair<std::string, std::string> who(const Scene& scene, const Event& event) 
   return event.b && b < a ? std::pair(b, a) : std::pair(a, b);
 }
 
-/// The tolerance for two runs that round differently. At a contact, their gaps differ by up to 2⁻³⁰ radii of 1/2 m. At
-/// 1/16 m/s or more (except for grazing contacts), their times differ by 2⁻²⁷ s. Each impact multiplies a difference by
-/// 32 or more. So only the first events are compared, and each body takes part in two or three of them.
+/// The tolerance for two runs that round differently. At a contact, the gaps in the two runs differ by up to 2⁻³⁰ radii
+/// of 1/2 m. Except for grazing contacts, gaps close at 1/16 m/s or more, so the times differ by up to 2⁻²⁷ s. Each
+/// impact multiplies a difference by 32 or more. So the test compares only the first events, in which each body has two
+/// or three impacts.
 constexpr std::size_t early_events = 8;
 constexpr double early_tolerance = 0x1p-14;
 
@@ -488,7 +490,7 @@ TEST(PolyhedronSimulation, RefusesAnOverlapByBothNames) {
 }
 
 /// A small ball of mass m bounces between two walls of mass M that approach each other, each at the speed V. The n-th
-/// impact leaves the ball at the speed 2 n V. The walls slow down only after √(M/m)/4 impacts or more. All of them are
+/// impact leaves the ball at the speed 2 n V. The walls slow down only after √(M/m)/4 impacts or more. All impacts are
 /// at one instant, because the gaps are within the contact tolerance.
 TEST(PolyhedronSimulation, EndsWhereImpactsAtOneInstantDoNot) {
   Scene scene = empty_scene(Law::frictionless, elastic, 1);
@@ -551,7 +553,7 @@ TEST(PolyhedronSimulation, TakesOfEqualTimesTheLowerBodiesFirst) {
   EXPECT_GT(events[4].time, events[3].time);
 }
 
-/// A needle and a sheet, a thousand times as long as thin, tumble in a room. Energy is conserved.
+/// A needle and a sheet, a thousand times as long as thin, tumble in a room.
 TEST(PolyhedronSimulation, KeepsSlenderBodiesOfAllSizesInTheirRoom) {
   for (const double size : {1e-3, 1.0, 1e3}) {
     SCOPED_TRACE(size);
@@ -608,7 +610,6 @@ TEST(PolyhedronSimulation, FollowsABodyThatTurnsForLong) {
   EXPECT_LE((axes - expected * unit::matrix_of(made.orientation)).norm(), 1e-12);
 }
 
-/// Runs to the end, and checks that all events are renewals.
 void run_through_renewals(PolyhedronSimulation& simulation) {
   while (const Event* event = simulation.advance()) {
     ASSERT_EQ(event->kind, EventKind::renewal);
@@ -643,8 +644,7 @@ TEST(PolyhedronSimulation, StrikesWhereItTouchesHoweverUnstablyItTurns) {
   }
 }
 
-/// A body that would lie at rest hops as long as the run lasts. At each impact, its gap to the floor must be at least a
-/// quarter of the contact tolerance.
+/// A body that would lie at rest hops as long as the run lasts.
 TEST(PolyhedronSimulation, HopsOnAndOn) {
   Scene scene = empty_scene(Law::frictionless, {0.5, 0, 0, 0, 0}, 1);
   scene.gravity = {0, 0, -g};
@@ -719,7 +719,7 @@ TEST(PolyhedronSimulation, KnowsHowBodiesTurnThatNothingHasComeNear) {
   EXPECT_LE((body.angular_velocity - Vector(0, 0, 2)).norm(), 1e-14);
   const auto made = std::get<RigidBody>(rigid_body(scene.polyhedra[0]));
   const Matrix3<double> expected = unit::matrix_of(turn_about({0, 0, 1}, 10)) * unit::matrix_of(made.orientation);
-  // 10 rad, each accurate to 10⁻¹⁵.
+  // The body rotates by 10 rad, each accurate to 10⁻¹⁵.
   EXPECT_LE((unit::matrix_of(body.orientation) - expected).norm(), 1e-13);
 }
 

@@ -18,7 +18,7 @@ using unit::Vector;
 
 RigidBody made_of(const Polyhedron& polyhedron) { return std::get<RigidBody>(rigid_body(polyhedron)); }
 
-/// The corners are at position + R x. The vertices x may be given in any frame.
+/// The corners are at position + R x, with R the rotation of `orientation`. The vertices x may be given in any frame.
 TEST(RigidBody, HasItsCornersWhereTheSceneSays) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     properties::Stream stream = properties::stream_from(seed);
@@ -50,7 +50,7 @@ TEST(RigidBody, HasItsCornersWhereTheSceneSays) {
     EXPECT_NEAR(body.orientation.norm(), 1, 1e-15);
     EXPECT_EQ(body.velocity, polyhedron.velocity);
     EXPECT_EQ(body.angular_velocity, polyhedron.angular_velocity);
-    // The same body, given about its own centre, along the world's axes.
+    // The same body, with its own frame equal to the world's frame.
     Polyhedron plain = polyhedron;
     plain.position = Vector::Zero();
     plain.orientation = {1, 0, 0, 0};

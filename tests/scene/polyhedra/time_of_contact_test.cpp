@@ -63,7 +63,6 @@ TEST(TimeOfContact, OfABallAndACubeIsThatOfTheirFaces) {
   EXPECT_LE((found.separation.normal - Vector(0, 0, 1)).norm(), 1e-15);
 }
 
-/// A rotating cube hits a ball beside it.
 TEST(TimeOfContact, OfATurningCubeIsThatOfItsEdge) {
   const PolyhedralBody cube = unit::body_of(unit::box_points({2, 2, 2}));
   const ShapePair pair(ball_shape(0.25), convex_shape(cube));
@@ -112,7 +111,7 @@ double true_distance(const Meeting& m, double time) {
       unit::distance_by_features(m.a.shape, placement_at(m.a.motion, time), m.b.shape, placement_at(m.b.motion, time)));
 }
 
-/// What is wrong with the result; empty if it is right.
+/// The fault of the result; empty if the result is right.
 std::string wrong_with(const Meeting& m, const TimeOfContact& found) {
   const double end = found.status == ContactStatus::misses ? m.duration : found.time;
   if (found.status == ContactStatus::overlaps || found.status == ContactStatus::undecided) {
@@ -166,7 +165,6 @@ TEST(TimeOfContact, IsNeverPastTheContactOfAnyBodies) {
   }
 }
 
-/// At 100 earlier times, the lowest corner must be above the contact tolerance.
 TEST(TimeOfContact, OfTumblingBodiesAndAFloorIsTheirFirst) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     properties::Stream stream = properties::stream_from(seed);
@@ -187,7 +185,7 @@ TEST(TimeOfContact, OfTumblingBodiesAndAFloorIsTheirFirst) {
   }
 }
 
-/// A ball passes a corner of a box. A thousandth of the tolerance decides whether they touch.
+/// A ball flies along an edge of a box. A thousandth of the tolerance decides whether they touch.
 TEST(TimeOfContact, TellsGrazingFromMissing) {
   const ShapePair pair(ball_shape(0.5), convex_shape(unit::body_of(unit::box_points({2, 2, 2}))));
   const Vector away = Vector(1, 1, 0).normalized();
@@ -262,8 +260,8 @@ TEST(TimeOfContact, DoesNotDependOnWhereTheMotionsStart) {
       ++touching;
       EXPECT_GT(true_distance(m, found.time), 0) << "seed " << seed;
       EXPECT_LE(true_distance(m, found.time), 1.01 * contact_tolerance) << "seed " << seed;
-      // At each of the two times, the gap is within the tolerance. Except for grazing contacts, it closes at 1/100 m/s
-      // or more.
+      // At each of the two times, the gap is within the tolerance. Except for grazing contacts, the gap closes at 1/100
+      // m/s or more.
       EXPECT_NEAR(found.time, expected.time, 100 * contact_tolerance) << "seed " << seed;
     }
     // A later begin of the search gives the same result.
@@ -308,7 +306,7 @@ TEST(TimeOfContact, OpensWhatSlidesAlongAnEdgeAndRises) {
       }
     }
   }
-  // Edge on edge within the tolerance: one body rotates away about the edge, and slides along it.
+  // Edge on edge within the tolerance: one body rotates away about the edge, and slides along the edge.
   for (const double turning : {0.125, 1.0, 4.0}) {
     FreeFlight above = resting({1, 0, 0, 0}, {1, 0, 1 + gap});
     above.velocity = Vector(turning / 2, 1, turning / 2);

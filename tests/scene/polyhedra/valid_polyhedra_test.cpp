@@ -23,7 +23,6 @@ using carom::unit::add_sphere;
 using carom::unit::centred_box;
 using unit::Vector;
 
-/// A cube above a floor, another cube beside it, and a ball.
 Scene three() {
   Scene scene = carom::unit::empty_scene(Law::frictionless, {1, 0, 0, 0, 0}, 1);
   add_plane(scene, {0, 0, 2}, {0, 0, -1});
@@ -108,7 +107,6 @@ TEST(ValidPolyhedra, AsksForBodiesThatCanBeFollowed) {
   }
 }
 
-/// A body must be within 4096 of its radii from the origin.
 TEST(ValidPolyhedra, AsksForPlacesThatAreKnown) {
   Scene scene = three();
   scene.planes.clear();

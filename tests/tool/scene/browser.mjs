@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 import { spawn } from "node:child_process";
 
-/** Headless Chromium, controlled by JSON messages through its debugging pipe, each ended by a zero byte. */
+/** Controls headless Chromium by JSON messages through its debugging pipe. A zero byte ends each message. */
 export class Browser {
   constructor(program, profile, options = []) {
     this.process = spawn(program, ["--headless", "--no-sandbox", "--no-first-run", "--disable-quic", "--hide-scrollbars",

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // node browser_test.mjs WRITE_REPLAY DIRECTORY: opens a replay in Chromium, checks it at several times, and operates
-// it. The exit status is 77 if there is no Chromium or no replay. With KEEP=1 the test rewrites the reference pictures,
-// which you should then check.
+// it. The exit status is 77 if there is no Chromium or no replay. With KEEP=1 the test rewrites the reference pictures.
+// Check them afterwards.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -36,9 +36,9 @@ function luminance({ width: columns, height: rows, pixels }, view) {
 const difference = (one, two) => Math.max(...one.map((x, i) => Math.abs(x - two[i])));
 
 // The permitted difference of luminance. Browsers smooth edges differently, so an edge may move by a pixel. At most
-// three edges (outline, ring, shadow), with a contrast of up to 150, cross a square. Their move by one pixel changes
-// its mean by 3 · 32 / 1024 · 150 = 14. A ball that is off by a third of its radius, 12 pixels, changes a square by 12
-// · 32 / 1024 · 150 = 56.
+// three edges (outline, ring, shadow), with a contrast of up to 150, cross a square. If they move by one pixel, the
+// mean of the square changes by 3 · 32 / 1024 · 150 = 14. A ball that is off by a third of its radius, 12 pixels,
+// changes a square by 12 · 32 / 1024 · 150 = 56.
 const tolerance = 14;
 
 async function look(browser, page) {
@@ -46,7 +46,7 @@ async function look(browser, page) {
   const view = await browser.value('(({ left, top, right, bottom }) => ({ left, top, right, bottom }))(document.getElementById("stage").getBoundingClientRect())');
   const seen = {};
   for (const [name, time] of [["start", 0], ["end", 6], ["middle", 2.5], ["again", 2.5]]) {
-    // "middle" moves to its time within the open page; "again" opens the page at that time.
+    // "middle" moves the open page to the time 2.5; "again" opens the page at this time.
     if (name === "again") {
       await browser.open(`${page}#t=${time}`);
     } else {
@@ -100,7 +100,7 @@ async function play(browser, page) {
   assert.equal(shown, `${(kinetic.at(-1) + potential.at(-1) + lost.at(-1)).toPrecision(4)} J`);
 }
 
-/** Nothing is wider than the page, and no parts overlap. */
+/** Checks that nothing is wider than the page, and that no parts overlap. */
 async function measure(browser, page) {
   for (const [wide, high] of [[1280, 800], [1920, 1080], [1024, 700], [360, 740]]) {
     await browser.resize(wide, high);
@@ -122,7 +122,7 @@ async function measure(browser, page) {
   await browser.resize(width, height);
 }
 
-/** Tests the controls without WebGL, which is faster. Everything except the picture works without it. */
+/** Tests the controls without WebGL, which is faster. Everything except the picture works without WebGL. */
 async function without_webgl(page) {
   const browser = new Browser(chromium, join(directory, "profile-without"), ["--disable-gpu", "--disable-3d-apis"]);
   try {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
-// node --test colours_test.mjs: the colours of reports and replays, in light and in dark pages. Texts have a contrast of
-// 4.5 with their background (WCAG 2.2, 1.4.3), marks have 3 (1.4.11), and colours that mean different things differ for
-// colour-blind readers too.
+// node --test colours_test.mjs: the colours of reports and replays, in light and in dark pages. Texts have a contrast
+// of at least 4.5 with their background (WCAG 2.2, 1.4.3), and marks of at least 3 (1.4.11). Colours with different
+// meanings differ for colour-blind readers, too.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
@@ -29,7 +29,7 @@ function contrast(one, other) {
   return (more + 0.05) / (less + 0.05);
 }
 
-/** What people see: all colours, or without red or green receptors (Machado, Oliveira, Fernandes 2009). */
+/** The colours that people see, with all receptors or without red or green ones (Machado, Oliveira, Fernandes 2009). */
 const eyes = {
   any: [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
   protanopia: [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]],

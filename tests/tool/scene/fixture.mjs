@@ -32,7 +32,7 @@ const planes = [0, 1, 2].flatMap((axis) => [1, -1].map((sign) => ({
   point: [0, 1, 2].map((i) => (i === axis && sign < 0 ? size[axis] : 0)),
 })));
 
-/** The phase of the body, its acceleration and its angular acceleration. A body on the floor loses its fall. */
+/** The phase of the body, its acceleration and its angular acceleration. On the floor, the vertical velocity ends. */
 function settle(body) {
   const radius = body.radius;
   if (body.p[2] > radius + 1e-4 || Math.abs(body.v[2]) > 0.12) {

@@ -9,13 +9,13 @@ import { product, turn } from "../../../src/tool/replay/quaternion.mjs";
 
 const identity = [1, 0, 0, 0];
 
-/** The angle between two orientations, from their difference. The cosine of a small angle has half the digits. */
+/** The angle between two orientations, from their difference. The cosine of a small angle loses half the digits. */
 function angle_between(p, q) {
   const sign = p.reduce((sum, x, i) => sum + x * q[i], 0) < 0 ? -1 : 1;
   return 4 * Math.asin(Math.min(1, Math.hypot(...p.map((x, i) => x - sign * q[i])) / 2));
 }
 
-/** Integrates the rotation in this many steps, each about the angular velocity at its middle. */
+/** Integrates the rotation in `steps` steps, each about the angular velocity at the middle of the step. */
 function finely_turned(w, b, duration, steps) {
   let q = identity;
   const h = duration / steps;
@@ -60,7 +60,7 @@ test("about one axis, a rate that changes is integrated in one step", () => {
 test("an angular velocity that turns is as in fine steps", () => {
   for (const [w, b, duration] of changing) {
     const [coarse, fine] = [2e5, 4e5].map((steps) => finely_turned(w, b, duration, steps));
-    // The difference between `coarse` and `fine` is more than the error of `fine`, which is of second order.
+    // The method is of second order, so the difference between `coarse` and `fine` exceeds the error of `fine`.
     const own = angle_between(coarse, fine);
     const off = angle_between(turned(identity, w, b, duration), fine);
     assert.ok(off < 1e-5 + own, `${w} + ${b} s: ${off}`);

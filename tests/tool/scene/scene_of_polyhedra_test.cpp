@@ -62,7 +62,8 @@ TEST(SceneOfPolyhedra, WritesWhatItPromises) {
   EXPECT_LE(record["validity"]["unseen"].get<double>(), 0x1p-30);
   EXPECT_EQ(record["impulses"]["judged"], record["impulses"]["all"]);
 
-  // Each line has as many columns as the header. Orientations have length 1, or are empty without a second body.
+  // Each line has as many columns as the header. Orientations have length 1. Without a second body, the orientation of
+  // B is empty.
   const std::vector<std::string> lines = split(content_of(out / "events.csv"), '\n');
   ASSERT_EQ(lines.size(), 2 + record["events"]["all"].get<std::size_t>());
   const std::vector<std::string> names = split(lines[0], ',');
