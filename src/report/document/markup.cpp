@@ -19,11 +19,7 @@ constexpr std::string_view replacement = "\xef\xbf\xbd";
 
 std::string printable_text(std::string_view text) {
   std::string result = carom::printable(std::string(text), std::numeric_limits<std::size_t>::max());
-  // HTML excludes the control characters U+0080 to U+009F, and XML the noncharacters U+FFFE and U+FFFF.
-  for (char last = '\x80'; last != '\xa0'; ++last) {
-    const char control[] = {'\xc2', last};
-    replace_all(result, {control, 2}, replacement);
-  }
+  // XML also excludes the noncharacters U+FFFE and U+FFFF.
   replace_all(result, "\xef\xbf\xbe", replacement);
   replace_all(result, "\xef\xbf\xbf", replacement);
   return result;
