@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 // Compares the friction of the engines with formulas (docs/reference/engines.md): engine_formulas [CASES]
 //
-// Prints how far each engine's impulse is from the formula that describes it, and from the law `coulomb`. The bodies
-// are real, with moments up to 1 : 100. They do not spin if a formula omits gyroscopic torque.
+// Prints the distance of each engine's impulse from its formula, and from the law `coulomb`. The bodies are real, with
+// moments up to 1 : 100. They do not spin if the formula omits gyroscopic torque.
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -29,15 +29,15 @@ namespace carom::benchmarks {
 namespace {
 
 constexpr std::array frictions{0.1, 0.3, 0.6, 1.0, 5.0};
-constexpr double time_limit = 60;  // until an engine counts as hung [s]
+constexpr double time_limit = 60;  // after this time, an engine counts as hung [s]
 
-/// Whether the ratio of the moments is too large for an engine that keeps inertia in world coordinates, in binary32.
+/// Whether the moments differ too much for an engine that keeps inertia in world coordinates in binary32.
 bool is_slender(const Body& body) {
   constexpr double limit = 100;
   return !body.immovable && body.principal_inertia.maxCoeff() > limit * body.principal_inertia.minCoeff();
 }
 
-/// Colliding contacts of the family `physical` whose bodies are not slender, each with every μ.
+/// Colliding contacts of the family `physical` whose bodies are not slender. Each contact occurs with every μ.
 std::vector<Collision> contacts(std::uint64_t cases, bool spin) {
   const properties::Family* const family = properties::family_named("physical");
   std::vector<Collision> drawn;
@@ -60,7 +60,6 @@ std::vector<Collision> contacts(std::uint64_t cases, bool spin) {
   return drawn;
 }
 
-/// The impulse on A, computed from the change of velocity of a movable body.
 template <class S>
 Vector3<double> impulse_of(const Collision& collision, const Outcome<S>& after) {
   const bool reads_b = collision.a.immovable;
@@ -69,7 +68,7 @@ Vector3<double> impulse_of(const Collision& collision, const Outcome<S>& after) 
   return (change * static_cast<S>(reads_b ? -body.mass : body.mass)).template cast<double>();
 }
 
-/// Quantiles of relative differences. A difference is infinite if there is no answer.
+/// Quantiles of relative differences. If the engine gives no answer, the difference is infinite.
 struct Differences {
   std::vector<double> of_norm;
 
@@ -97,7 +96,8 @@ Measured measure(const Subject& subject, const formulas::OutcomeOf& formula, std
         has_answer ? impulse_of(collision, *outcome) : Vector3<double>::Constant(HUGE_VAL);
     const Vector3<double> lawful = impulse::coulomb_impulse(impulse::make_contact<double>(collision)).on_a;
     const Vector3<double> computed = impulse_of(collision, formula(collision));
-    // Because of gyroscopic torque, an engine may return no impulse on a contact that collides.
+    // Gyroscopic torque can make an engine return no impulse on a colliding contact. So the larger of both impulses
+    // scales the difference.
     const double size = std::max(computed.norm(), lawful.norm());
     measured.from_formula.of_norm.push_back((by_engine - computed).norm() / size);
     measured.from_law[i % frictions.size()].of_norm.push_back((by_engine - lawful).norm() / lawful.norm());

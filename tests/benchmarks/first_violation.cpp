@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Times how soon a gate that ends at the first violation finds a defect and shrinks its witness.
+// Measures the time that a gate needs to find a defect and to shrink its witness. The gate ends at the first violation.
 //
 //  first_violation                    for the planted defects, in this process
 //  first_violation 'exec:PROGRAM…'    for a program, including its starts
@@ -30,7 +30,7 @@ constexpr int runs = 5;  // for each subject
 
 struct Find {
   double milliseconds;
-  double of_processor;   // [ms], of this process and its finished children; other programs hardly change it
+  double of_processor;   // [ms], of this process and its finished children
   std::string violated;  // the invariant; empty if there is no violation
 };
 
@@ -101,8 +101,8 @@ int time_program(const std::string& specification) {
   return 0;
 }
 
-/// Ranks families greedily: takes the family that finds most of the remaining defects by its first two cases, removes
-/// these defects, and repeats.
+/// Ranks families greedily. It takes the family whose first two cases find most of the remaining defects, removes these
+/// defects, and repeats.
 int rank_families() {
   constexpr std::uint64_t seeds = 8;
   constexpr std::uint64_t cases = 2;

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSL-1.0
-// Judges the same outcomes with all filters (fast decisions by error bounds) and in rational arithmetic alone, and
-// counts equal verdicts:
+// Judges the same outcomes with all filters and in rational arithmetic alone, and counts equal verdicts:
 //
 //  judge_equality [--cases N] [--seed S] [--jobs J] [--relations-every R] [--wild-every W] [--long-every L]
 //  [--one-subject] [--laws L,L]
 //
-// It runs N cases of the families. One case in W (default 3) is wild: its numbers have extreme sizes. One in L of the
-// others (default: each) keeps all digits; the rest are shortened, because the rational judge is faster on few digits.
-// Each case goes to all subjects, or to one drawn at random: built-in solvers, mutants, and made-up outcomes at the
-// edge of the permitted rounding. Relations, which compare the answers to two related collisions, are judged on one
-// case in R. With --laws, only subjects of these laws run. The exit status is 1 if a verdict differs.
+// One case in W (default 3) is wild: its numbers have extreme sizes. A family draws each other case. One in L of these
+// (default: each) keeps all digits. The rest are shortened, because the rational judge is faster on few digits. Each
+// case goes to all subjects, or with --one-subject to a random one. Subjects are built-in solvers, mutants, and made-up
+// outcomes at the edge of the permitted rounding. Relations are judged on one case in R. With --laws, only subjects of
+// these laws run. The exit status is 1 if a verdict differs.
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -132,7 +131,7 @@ int run(int argc, char** argv) {
   std::atomic<std::uint64_t> next = 0;
   std::vector<Agreement> agreements(options.jobs);
   {
-    // With --jobs 1 no thread is started, so the reference counts of rationals need not be atomic.
+    // With --jobs 1 no thread starts, so the reference counts of rationals need not be atomic.
     std::vector<std::jthread> workers;
     for (std::size_t i = 0; i + 1 < agreements.size(); ++i) {
       workers.emplace_back([&, i] { compare(options, next, agreements[i]); });

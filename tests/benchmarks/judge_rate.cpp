@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
-// Judgements per second and core, in rational arithmetic alone and with filters. Also times generating cases, and the
-// whole gate by number of threads. It takes the flags of Google Benchmark. The last lines print the ratios and, for
-// each invariant, the share of comparisons that each filter decided.
+// Measures judgements per second and core, in rational arithmetic alone and with filters. It also times the generation
+// of cases, and the whole gate for each number of threads. It takes the flags of Google Benchmark. The last lines print
+// the ratio of both rates and, for each invariant, the share of comparisons that each filter decided.
 #include <algorithm>
 #include <ctime>
 #include <map>
@@ -43,11 +43,11 @@ struct Asked {
   std::vector<Answer> related;
 };
 
-/// Cases with the answers of each subject, so that only the judge is timed.
+/// Cases with the answers of each subject, so that the benchmark times only the judge.
 struct Prepared {
   std::vector<Subject> subjects;
   std::vector<properties::Case> cases;
-  std::vector<std::vector<Asked>> asked;  // by case and subject, the order of judging
+  std::vector<std::vector<Asked>> asked;  // indexed by case and subject, in the order of judging
 };
 
 properties::RelationTurn relations_if(bool wanted) {
@@ -79,7 +79,7 @@ Prepared prepared(std::vector<Subject> subjects, const std::vector<Claim>& claim
   return result;
 }
 
-/// All subjects of a case share the results computed for it, as in the gate.
+/// All subjects share the results computed for a case, as in the gate.
 std::uint64_t judge_all(const Prepared& work, const std::vector<Claim>& claims, bool with_relations) {
   std::uint64_t verdicts = 0;
   std::vector<double> known(work.subjects.size(), 0);
@@ -180,8 +180,8 @@ void print_shares() {
       if (!is_claimed || claim.invariants.empty()) {
         continue;
       }
-      // Every invariant needs the exact outcome and the backward error, whose comparisons are counted once, as
-      // backward_error.
+      // Every invariant's judgement computes the exact outcome and the backward error. These comparisons count only for
+      // `backward_error`.
       for (const properties::Family& family : properties::all_families()) {
         const Prepared work = prepared({subject}, {claim}, family, cases, true);
         const oracles::StageCounts before = oracles::decided_by_stage();

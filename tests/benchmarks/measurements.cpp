@@ -33,7 +33,7 @@ void Recorder::ReportRuns(const std::vector<Run>& runs) {
       // Benchmarks of threads ask for real time. Their iteration count is the sum over the threads.
       const bool by_the_wall = run.run_name.time_type == "real_time";
       const double seconds = by_the_wall ? run.real_accumulated_time : run.cpu_accumulated_time;
-      // function_name has no suffixes of Google Benchmark.
+      // function_name omits suffixes that Google Benchmark adds.
       measurements_[run.run_name.function_name].nanoseconds.push_back(seconds * 1e9 /
                                                                       static_cast<double>(run.iterations));
     }

@@ -9,10 +9,10 @@
 
 namespace carom::benchmarks {
 
-/// Repeated measurements of one quantity. The repetitions are interleaved with those of other benchmarks, so the median
-/// tolerates a machine that is busy for less than half of them.
+/// Repeated measurements of one quantity. Repetitions of different benchmarks alternate. So the median tolerates a
+/// machine that is busy during less than half of the repetitions.
 struct Measurement {
-  std::vector<double> nanoseconds;  // for each iteration of any thread
+  std::vector<double> nanoseconds;  // per iteration
 
   [[nodiscard]] double median() const;
   /// Half the interquartile range divided by the median.
@@ -25,7 +25,7 @@ class Recorder : public benchmark::BenchmarkReporter {
   bool ReportContext(const Context& context) override;
   void ReportRuns(const std::vector<Run>& runs) override;
 
-  /// Whether this benchmark was measured: --benchmark_filter may have excluded it.
+  /// Whether this benchmark ran. --benchmark_filter may exclude it.
   [[nodiscard]] bool has(const std::string& name) const { return measurements_.contains(name); }
   /// Precondition: has(name).
   [[nodiscard]] const Measurement& at(const std::string& name) const { return measurements_.at(name); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Compiled once for each instruction set, with its name in CAROM_INSTRUCTION_SET.
+// This file is compiled once for each instruction set, whose name is CAROM_INSTRUCTION_SET.
 #include "peak.hpp"
 
 #include <experimental/simd>
@@ -8,8 +8,8 @@ namespace carom::benchmarks::CAROM_INSTRUCTION_SET {
 
 [[gnu::flatten]] std::size_t multiply_and_add(double* sink) {
   using Pack = std::experimental::native_simd<double>;
-  // Each chain depends on itself. Twelve chains fill two pipelines with a latency of four cycles, and leave registers
-  // for the factors.
+  // The steps of a chain depend on each other. Twelve chains fill two pipelines with a latency of four cycles, and
+  // leave registers for `factor` and `addend`.
   constexpr std::size_t chains = 12;
   constexpr std::size_t rounds = 1000;
   Pack x[chains];

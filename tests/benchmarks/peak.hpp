@@ -3,8 +3,7 @@
 
 #include <cstddef>
 
-/// The peak rate of multiplications and additions that are not fused, as in the batch solvers, for each instruction
-/// set.
+/// The peak rate of multiplications and additions (not fused, as in the batch solvers) for each instruction set.
 #define CAROM_DECLARE_PEAK(SET)                        \
   namespace carom::benchmarks::SET {                   \
   /** The number of operations; keeps `sink` alive. */ \

@@ -8,8 +8,8 @@
 
 /// The note (docs/findings/note.md) as a game developer would implement it, in plain C++ and double. Each body is an
 /// object with its momenta as state. The solver uses a basis of a normal and two tangents, and the inverse of a 3×3
-/// matrix. The batch solvers are timed against this solver, which shares no code with the library. Like the note, it
-/// fails if the relative velocity is nearly along the normal.
+/// matrix. The benchmarks compare the library's solvers with this solver, which shares no code with them. Like the
+/// note, this solver fails if the relative velocity is nearly along the normal.
 namespace carom::benchmarks::plain {
 
 struct Vector {

@@ -12,8 +12,8 @@
 
 #include "support/cases.hpp"
 
-/// The judge accepts the plain solver, except for slender bodies, whose angular momentum it loses, and nearly head-on
-/// impacts, for which its basis fails (docs/findings/note.md).
+/// The judge accepts the plain solver with two exceptions (docs/findings/note.md). The solver loses the angular
+/// momentum of slender bodies, and its basis fails on nearly head-on impacts.
 namespace carom::benchmarks {
 namespace {
 

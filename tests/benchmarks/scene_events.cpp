@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // Events per second of a gas of elastic spheres, by the number of spheres: scene_events [EVENTS [VOLUME_FRACTION
-// [CSV]]]. EVENTS is the number in each round. tests/figures/scene_events_chart draws the file CSV.
+// [CSV]]]. Each round has EVENTS events. tests/figures/scene_events_chart draws the file CSV.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -53,7 +53,7 @@ Scene gas(int edge, double volume_fraction) {
   return scene;
 }
 
-/// The processor time of the events [s].
+/// The processor time of `events` events [s].
 double seconds_of(carom::scene::SphereSimulation& simulation, long events) {
   const std::clock_t begin = std::clock();
   for (long k = 0; k < events; ++k) {
@@ -67,7 +67,7 @@ double seconds_of(carom::scene::SphereSimulation& simulation, long events) {
 struct Measured {
   std::unique_ptr<carom::scene::SphereSimulation> simulation;
   std::vector<double> rates;  // events per second in each round; ascending at the end
-  double cells_left = 0;      // for each event
+  double cells_left = 0;      // crossings of cells per event
 };
 
 /// Each round runs all sizes in turn, so a disturbance of the machine affects all sizes.
@@ -75,7 +75,7 @@ std::vector<Measured> measure(long events, double volume_fraction) {
   std::vector<Measured> all;
   for (const int edge : edges) {
     all.push_back({std::make_unique<carom::scene::SphereSimulation>(gas(edge, volume_fraction)), {}});
-    // These events let the spheres leave the lattice.
+    // During these events, the spheres leave the initial lattice.
     seconds_of(*all.back().simulation, std::max(events, 2 * static_cast<long>(all.back().simulation->size())));
   }
   for (std::size_t round = 0; round < rounds; ++round) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Times the solvers: solvers [--benchmark_…]; it takes about a minute. Prints medians with their ratios to a baseline
-// of the same run.
+// Times the solvers: solvers [--benchmark_…]. Prints medians, and their ratios to a baseline of the same run. A run
+// takes about a minute.
 #include <algorithm>
 #include <map>
 #include <string>
@@ -94,7 +94,7 @@ void register_methods() {
   }
 }
 
-/// The note in plain C++, on bodies in consecutive memory.
+/// The bodies are in consecutive memory.
 void register_plain() {
   static const std::vector<Collision> collisions = colliding(in_cache);
   static const std::vector<plain::RigidBody> bodies = [] {
@@ -266,8 +266,7 @@ void print_instruction_sets(const Recorder& recorder) {
   }
 }
 
-/// Compares the batches with two solvers of the note in plain C++: the one of the same law, and the reflection, which
-/// is the whole note.
+/// Compares the batches with the note in plain C++: with its solver of the same law, and with its reflection.
 void print_plain(const Recorder& recorder) {
   const std::string reflection = plain_name(Law::reflection);
   if (!recorder.has(reflection)) {
@@ -293,7 +292,7 @@ void print_plain(const Recorder& recorder) {
   }
 }
 
-/// Prints the cost of slender bodies, which are about half of the bodies.
+/// About half of the bodies are slender.
 void print_slender(const Recorder& recorder) {
   const InstructionSet best = impulse::best_instruction_set();
   fmt::print("\nBatches in double with slender bodies, {} contacts in cache, {}\n", in_cache, name_of(best));

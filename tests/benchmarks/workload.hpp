@@ -8,9 +8,9 @@
 
 namespace carom::benchmarks {
 
-/// This many contacts with their outcomes fit into the first-level cache, in double.
+/// In double, this many contacts with their outcomes fit into the first-level cache.
 inline constexpr std::size_t in_cache = 64;
-/// This many contacts fit into no cache: 384 MB in double.
+/// In double, this many contacts fit into no cache (384 MB).
 inline constexpr std::size_t out_of_cache = 1'000'000;
 
 /// Colliding contacts of general bodies with moments up to 1 : 4, from the start of a fixed sequence.
@@ -19,7 +19,7 @@ inline constexpr std::size_t out_of_cache = 1'000'000;
 /// Like colliding(), with moments up to 1 : 10⁸. About half of the bodies are plates or rods.
 [[nodiscard]] std::vector<Collision> colliding_slender(std::size_t count);
 
-/// A batch of `count` contacts of these collisions, which repeat if they are fewer.
+/// A batch of `count` contacts of these collisions. If the collisions are fewer, they repeat.
 template <class S>
 [[nodiscard]] impulse::ContactBatch<S> batch_of(const std::vector<Collision>& collisions, std::size_t count) {
   std::vector<impulse::Contact<S>> contacts;
@@ -54,7 +54,7 @@ template <class S>
 inline constexpr std::size_t bytes_of_contact = (impulse::contact_number_count + impulse::outcome_number_count) *
                                                 sizeof(S);
 
-/// Computes z = x + s y for each array z of outcomes, from two arrays x and y of contacts.
+/// Computes z = x + s y for each array z of outcomes. x and y are arrays of contacts.
 void triad(Workload<double>& workload);
 
 /// Bytes that the triad reads and writes for each contact.

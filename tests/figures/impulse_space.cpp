@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 // The laws in impulse space (docs/guide/laws.md): impulse_space OUT
 //
-// The contact is planar: a body of mass 1 and moments 1 hits a fixed body at velocity (3, −4, 0). The contact point is
-// (1, −1, 0) from its centre. N = (0, 1, 0), ε = 1/2, μ = 1. In tangential and normal components, the collision matrix
-// is (2, 1; 1, 2).
+// The contact is planar. A body of mass 1 and moments 1 hits a fixed body at velocity (3, −4, 0). The contact point is
+// at (1, −1, 0) from the body's centre. N = (0, 1, 0), ε = 1/2, μ = 1. The collision matrix in tangential and normal
+// components is (2, 1; 1, 2).
 #include <array>
 #include <filesystem>
 #include <stdexcept>
@@ -45,7 +45,7 @@ Point impulse_by(Law law, const Collision& collision) {
   return point;
 }
 
-/// A path of impulses from 0 to the law's impulse, along which friction or restitution grows.
+/// A path of impulses from 0 to the law's impulse. Friction or restitution grows along the path.
 std::vector<Point> path_of(Law law) {
   Collision c = shown();
   std::vector<Point> path{{0, 0}};

@@ -9,29 +9,29 @@
 
 #include "input.hpp"
 
-/// Cases as bytes, in two forms. The first byte selects the form:
+/// Cases as bytes, in a drawn and a plain form. The first byte selects the form:
 ///
-///  below 120:     the family with this number (modulo the number of families) draws from the integers that follow
-///  below 128:     the same, with a family beyond the claimed domain (claimed_domain.hpp)
-///  128 and above: a byte for the immovable body (1: A, 2: B), then the raw numbers of a collision, valid or not
+///  below 120:     drawn: the family with this number (modulo the number of families) draws from the integers after it
+///  below 128:     drawn, by a family beyond the claimed domain (claimed_domain.hpp)
+///  128 and above: plain: a byte for the immovable body (1: A, 2: B), then the numbers of a collision, valid or not
 ///
-/// Kept inputs use the second form, which does not depend on the families.
+/// Kept inputs use the plain form, because it does not depend on the families.
 namespace carom::fuzz {
 
 struct ReadCase {
   properties::Case one;
-  bool is_of_family = false;  // of the claimed domain
+  bool is_of_family = false;  // drawn by a family of the claimed domain
 };
 
 [[nodiscard]] ReadCase case_from(Input& input);
 
-/// The case that the family with this number draws for this index and seed 1, in the first form.
+/// The drawn form of the case that the family with this number draws for this index and seed 1.
 [[nodiscard]] std::vector<std::uint8_t> bytes_of_family(std::size_t family, std::uint64_t index);
 
 /// Like bytes_of_family, for a family beyond the claimed domain.
 [[nodiscard]] std::vector<std::uint8_t> bytes_beyond_domain(std::size_t family, std::uint64_t index);
 
-/// The collision in the second form.
+/// The plain form of the collision.
 [[nodiscard]] std::vector<std::uint8_t> bytes_of(const Collision& collision);
 
 }  // namespace carom::fuzz

@@ -7,8 +7,8 @@ namespace carom::fuzz {
 
 bool is_in_claimed_domain(const Collision& collision, Law law) {
   constexpr double largest_ratio_of_moments = 1e8;
-  // In units of λ = 1/m_A + 1/m_B. The collision matrix is λI and the response to torque, and at most 16 λI. The other
-  // 0.5 covers the rounding of this computation.
+  // The collision matrix is λI + T, with λ = 1/m_A + 1/m_B and the response T to torque. λI + T ⪯ 16 λI means T ⪯ 15
+  // λI. The limit is 14.5 λ, so that the rounding of this computation does not matter.
   constexpr double largest_response_to_torque = 14.5;
   if (!oracles::is_moderate(collision)) {
     return false;

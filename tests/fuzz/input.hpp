@@ -13,8 +13,8 @@ namespace carom::fuzz {
 
 using Bytes = std::span<const std::uint8_t>;
 
-/// The fuzzer's input, read from the front. The numbers of a fixed stream follow its end, so every input is long
-/// enough, and a family that repeats a draw until it fits terminates.
+/// The fuzzer's input, read from the front. After the input, a fixed stream of numbers follows. So every input is long
+/// enough, and a family terminates if it repeats a draw until the draw fits.
 class Input {
  public:
   explicit Input(Bytes bytes) : left_(bytes), beyond_(properties::stream_from(0)) {}
@@ -29,7 +29,7 @@ class Input {
   /// All remaining bytes, as text.
   [[nodiscard]] std::string_view text() const { return {reinterpret_cast<const char*>(left_.data()), left_.size()}; }
 
-  /// A stream of the remaining words. It refers to this input.
+  /// A stream of the remaining words. The stream refers to this input.
   [[nodiscard]] properties::Stream stream() {
     return properties::Stream([this] { return word(); });
   }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// The first byte selects the yardstick, which is the permitted rounding. The second selects whether numbers keep all
-// digits, and whether relations (invariants that compare the answers to two related collisions) are judged. The case
-// follows, then the solver's claim and its answers.
+// The first byte selects the yardstick. The second byte selects whether numbers keep all digits, and whether relations
+// are judged. The case follows, then the solver's claim and answers.
 #include <cmath>
 #include <span>
 
@@ -16,7 +15,7 @@
 namespace carom::fuzz {
 namespace {
 
-/// Whether all finite numbers are 0 or from 2⁻¹⁰⁰ to 2¹⁰⁰ in size. On others, rational arithmetic takes seconds.
+/// Whether all finite numbers are 0 or from 2⁻¹⁰⁰ to 2¹⁰⁰ in size. On other numbers, rational arithmetic takes seconds.
 bool is_quick_to_judge(const Collision& collision) {
   constexpr double largest = 0x1p+100;
   bool quick = true;
@@ -39,7 +38,8 @@ void compare_judges(Bytes bytes) {
     return;
   }
   equality::Examined examined(made_up_subject(input));
-  // Numbers with all digits and relations are expensive, so each is used for one input in four.
+  // Judging is slow with all digits, or with relations. So one input in four keeps all digits, and one in four has
+  // relations.
   if (choices % 4 != 0) {
     properties::Stream stream = input.stream();
     one = equality::shortened(one, stream);

@@ -56,7 +56,6 @@ void judge_law(Bytes bytes, Law law) {
   require(!is_valid || !std::holds_alternative<Refused>(first[0]), "a valid collision was refused");
   const properties::AnswerAndJudgement judged = properties::judge_in_session(solver.claim, solver.session, read.one);
   for (const properties::NamedVerdict& named : judged.judgement.verdicts) {
-    // Beyond the claimed domain, a violation is expected.
     if (named.verdict.status == properties::Status::violated && !is_beyond_domain) {
       fail_on(solver, collision, *named.invariant, named.verdict);
     }

@@ -7,10 +7,10 @@
 
 namespace carom::fuzz {
 
-/// Gives a case to a built-in sound solver of the law in double, and judges the answer on every invariant of the law.
-/// The first byte selects the solver; the case follows. A violation is printed as a witness that `carom replay` reads.
-/// Beyond the claimed domain (claimed_domain.hpp) the only findings are a refusal, and two different answers to the
-/// case.
+/// Gives a case to a sound built-in solver of the law in double, and judges the answer on every invariant of the law.
+/// The first byte selects the solver; the case follows. The target prints a violation as a witness that `carom replay`
+/// reads. Beyond the claimed domain (claimed_domain.hpp), only a refusal and two different answers to the case are
+/// findings.
 void judge_law(Bytes bytes, Law law);
 
 }  // namespace carom::fuzz

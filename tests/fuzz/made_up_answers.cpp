@@ -30,7 +30,7 @@ ReportedOutcome any_outcome(Input& input) {
                                   [&](long double) { return static_cast<long double>(input.number()); });
 }
 
-/// The exact collision matrix, with one entry moved by this many ulps.
+/// The exact collision matrix, with the entry `place` moved by `ulps`.
 Matrix3<long double> moved_matrix(const Collision& collision, Precision precision, int place, int ulps) {
   Matrix3<long double> matrix;
   const Matrix3<oracles::Rational> exact = oracles::ExactCase(collision).collision_matrix();

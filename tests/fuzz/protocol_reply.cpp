@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// The first byte selects the precision. The rest is a line, read as the reply to `start` and as the reply to `solve`
-// number 1.
+// The first byte selects the precision. The rest is a line. The target reads the line as the reply to `start`, and as
+// the reply to `solve` number 1.
 #include <array>
 #include <optional>
 
@@ -16,7 +16,7 @@ namespace {
 
 namespace protocol = subjects::protocol;
 
-// The reader cuts longer texts.
+// The reader does not cut texts up to these lengths.
 constexpr std::size_t surely_whole_name = 100;
 constexpr std::size_t surely_whole_text = 2000;
 

@@ -16,7 +16,7 @@ namespace {
 
 namespace protocol = subjects::protocol;
 
-/// Keeps standard error for the fuzzer.
+/// Discards std::cerr, so that only the fuzzer writes to standard error.
 class Silence {
  public:
   Silence() : kept_(std::cerr.rdbuf(dropped_.rdbuf())) {}

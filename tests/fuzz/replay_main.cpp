@@ -13,7 +13,7 @@
 
 #include "target.hpp"
 
-// Each target's function has a name of its own here. CMake lists the targets.
+// Each target's function has its own name here, replay_TARGET. CMake lists the targets.
 #define TARGET(name) extern "C" int replay_##name(const std::uint8_t* data, std::size_t size);
 CAROM_FUZZ_TARGETS
 #undef TARGET

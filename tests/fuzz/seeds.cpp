@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// seeds DIRECTORY: writes DIRECTORY/TARGET/NAME, a few inputs for each target, made from the families.
+// seeds DIRECTORY: writes a few inputs for each target, made from the families, as DIRECTORY/TARGET/NAME.
 #include <cstdint>
 #include <exception>
 #include <filesystem>
@@ -38,7 +38,7 @@ std::string with_head(std::initializer_list<std::size_t> head, const std::vector
   return text + std::string(bytes.begin(), bytes.end());
 }
 
-/// Writes the case in both forms. The bytes before it cycle through their choices.
+/// Writes the case in both forms. The bytes before the case are `number` or `number + 1`.
 void write_cases(const fs::path& directory, std::size_t number, std::string_view family,
                  const std::vector<std::uint8_t>& drawn, const Collision& collision) {
   const std::string name(family);

@@ -19,8 +19,8 @@ SOURCE, BUILD, NINJA, COMPILER, WORK = *sys.argv[1:5], pathlib.Path(sys.argv[5])
 TREE = WORK / "tree"
 PAGES = pathlib.Path(SOURCE) / "docs/internals"
 
-# The page, its words for the file, the file, its changes as (anchor, text to insert before it), other files to
-# compile, and the line that the program must print.
+# (page, its words for the file, file, [(anchor, text to insert before the anchor)], other files to compile, the line
+# that the program must print)
 ROWS = [
     ("contributing.md", "row in `family.cpp`", "properties/families/family.cpp",
      [("constexpr std::array families{", "Case at_rest(Stream& stream) {\n  Case result = generic(stream);\n"
@@ -64,7 +64,8 @@ def change(path, insertions):
 
 
 def arguments(line):
-    """The arguments of one call of the compiler. Other commands of the build delete files, so none of them runs here.
+    """The arguments of one call of the compiler. No other command runs here, because some commands of the build delete
+    files.
     """
     words = shlex.split(line)
     if COMPILER not in words or any(word in ("&&", "||", ";", "|") for word in words):
@@ -106,7 +107,7 @@ def adds_rows(compiler, link):
     output = link.index("-o")
     link = link[:own + 1] + list(map(str, objects)) + link[own + 1:]
     link[link.index("-o") + 1] = str(program)
-    # The libraries contain the original rows. The linker takes the first definition.
+    # The libraries contain the original rows. The linker takes the first definition, which is the changed one.
     checked([*link[:output], "-Wl,--allow-multiple-definition", *link[output:]])
     listed = checked([program]).splitlines()
     for *_, line in ROWS:

@@ -6,15 +6,15 @@
 
 #include "layout.hpp"
 
-/// C++ does not order the operands of a product or the arguments of a call. If two of them draw from a stream, another
-/// compiler may draw other cases.
+/// C++ does not order the operands of a product or the arguments of a call. If two operands or arguments draw from a
+/// stream, another compiler may draw other cases.
 namespace carom::layout {
 namespace {
 
-/// The first unordered pair of draws, or an empty text. `?` and the commas of a braced list order draws.
+/// The first unordered pair of draws, or an empty text. `?` and the commas of a braced list do order draws.
 std::string unordered_draws(const std::string& text) {
-  // Matches two draws in one statement with an operator or a comma between them. A draw is by the stream or by a
-  // function that takes it. Closing braces or parentheses may follow the first one.
+  // Matches two draws in one statement with an operator or a comma between them. A draw is a call of the stream, or of
+  // a function that takes the stream. Closing braces or parentheses may follow the first draw.
   static const std::regex pair(
       R"re((stream\.\w+\([^()]*\)|\w+\(stream\b[^()]*\)|stream\.\w+\([^()]*\)[^;?{}()]*\})\)*\s*[-+*/,][^;?{}]*(stream\.\w|\(stream\b))re");
   std::smatch match;

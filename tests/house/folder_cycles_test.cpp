@@ -17,7 +17,7 @@ using Folders = std::set<std::string>;
 
 std::string folder_of(const std::string& path) { return path.substr(0, path.find_last_of('/')); }
 
-/// The other folders that each folder includes. <carom/NAME/…> is src/NAME/… or NAME/….
+/// The other folders that each folder includes. <carom/NAME/…> means src/NAME/… or NAME/….
 std::map<std::string, Folders> folders_included(const std::vector<SourceFile>& files) {
   static const std::regex include(R"re([ \t]*#[ \t]*include[ \t]*(?:<carom/|")([^>"]+)[>"])re");
   Folders paths;

@@ -70,8 +70,8 @@ std::size_t lines_in(std::string_view text) {
   return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
 }
 
-/// The lines of the statement that returns a table, if the body `{…` ends with one. A table is no code, and functions
-/// in its rows are measured separately.
+/// The number of lines of the statement that returns a table, if the body `{…` ends with such a statement. A table is
+/// no code. Functions in its rows are measured separately.
 std::size_t lines_of_returned_table(std::string_view body) {
   int depth = 0;
   std::size_t last = 1;
@@ -88,7 +88,7 @@ std::size_t lines_of_returned_table(std::string_view body) {
   return statement.starts_with("return") ? lines_in(statement) : 0;
 }
 
-/// The declarations, up to the parameters, of the functions with more than `most` lines.
+/// The declarations, without parameters, of the functions with more than `most` lines.
 std::vector<std::string> long_functions(const std::string& source, std::size_t most) {
   const std::string text = without_opaque(source);
   const auto next_from = [&](std::size_t from) { return std::min(text.find_first_not_of(" \n", from), text.size()); };
@@ -100,7 +100,7 @@ std::vector<std::string> long_functions(const std::string& source, std::size_t m
     return text[i] == '{' || text[i] == '}' || text[i] == ';';
   };
   std::vector<std::string> found;
-  std::vector<std::size_t> heads;  // of the open blocks
+  std::vector<std::size_t> heads;  // where the declaration of each open block begins
   std::size_t head = next_from(0);
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] == '{') {

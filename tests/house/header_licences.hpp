@@ -7,7 +7,7 @@
 #include <vector>
 
 /// The licences of CGAL's headers. Some are under the LGPL, others under the GPL. Code under BSL-1.0 may include only
-/// those under the LGPL.
+/// headers under the LGPL.
 namespace carom::header_licences {
 
 struct CompiledObject {
@@ -23,7 +23,8 @@ struct CompiledObject {
 
 [[nodiscard]] bool is_of_cgal(const std::string& header);
 
-/// The reason why code under BSL-1.0 must not include a header with this text: a GPL tag, or no tag. Otherwise empty.
+/// The reason why code under BSL-1.0 must not include a header with this text: a GPL tag, or no tag. Empty if there is
+/// no reason.
 [[nodiscard]] std::string licence_offence(const std::string& text);
 
 /// One line for each included header of CGAL with an offence. `read` returns the text of a header. The targets below

@@ -14,7 +14,8 @@ namespace carom::layout {
 namespace {
 
 /// A rule for the includes of a folder's files. If `only` is set, a file may include the standard library, and paths
-/// that begin with one of `names`. Otherwise it may include all other paths. The first rule that fits a file applies.
+/// that begin with one of `names`. Otherwise it may include everything except these paths. The first rule that fits a
+/// file applies.
 struct Rule {
   std::string folder;
   std::string name_begins;  // beginning of the file name; empty matches any file
@@ -22,7 +23,7 @@ struct Rule {
   std::vector<std::string> names;
 };
 
-/// The rule for one file that uses these parts of CGAL.
+/// The rule for a file of oracles/exact that includes these packages.
 Rule of_exact(const std::string& file, const std::vector<std::string>& packages) {
   Rule rule{"oracles/exact/", file, true, {"carom/collision/", "carom/oracles/laws/", "carom/oracles/exact/"}};
   rule.names.insert(rule.names.end(), packages.begin(), packages.end());
@@ -158,7 +159,7 @@ bool is_standard(const std::string& name) {
                      [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; });
 }
 
-/// Headers for threads and files.
+/// Standard headers for threads and files.
 const std::set<std::string> outside{"csignal", "filesystem", "fstream", "future", "thread"};
 
 /// Whether the file's component starts no process or thread and touches no file.
@@ -178,7 +179,7 @@ bool is_allowed(const Rule& rule, const std::string& name) {
   return rule.only ? named || is_standard(name) : !named;
 }
 
-/// Whether a file may include this file in quotes: it is in the same folder or in an allowed neighbour.
+/// Whether a file may include `name` in quotes. Then `name` is in the same folder or in an allowed neighbour.
 bool is_neighbour(const std::string& path, const std::string& name) {
   const auto room =
       std::find_if(rooms().begin(), rooms().end(), [&](const Room& one) { return begins_with(path, one.folder); });
@@ -209,7 +210,7 @@ std::vector<std::string> include_offences(const std::string& path, const std::st
       continue;
     }
     // A name in quotes could refer to any file. So only programs that install no header (the tool and the tests) may
-    // use one, for a neighbouring file.
+    // use quotes, and only for a neighbouring file.
     const bool quoted = match[1] == "\"";
     const bool may_quote = begins_with(path, "src/tool/") || begins_with(path, "tests/");
     const std::string name = match[2];

@@ -10,17 +10,17 @@
 namespace carom::layout {
 
 /// The offences of one source file, for example "src/impulse/x.hpp: includes <CGAL/Gmpq.h>". The path is relative to
-/// the top, with slashes. Files in folders without a rule have no offences.
+/// the top of the source tree, with slashes. Files in folders without a rule have no offences.
 [[nodiscard]] std::vector<std::string> include_offences(const std::string& path, const std::string& text);
 
-/// The offence of a source file whose first comment does not name BSL-1.0, if it is one.
+/// One offence if the first comment of a source file does not name BSL-1.0.
 [[nodiscard]] std::vector<std::string> licence_offences(const std::string& path, const std::string& text);
 
 /// Missing and unexpected names at the top level. Dot-files and names that begin with "build" are ignored.
 [[nodiscard]] std::vector<std::string> top_level_offences(const std::vector<std::string>& names);
 
 struct SourceFile {
-  std::string path;  // relative to the top, with slashes
+  std::string path;  // relative to the top of the source tree, with slashes
   std::string text;
 };
 

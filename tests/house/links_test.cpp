@@ -74,7 +74,7 @@ std::set<std::string> anchors_of(const std::string& text) {
   return anchors;
 }
 
-/// The reason why the link is broken; empty if it is not.
+/// The reason why the link is broken; empty if the link works.
 std::string offence_of(const fs::path& page, const std::string& target) {
   const std::size_t hash = target.find('#');
   const fs::path file = hash == 0 ? page : page.parent_path() / target.substr(0, hash);

@@ -7,8 +7,7 @@
 #include <carom/properties/gate/schedule.hpp>
 #include <carom/properties/invariants/invariant.hpp>
 
-/// Lists the catalogues of the judge, one row per line, for adding_test.py. A family is listed if one of its cases can
-/// be drawn.
+/// Lists the catalogues of the judge, one row per line, for adding_test.py. A family is listed if it can draw a case.
 int main() {
   using namespace carom::properties;
   GateOptions options;

@@ -6,12 +6,12 @@
 
 #include "layout.hpp"
 
-/// Families and features draw the same numbers on every machine. So they use no sum of Eigen, which chooses its order,
-/// no unary minus of Eigen, and only mathematical functions that every machine computes alike.
+/// Families and features draw the same numbers on every machine. So they use no sum of Eigen, because Eigen chooses its
+/// order. They use no unary minus of Eigen, and only mathematical functions that every machine computes alike.
 namespace carom::layout {
 namespace {
 
-/// The first operation whose rounding the source does not determine. Empty if there is none.
+/// The first operation whose rounding the source does not determine; empty if there is none.
 std::string unstated_rounding(const std::string& text) {
   static const std::regex operation(
       R"re(\.(dot|norm|squaredNorm|stableNorm|lpNorm|normalized|normalize|sum|prod|mean|trace|cross|inverse|determinant|solve|partialPivLu|ldlt|llt)(<[^>]*>)?\(|\.(minCoeff|maxCoeff)\(&|std::(pow|exp|exp2|expm1|log|log2|log10|log1p|sin|cos|tan|asin|acos|atan|atan2|sinh|cosh|tanh|cbrt|hypot|erf|tgamma|lgamma)\b|[=(,?:{] ?-[a-z_.]*(normal|velocity|orientation|position|point)\b(?!\[)|oracles::(turned|relative_velocity|point_velocity|apply_inertia))re");
@@ -38,7 +38,7 @@ TEST(OrderedArithmetic, IsAllThatFamiliesAndFeaturesUse) {
   for (const SourceFile& file : source_files(CAROM_SOURCE_DIR)) {
     const bool draws = file.path.starts_with("properties/draws/") || file.path.starts_with("properties/families/") ||
                        file.path.starts_with("properties/features/");
-    // The order does not matter in exact arithmetic, nor in numbers that are only printed.
+    // Exact arithmetic and printed numbers do not depend on the order.
     const bool is_exact = file.path == "properties/families/polyhedron.cpp";
     const bool is_printed = file.path == "properties/features/quantities.cpp";
     if (draws && !is_exact && !is_printed) {

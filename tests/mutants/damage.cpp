@@ -13,19 +13,18 @@ namespace {
 using Vector = Vector3<double>;
 using ContactImpulse = impulse::ContactImpulse<double>;
 
-/// An orthogonal vector of the same length.
+/// A vector of the same length, orthogonal to `vector`.
 Vector across(const Vector& vector) {
   int least = 0;
   vector.cwiseAbs().minCoeff(&least);
   return vector.cross(Vector::Unit(least)).normalized() * vector.norm();
 }
 
-/// The outcome of a different impulse on A, with its opposite on B.
+/// The outcome of `impulse` on A and −`impulse` on B.
 Outcome<double> struck_by(const Solution& sound, const Vector& impulse) {
   return impulse::apply_impulse(sound.contact, ContactImpulse{sound.impulse.colliding, impulse});
 }
 
-/// F on A, and whether it acts.
 template <class Impulse>
 ContactImpulse impulse_on_a(const Impulse& impulse) {
   return {impulse.colliding, impulse.on_a};
@@ -34,7 +33,7 @@ ContactImpulse impulse_on_a(const impulse::RoughImpulse<double>& impulse) {
   return {impulse.normal.colliding, impulse.has_friction ? impulse.on_a : impulse.normal.on_a};
 }
 
-/// The outcome of the law's impulse for another contact with the same N·V⁻, applied to this contact.
+/// Computes the law's impulse for `other`, with N·V⁻ of the sound contact, and applies it to the sound contact.
 Outcome<double> solved_as(const Solution& sound, const impulse::Contact<double>& other) {
   Outcome<double> outcome;
   impulse::with_law(sound.law, [&](const auto& solver) {
@@ -44,7 +43,6 @@ Outcome<double> solved_as(const Solution& sound, const impulse::Contact<double>&
   return outcome;
 }
 
-/// Reverses the change of this component of a velocity.
 void change_reversed(Vector& after, const Vector& before, int component) {
   after[component] = before[component] - (after[component] - before[component]);
 }

@@ -11,7 +11,8 @@
 
 namespace carom::mutants {
 
-/// Ways to damage a sound outcome, which a conditional mutant (detection.hpp) returns if its feature is present.
+/// Ways to damage a sound outcome. A conditional mutant (detection.hpp) returns the damaged outcome if its feature is
+/// present.
 enum class Damage {
   torque_of_a_dropped,
   turning_left_out_of_k,

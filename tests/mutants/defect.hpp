@@ -3,8 +3,8 @@
 
 namespace carom::mutants {
 
-/// Defects of a solver (not of a collision, as `carom::Defect`). catalogue.cpp describes them and where they occurred;
-/// mutable_solver.cpp implements them.
+/// Defects of a solver; carom::Defect lists defects of a collision. catalogue.cpp describes each defect and names
+/// failure cases with this defect; mutable_solver.cpp implements the defects.
 enum class Defect {
   none,
 

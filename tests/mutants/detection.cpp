@@ -19,8 +19,8 @@ namespace {
 using properties::all_features;
 using properties::JudgedCase;
 
-/// The claims of a sound solver in binary64 about a single outcome. The claim about the truth (the exact outcome) comes
-/// first, because it is decided faster.
+/// The claims of a sound solver in binary64, without relations. `truth` holds the invariants `finite` and
+/// `backward_error`, and is judged first because it is faster.
 struct Claims {
   properties::Claim truth;
   properties::Claim laws;
@@ -40,7 +40,7 @@ Claims claims_of(Law law) {
   return claims;
 }
 
-/// Whether any invariant is violated, and the backward error if none is.
+/// The backward error [ulps] is 0 if the outcome is rejected.
 struct Judged {
   bool is_rejected;
   double backward_error;
@@ -69,12 +69,12 @@ std::size_t place_of(std::size_t law, Damage damage) {
   return law * all_damages.size() + static_cast<std::size_t>(damage);
 }
 
-/// The index of a pair x ≤ y among all pairs and single features.
+/// The index of the pair (x, y) of features, x < y, or of the single feature x = y.
 std::size_t place_of(std::size_t x, std::size_t y) { return y * (y + 1) / 2 + x; }
 
 std::size_t places() { return place_of(0, all_features().size()); }
 
-/// Calls f(place) for each feature of the list and each pair.
+/// Calls f(place) for each listed feature and for each pair of listed features.
 template <class F>
 void for_each_place(const std::vector<std::size_t>& features, const F& f) {
   for (std::size_t i = 0; i < features.size(); ++i) {
@@ -120,8 +120,8 @@ void Detection::add(const JudgedCase& one, const Collision& previous) {
   ++cases_;
   oracles::Yardstick yardstick;
   yardstick.unit_roundoff = unit_roundoff(Precision::binary64);
-  // If `permitted_inputs` is not null, the judge accepts every answer of the law to these inputs, so a small damage
-  // shows nothing about the judge.
+  // If `permitted_inputs` is not null, the judge accepts every answer of the law to a permitted input. So the judge may
+  // rightly accept a damaged outcome, and the case is left out.
   if (properties::reason_unjudged(one.exact(), yardstick) ||
       one.exact().permitted_inputs(yardstick.allowance()) != nullptr) {
     return;
@@ -190,7 +190,7 @@ Detection detect(const DetectionOptions& options) {
   const auto work = [&](Detection& detection) {
     for (std::size_t i = next++; i < tasks.size(); i = next++) {
       const auto& [family, first, last] = tasks[i];
-      // The previous answer must not depend on how threads share the cases.
+      // Each task draws the case before its first one, so that the previous answer does not depend on the tasks.
       Collision previous = first == 0 ? Collision{} : generated(*family, first - 1).collision;
       for (std::uint64_t index = first; index < last; ++index) {
         const JudgedCase one(generated(*family, index));

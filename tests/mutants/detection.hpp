@@ -8,9 +8,9 @@
 
 #include "damage.hpp"
 
-/// Conditional mutants: sound solvers that return a damaged outcome if the collision has a given feature (a special
-/// value, relation or size) or pair of features. The gate rejects such a mutant if it rejects the damaged outcome of
-/// any case with the feature. So one pass decides all mutants.
+/// A conditional mutant is a sound solver that returns a damaged outcome if the collision has a given feature or pair
+/// of features. The gate rejects the mutant if it rejects the damaged outcome of any case with the feature. So one pass
+/// over the cases decides all mutants.
 namespace carom::mutants {
 
 struct DetectionOptions {
@@ -20,7 +20,7 @@ struct DetectionOptions {
   std::vector<Law> laws{laws_with_truth.begin(), laws_with_truth.end()};
 };
 
-/// The result of all cases for a conditional mutant: the last enumerator that some case reaches.
+/// The result of all cases for a conditional mutant. The greatest result of a single case decides.
 enum class Sight : std::uint8_t {
   no_case_judged,   // no case with the feature is judged
   leaves_truth,     // in every case the damage leaves the exact outcome unchanged, so no judge can find it
@@ -28,9 +28,9 @@ enum class Sight : std::uint8_t {
   killed,           // in some case an invariant is violated
 };
 
-/// The result for one conditional mutant, of the cases until it was killed.
+/// The result for one conditional mutant. After a case kills the mutant, later cases may be left out.
 struct Seen {
-  float backward_error = 0;   // the largest of those within rounding, in ulps
+  float backward_error = 0;   // the largest in the cases within rounding [ulps]
   std::uint16_t changed = 0;  // cases within rounding; 65535 means at least that many
   Sight sight = Sight::no_case_judged;
 

@@ -43,7 +43,8 @@ struct Survivor {
   Seen seen;
 };
 
-/// Survivors in the order of laws, damages and features. A pair is omitted if one of its features has the same result.
+/// Survivors in the order of laws, damages and features. A pair is omitted if one of its features alone has the same
+/// result.
 [[nodiscard]] std::vector<Survivor> survivors_of(const Detection& detection);
 
 [[nodiscard]] std::string to_text(const Detection& detection, bool markdown);

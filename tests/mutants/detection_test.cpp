@@ -9,11 +9,9 @@
 #include "leaves_truth.hpp"
 #include "support/cases.hpp"
 
-/// Which conditional mutants the gate's default cases kill, and the effect of each damage.
 namespace carom::mutants {
 namespace {
 
-/// Two general bodies that collide and rebound.
 Collision general_collision() {
   for (std::uint64_t index = 0;; ++index) {
     Collision collision = unit::case_of("physical", index).collision;
@@ -67,14 +65,14 @@ TEST(Detection, KillsWhatCanBeSeenOfSingleFeaturesAndNearlyAllOfPairs) {
   for (const Law law : detection.laws()) {
     for (const Damage damage : all_damages) {
       const auto& [single, pair] = scores_of(detection, law, damage);
-      // An impulse with an error of 10⁻⁹ stays within 32 ulps if the inputs are about 10⁵ times its effect, as in all
-      // cases of a few features.
+      // `impulse_off` changes each outcome vector by 10⁻⁹ of its change Δy. The judge permits 32 u S, with the
+      // sensitivity S and the unit roundoff u. So the damage may stay within rounding if S > 3·10⁵ ‖Δy‖.
       const bool is_slight = damage == Damage::impulse_off;
       EXPECT_GE(single.percent(), is_slight ? 99 : 100) << name_of(law) << ' ' << name_of(damage);
       EXPECT_GE(pair.percent(), is_slight ? 98.5 : 99) << name_of(law) << ' ' << name_of(damage);
     }
   }
-  // A mutant that no judge can find has a feature that makes the damage harmless, as ε = 0 for an ignored ε.
+  // If no judge can find a mutant, its feature makes the damage harmless, as ε = 0 does for an ignored ε.
   EXPECT_GT(pairs.visible(), 100 * pairs.leaves_truth);
 }
 

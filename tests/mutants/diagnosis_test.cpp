@@ -23,7 +23,7 @@ using properties::diagnosis::Diagnosis;
 
 struct Row {
   std::string mutant;
-  std::string says;  // parts of the diagnosis in this order, separated by …
+  std::string says;  // parts of the diagnosis, separated by …; the diagnosis contains them in this order
 };
 
 std::string trimmed(const std::string& text) {
@@ -55,7 +55,7 @@ const Mutant& planted(const std::string& name) {
   return *found;
 }
 
-/// The diagnosis of each mutant of the page, by one run with the defaults for programs.
+/// The diagnosis of each mutant of the page, from one run. Relations are judged on every fourth case, as for programs.
 std::map<std::string, Diagnosis> diagnoses() {
   properties::GateOptions options;
   options.shrinks = false;

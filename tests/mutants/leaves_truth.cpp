@@ -24,7 +24,7 @@ bool is_binary32(const T& number) {
   return std::isfinite(rounded) && T(static_cast<double>(rounded)) == number;
 }
 
-/// The result of `leaves_truth`, in the type T of the exact outcome's numbers.
+/// Like `leaves_truth`. T is the type of the numbers of the exact outcome.
 template <class T>
 bool leaves(Damage damage, const BasicCollision<T>& c, const oracles::Truth<T>& exact, Law law) {
   const Outcome<T>& truth = exact.outcome;
@@ -40,8 +40,8 @@ bool leaves(Damage damage, const BasicCollision<T>& c, const oracles::Truth<T>& 
     case Damage::torque_of_a_dropped:
       return a_keeps_spin;
     case Damage::turning_left_out_of_k:
-      // K − λI is a sum of squares, so K F = λF if and only if the impulse turns neither body. F of `rough` combines
-      // two impulses.
+      // The damage puts λI in place of K. F·(K − λI) F = Σ (r × F)·J⁻¹(r × F) over the bodies, so K F = λF if and only
+      // if F turns neither body. The F of `rough` is a sum of two impulses, and neither may turn a body.
       return a_keeps_spin && b_keeps_spin &&
              (law != Law::rough || are_equal<T>(c.normal.cross(exact.impulse), Vector3<T>{T(0), T(0), T(0)}) ||
               (is_at_centre(c.a) && is_at_centre(c.b)));
@@ -61,7 +61,7 @@ bool leaves(Damage damage, const BasicCollision<T>& c, const oracles::Truth<T>& 
     case Damage::bodies_exchanged:
       return are_equal<T>(truth.a.velocity, truth.b.velocity) &&
              are_equal<T>(truth.a.angular_velocity, truth.b.angular_velocity);
-    case Damage::nothing_happens:  // F ≠ 0, because N·V changes its sign
+    case Damage::nothing_happens:  // never harmless: N·V⁻ < 0 ≤ N·V⁺, so F ≠ 0
     case Damage::impulse_off:
     case Damage::impulse_turned:
     case Damage::last_answer_again:

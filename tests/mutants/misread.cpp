@@ -12,7 +12,7 @@ bool is_at_rest(const Body& body) {
   return (body.velocity.array() == 0).all() && (body.angular_velocity.array() == 0).all();
 }
 
-/// If two moments are equal, sets the third moment equal to them.
+/// If two moments are equal, sets the third moment to the same value.
 void take_for_sphere(Vector3<double>& moments) {
   for (int i = 0; i < 3; ++i) {
     if (moments[i] == moments[(i + 1) % 3]) {
@@ -27,7 +27,6 @@ Vector3<double> in_fixed_point(const Vector3<double>& velocity) {
   return (velocity / step).array().round() * step;
 }
 
-/// Replaces a normal near an axis by that axis.
 Vector3<double> along_axis_if_near(const Vector3<double>& normal) {
   constexpr double near = 0.999;
   int axis = 0;

@@ -26,7 +26,7 @@ using Matrix = Matrix3<double>;
 using ContactBody = impulse::ContactBody<double>;
 using Contact = impulse::Contact<double>;
 
-/// A vector orthogonal to this one, of similar length.
+/// A vector orthogonal to `vector`, of similar length.
 Vector beside(const Vector& vector) {
   return std::abs(vector[0]) < std::abs(vector[2]) ? Vector(0, -vector[2], vector[1])
                                                    : Vector(-vector[1], vector[0], 0);
@@ -47,7 +47,7 @@ Matrix basis_of_2012(const Vector& n) {
   return basis;
 }
 
-/// The tangents from the axis that N is least aligned with, or none if two axes tie.
+/// {N, T0, T1} with T0 orthogonal to the axis to which N is least parallel. If two axes tie, T0 = T1 = 0.
 Matrix basis_without_ties(const Vector& n) {
   Vector t0 = Vector::Zero();
   for (int i = 0; i < 3; ++i) {
@@ -61,7 +61,6 @@ Matrix basis_without_ties(const Vector& n) {
   return basis;
 }
 
-/// Leaves the spin unchanged if R is the identity, as if the solver omitted J⁻¹ together with R.
 void keep_spin_if_identity(const Body& body, BodyVelocity<double>& after) {
   if (body.orientation == Quaternion<double>(1, 0, 0, 0)) {
     after.angular_velocity = body.angular_velocity;
@@ -168,7 +167,7 @@ class Solver {
 
   // The relative velocity, and whether the contact is colliding.
 
-  /// The part of a body's motion that enters the relative velocity: all of it in a sound solver.
+  /// The part of a body's motion that enters the relative velocity. A sound solver uses all of the motion.
   [[nodiscard]] BodyVelocity<double> motion(const ContactBody& body, bool is_a) const {
     const bool is_wall = body.inverse_mass == 0;
     if ((has(Defect::other_body_left_out) && !is_a) || (has(Defect::wall_velocity_as_zero) && is_wall)) {
@@ -181,7 +180,7 @@ class Solver {
     return {body.velocity, is_reversed ? Vector(-body.angular_velocity) : body.angular_velocity};
   }
 
-  /// The spins' contribution along N comes from r × N (impulse/sticking.hpp).
+  /// The relative velocity V, with N·V equal to `normal_velocity_of` (impulse/sticking.hpp).
   [[nodiscard]] Vector relative_velocity(const Contact& contact) const {
     Contact moving = contact;
     for (const auto body : {&Contact::a, &Contact::b}) {
@@ -237,7 +236,7 @@ class Solver {
     return inverse_mass_a + inverse_mass_b;
   }
 
-  /// The factor of the angular term, 1 in a sound solver.
+  /// The factor of the angular term; 1 in a sound solver.
   [[nodiscard]] double angular_weight(const Contact& contact) const {
     const bool at_a_centre = contact.a.lever_arm.isZero(0) || contact.b.lever_arm.isZero(0);
     const bool equal_masses = contact.a.inverse_mass == contact.b.inverse_mass;
@@ -259,7 +258,7 @@ class Solver {
     return has(Defect::angular_term_of_a_for_both) ? contact.a : contact.b;
   }
 
-  /// N·K N for the frictionless law, without forming K.
+  /// N·K N for the frictionless law, without K.
   [[nodiscard]] double normal_response(const Contact& contact) const {
     const Vector& n = contact.normal;
     const auto angular_term = [&](const ContactBody& body) {
@@ -291,7 +290,7 @@ class Solver {
     return matrix;
   }
 
-  /// The reported part of the matrix that the solver used.
+  /// The part of `matrix` that the solver reports.
   [[nodiscard]] Matrix shown(const Matrix& matrix) const {
     if (has(Defect::one_triangle_shown)) {
       return matrix.triangularView<Eigen::Lower>();
@@ -301,7 +300,7 @@ class Solver {
 
   // The law.
 
-  /// ε, which does not depend on N·V⁻ in a sound solver.
+  /// ε. In a sound solver, ε does not depend on N·V⁻.
   [[nodiscard]] double restitution_of(const Contact& contact, double normal_velocity) const {
     const double length = std::sqrt(contact.normal.squaredNorm());
     double restitution = contact.restitution;
@@ -335,8 +334,8 @@ class Solver {
     return v - n * (n.dot(v) / n.squaredNorm());
   }
 
-  /// The error that a defect adds to the slip that sticking and friction remove. It is added to V⁻, because the
-  /// computed slip has rounding errors in all components.
+  /// The error that a defect makes in the slip. The solver adds this error to V⁻, because a recomputed slip would have
+  /// rounding errors in all components.
   [[nodiscard]] Vector slip_added(const Contact& contact) const {
     const Vector v = relative_velocity(contact);
     const Vector slip = across_normal(contact, v);
@@ -598,7 +597,6 @@ class Solver {
     }
     Outcome<double> after;
     if (has(Defect::each_body_alone)) {
-      // The impulse as if the other body were a wall.
       const auto alone = [&](const Contact& of_both, ContactBody Contact::*other) -> Vector {
         Contact one = of_both;
         (one.*other).inverse_mass = 0;
@@ -616,7 +614,7 @@ class Solver {
       after = pushed_apart(contact, impulse, -impulse);
     }
     if (has(Defect::spin_in_body_frame)) {
-      // The change of the spin is correct; only the spin in the approach is wrong.
+      // The misread spin affects only the impulse. The solver adds the change of the spin to the spin as given.
       after.a.angular_velocity += collision.a.angular_velocity - contact.a.angular_velocity;
       after.b.angular_velocity += collision.b.angular_velocity - contact.b.angular_velocity;
     }

@@ -16,7 +16,6 @@
 #include "rejection.hpp"
 #include "support/selected.hpp"
 
-/// The invariants that a planted defect breaks reject the solver. Without the defect, the solver passes.
 namespace carom::mutants {
 namespace {
 
@@ -34,7 +33,6 @@ std::string joined(const Rejecting& names) {
 /// One pass over the families judges all subjects of a test suite.
 class OnePass {
  public:
-  /// Arguments: each test's parameter and its subject.
   explicit OnePass(const std::map<std::string, Subject>& subject_of_parameter) {
     std::vector<Subject> subjects;
     for (const auto& [name, subject] : subject_of_parameter) {
@@ -122,8 +120,8 @@ TEST(MutantCatalogue, NamesInvariantsThatTheSubjectClaims) {
   }
 }
 
-/// The comparison with the truth (the exact outcome) alone rejects only mutants that lose digits. For `rough`, only the
-/// truth determines the share of friction.
+/// `backward_error` alone rejects only two kinds of mutants: those that lose digits, and those of `rough` with a wrong
+/// share of friction.
 TEST(MutantCatalogue, NeedsTheTruthOnlyForALossOfDigits) {
   for (const Mutant& mutant : all_mutants()) {
     const bool loses_digits =
@@ -137,7 +135,7 @@ TEST(MutantCatalogue, NeedsTheTruthOnlyForALossOfDigits) {
   }
 }
 
-/// Together with Mutants.AreRejected…, this shows that no invariant is vacuous.
+/// Together with Mutants.AreRejected…, this test shows that no invariant is vacuous.
 TEST(MutantCatalogue, HasAMutantForEveryInvariant) {
   std::set<std::string_view> rejecting;
   for (const Mutant& mutant : all_mutants()) {

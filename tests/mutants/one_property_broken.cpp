@@ -34,7 +34,6 @@ Subject claiming_any(std::string name, bool shows_matrix, Solved (*solve)(const 
   return subject;
 }
 
-/// The subject without the claim of Newton's ε.
 Subject without_restitution(Subject subject) {
   subject.deviates.emplace_back("restitution");
   return subject;
@@ -59,7 +58,7 @@ Solved stopped_short(const Contact& contact) {
   return impulse::apply_impulse<double>(contact, Vector(impulse.on_a * share));
 }
 
-/// Applies the impulse that would stop the approach if an immovable body were at rest.
+/// Applies the impulse that would stop the approach if driven walls were at rest.
 Solved ground_taken_as_at_rest(const Contact& contact) {
   if (!impulse::is_colliding(contact, impulse::normal_velocity(contact))) {
     return unchanged(contact);
@@ -77,7 +76,8 @@ Solved ground_taken_as_at_rest(const Contact& contact) {
 
 // Momentum.
 
-/// The heavier body gets nine tenths of the lighter body's impulse, scaled so that ε still holds.
+/// The heavier body gets nine tenths of the impulse on the lighter body. Both impulses are scaled so that N·V⁺ = −ε
+/// N·V⁻.
 Solved heavier_gets_less(const Contact& contact) {
   constexpr double share = 0.9;
   const double approach = impulse::normal_velocity(contact);
@@ -140,7 +140,7 @@ Solved solve_reflection(const Contact& contact) {
   return {answer.outcome, answer.matrix};
 }
 
-/// Reports (K F)(K F)ᵀ / (F·K F), the part of K that one impulse determines.
+/// Reports (K F)(K F)ᵀ / (F·K F). This matrix maps the impulse F to K F, as K does.
 Solved guessed_from_one_impulse(const Contact& contact) {
   Reflected answer = reflected(contact);
   if (answer.matrix) {
@@ -174,7 +174,7 @@ Solved matrix_of_masses_alone(const Contact& contact) {
   return {answer.outcome, answer.matrix};
 }
 
-/// Reports K + [F]×, whose error the impulse does not see.
+/// Reports K + [f]× with f parallel to F. The impulse does not show the error, because f × F = 0.
 Solved not_symmetric(const Contact& contact) {
   Reflected answer = reflected(contact);
   if (answer.matrix) {

@@ -26,7 +26,6 @@ std::string names(const std::vector<std::string_view>& all) {
   return all.empty() ? "–" : text;
 }
 
-/// The names, or their number if they are many.
 std::string names_of_few(const std::vector<std::string_view>& all) {
   constexpr std::size_t few = 8;
   return all.size() > few ? std::to_string(all.size()) : names(all);
@@ -39,7 +38,6 @@ std::vector<Rejected> rejected_mutants(std::uint64_t seed, std::uint64_t cases, 
   for (const Mutant& mutant : all_mutants()) {
     rejected.push_back({&mutant, {}});
   }
-  // Each thread draws the cases once for all of its mutants.
   const auto judge = [&](std::span<Rejected> mutants) {
     std::vector<Subject> subjects;
     for (const Rejected& one : mutants) {

@@ -16,7 +16,7 @@ struct Rejected {
   Rejecting by;
 };
 
-/// Every planted mutant, judged on `cases` cases of each family, times its weight.
+/// Judges every planted mutant on `cases` cases of each family, times the family's weight.
 [[nodiscard]] std::vector<Rejected> rejected_mutants(std::uint64_t seed, std::uint64_t cases, unsigned jobs);
 
 /// The contribution of an invariant to the verdicts on planted mutants.
@@ -25,13 +25,13 @@ struct Share {
   std::uint64_t rejects = 0;
   std::vector<std::string_view> misses;               // mutants that claim the invariant but are not rejected by it
   std::vector<std::string_view> alone;                // mutants that no other invariant rejects
-  std::vector<std::string_view> alone_without_truth;  // mutants that no other except `backward_error` rejects
+  std::vector<std::string_view> alone_without_truth;  // mutants that only this one and `backward_error` reject
 };
 
 /// The shares in the order of the catalogue of invariants.
 [[nodiscard]] std::vector<Share> shares_of(const std::vector<Rejected>& rejected);
 
-/// Invariants that together reject every rejected mutant, by a greedy choice.
+/// A greedy choice of invariants that together reject every rejected mutant.
 [[nodiscard]] std::vector<std::string_view> sufficient_invariants(std::vector<Rejected> rejected);
 
 /// The same mutants without the rejections by `backward_error`.

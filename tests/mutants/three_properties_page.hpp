@@ -22,7 +22,7 @@ struct PlantedRun {
 /// The statement of the property, its theorems, its random test, and its invariants in the gate.
 [[nodiscard]] std::string facts_section(const properties::Property& property);
 
-/// The defects that break only this property, and the number of cases in which they do.
+/// The defects that break only this property, each with the number of cases that show it.
 [[nodiscard]] std::string planted_section(const properties::Property& property, const PlantedRun& run);
 
 /// For each engine of a report.json, the number of judged cases that violate each invariant. Throws

@@ -13,7 +13,6 @@
 
 #include <carom/subjects/catalogue.hpp>
 
-/// The text of docs/reference/three-properties.md equals the program's output.
 namespace carom::mutants {
 namespace {
 

@@ -12,7 +12,6 @@
 #include "one_property_broken.hpp"
 #include "rejection.hpp"
 
-/// Each solver with a planted defect lacks exactly one of the three properties.
 namespace carom::mutants {
 namespace {
 
@@ -58,7 +57,7 @@ INSTANTIATE_TEST_SUITE_P(Each, OnePropertyBroken,
                          testing::ValuesIn(broken_properties().begin(), broken_properties().end()),
                          [](const auto& test) { return std::string(test.param.name); });
 
-/// An impulse that is lost at the world's origin has no moment about the origin.
+/// If the contact point is the world's origin, a lost impulse has no moment about the origin.
 TEST(LinearMomentum, IsViolatedAloneByAnImpulseLostAtTheOrigin) {
   const auto all = broken_properties();
   const auto defect =

@@ -12,7 +12,6 @@
 
 #include "catalogue.hpp"
 
-/// The gate reports a witness (recorded violation) that is simpler than the case in which it was found.
 namespace carom::mutants {
 namespace {
 
@@ -68,14 +67,13 @@ TEST_P(Witnesses, AreSimplerAndStillViolateTheirInvariant) {
 INSTANTIATE_TEST_SUITE_P(Of, Witnesses, testing::Values("separating_pulled", "wrong_mass_in_reaction"),
                          [](const auto& test) { return std::string(test.param); });
 
-/// The smallest witness is as small as a textbook example: every number has few bits.
 TEST(Witness, OfAPullIsSmall) {
   const GateReport report = run_gate({subject_of(mutant_named("separating_pulled"))}, options_with({"separating"}));
   const auto& witnesses = report.results.at(0).witnesses;
   const auto push =
       std::find_if(witnesses.begin(), witnesses.end(), [](const Witness& w) { return w.invariant == "push"; });
   ASSERT_NE(push, witnesses.end());
-  // The simplest collisions have a lower complexity: at the origin with r_A = r_B = 0, unit masses and one velocity. A
+  // The simplest collisions (at the origin with r_A = r_B = 0, unit masses, one velocity) have a complexity below 40. A
   // general collision has thousands.
   constexpr long textbook = 40;
   EXPECT_LT(properties::complexity(push->shrunk.collision), textbook);

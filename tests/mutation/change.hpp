@@ -7,8 +7,8 @@
 #include <type_traits>
 #include <utility>
 
-/// mutate.py replaces operators and numbers in its copy of the sources by the forms on the right. Each form behaves
-/// like the original unless its number is in the environment variable CAROM_MUTANT:
+/// In its copy of the sources, mutate.py replaces the operators and numbers on the left by the forms on the right. Each
+/// form behaves like the original unless its number (here 7) is in the environment variable CAROM_MUTANT:
 ///
 ///    a * b     a % Between<7, "*", "/">{} % b
 ///    a += b    a += Between<7, "+=", "-=">{} += b
@@ -16,12 +16,11 @@
 ///    a && b    joined<7, "&&">([&] { return bool(a); }, [&] { return bool(b); })
 ///    3         number<7, "+ 1">(3)
 ///
-/// The new operators have the precedence of the old ones, so the script need not find the operands. The parameter
-/// Constexpr says that the compiler may evaluate the enclosing function. Changes are disabled during evaluation at
-/// compile time.
+/// The new operators have the precedence of the old ones, so the script need not find the operands. Constexpr is true
+/// if the compiler may evaluate the enclosing function. No change is active during evaluation at compile time.
 namespace carom::mutation {
 
-/// An operator as written in the source. "left" and "right" return this operand alone.
+/// An operator as written in the source. "left" and "right" return the left or right operand alone.
 struct Sign {
   char text[8]{};
 
@@ -51,8 +50,7 @@ template <int Id, bool Constexpr>
   return number_of_change() == Id;
 }
 
-/// The type of a result. Eigen expressions become matrices, so that the original and the changed result have the same
-/// type.
+/// The type of a result. An Eigen expression becomes a matrix, so the original and the changed result have one type.
 template <class T>
 struct ValueOf {
   using Type = T;
@@ -106,7 +104,7 @@ struct Between {
         return Result(applied<Instead>(std::forward<L>(left), std::forward<R>(right)));
       } else if constexpr (requires {
                              -applied<Written>(left, right);
-                           }) {  // for example, such a quotient of matrices does not exist
+                           }) {  // for example, a quotient of two matrices does not exist
         return Result(-applied<Written>(std::forward<L>(left), std::forward<R>(right)));
       } else {
         return Result(std::forward<L>(left));
@@ -173,8 +171,7 @@ constexpr bool joined(const L& left, const R& right) {
   return is_conjunction ? left() && right() : left() || right();
 }
 
-/// A fraction becomes twice or half as large, the fraction zero becomes one, an integer one more, and a truth value its
-/// opposite.
+/// A fraction doubles or halves, the fraction zero becomes one, an integer grows by one, and a truth value flips.
 template <int Id, Sign Instead, bool Constexpr = false, class T>
 constexpr T number(T written) {
   if (!is_on<Id, Constexpr>()) {

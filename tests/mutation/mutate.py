@@ -24,7 +24,7 @@ MUTATED = [*(f"oracles/{one}" for one in ("laws", "exact", "judge", "filters", "
 TESTS = [line.split() for line in (ROOT / "tests/mutation/tests.txt").read_text().splitlines() if line[0] != "#"]
 LEAST_NOTICED, MOST_DROPPED = 0.92, 0.05
 LIMITS = ["timeout", "1800", "prlimit", "--cpu=120", "--as=8589934592"]  # seconds, seconds of processor time, bytes
-# The operators that may replace each one, and the operator of the same precedence that implements the change.
+# INSTEAD: the replacements of each operator. CARRIER: the operator of the same precedence in the new form.
 INSTEAD = {"+": ["-", "left", "right"], "-": ["+", "left"], "*": ["/"], "/": ["*"], "%": ["/"], "<": ["<=", ">="],
            "<=": ["<", ">"], ">": [">=", "<="], ">=": [">", "<"], "==": ["!="], "!=": ["=="], "&&": ["||"],
            "||": ["&&"], "+=": ["-=", "left"], "-=": ["+=", "left"], "*=": ["/="], "/=": ["*="]}
@@ -39,7 +39,7 @@ Place = collections.namedtuple("Place", "path i token instead lines name")  # on
 
 
 def tokens_of(text):
-    """Whether the operator is binary. clang-format puts spaces around binary operators only."""
+    """The tokens of a C++ text. `before` and `after` tell whether a blank is there: only binary operators have both."""
     tokens, angles = [], 0
     for match in TOKEN.finditer(text):
         word, start, end, last = match.group(), match.start(), match.end(), tokens[-1].text if tokens else ""
@@ -52,7 +52,7 @@ def tokens_of(text):
 
 
 def regions(tokens):
-    """Tokens evaluated at compile time only, tokens in functions that may be, and tokens in constants."""
+    """Tokens evaluated only at compile time, tokens in constexpr functions, and tokens in constexpr variables."""
     def closing(i):  # the bracket that closes the one at i; i if there is none
         depth = int(tokens[i].text in "([{")
         while depth > 0:
@@ -140,7 +140,7 @@ def drawn(seed, count):
 
 
 def changed(text, places):
-    """The text of a file with its changes behind switches, each on its original line."""
+    """The text of a file with its changes behind switches. Each change is on its original line."""
     tokens = tokens_of(text)
     _, function, variable = regions(tokens)
     done = {edit for number, place in places.items() for edit in edits(place, number, tokens, function, variable)}
@@ -163,7 +163,7 @@ def write_copy(places):
 
 
 def broken(log, places):
-    """The changes named by the first error of each file, by number, with the error. Later errors may be consequences."""
+    """The changes named by the first error of each file: number and error. Later errors may be consequences."""
     found = {}
     for file in log.split("FAILED: ")[1:]:
         lines = [line for line in file.splitlines() if not re.match(r" *\d* \|", line)]
@@ -178,7 +178,7 @@ def broken(log, places):
 
 
 def build(places, jobs):
-    """Builds the tests with all changes. Returns the dropped changes by number, with the reason."""
+    """Builds the tests with all changes. Returns the reason for each change that does not compile, by number."""
     known_file = WORK / "dropped.json"
     known = json.loads(known_file.read_text()) if known_file.exists() else {}
     while True:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSL-1.0
-"""A bare Debian 12 (debootstrap's minbase), in which commands run as if nothing else were installed."""
+"""A bare Debian 12 (debootstrap's minbase). Commands in it see no other installed packages."""
 
 import os
 import pathlib
@@ -30,7 +30,7 @@ def mirror():
 
 
 def make_base(folder):
-    """Makes the bare system that others are copied from, once."""
+    """Makes the bare system once. Other systems are copies of it."""
     if os.geteuid() != 0:
         raise Unavailable("making a chroot needs root")
     for program in ("debootstrap", "unshare", "chroot", "apt-get"):

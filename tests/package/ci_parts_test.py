@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSL-1.0
-"""Tests of the workflows that need no bare Debian, and of the action's scripts."""
+"""Tests of the action's scripts, and of the parts of the workflows that need no bare Debian."""
 
 import os
 import pathlib

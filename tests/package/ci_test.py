@@ -117,7 +117,7 @@ def expect_report(run, folder, verdict):
 
 
 def play_steps(playground, name, steps, report, environment):
-    """Runs the scripts of a job for GitHub. The cached folder is copied from the first run to the second.
+    """Runs the scripts of a job for GitHub. The second run gets a copy of the cached folder of the first run.
     """
     package = github_steps.cached_folder(steps)
     kept = playground.work / name / "package"
@@ -152,7 +152,7 @@ def play_steps(playground, name, steps, report, environment):
 
 
 def workflow_steps(playground, has_action):
-    """The steps of the workflow that uses Carom's action, or of the other workflow."""
+    """The steps of the workflow that uses Carom's action, or else of the workflow without the action."""
     block = playground.yaml_block(lambda text: "jobs:" in text and (github_steps.ACTION in text) == has_action)
     (job,) = github_steps.read_yaml(block)["jobs"].values()
     return job["steps"]
@@ -219,7 +219,7 @@ def play_container(playground):
         if image is None:
             stage = containerfile.build(text, playground.work / "carom", lambda name: playground.debian(f"container-{name}"), log)
             image, entry_point = stage.debian, stage.entry_point
-            # The example needs python3, which a user's image would install.
+            # The example needs python3. A user's image would install it, too.
             image.run(["sh", "-c", "apt-get update -qq && apt-get install -y -qq --no-install-recommends python3"], log=log)
         image.binds["/work"] = project
         shutil.rmtree(project / "report", ignore_errors=True)

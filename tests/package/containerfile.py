@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSL-1.0
-"""Builds a Containerfile without a container daemon: each stage in a separate bare Debian."""
+"""Builds a Containerfile without a container daemon. Each stage is a separate bare Debian."""
 
 import glob
 import json

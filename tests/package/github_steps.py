@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSL-1.0
 """The shell scripts of a job for GitHub, and the annotations in their output. No expression is evaluated:
-ci_parts_test.py requires that no script contains one, and that each condition is one of the two below.
+ci_parts_test.py requires that no script contains an expression, and that each condition is CACHE_MISS or ALWAYS.
 """
 
 import re
@@ -31,7 +31,7 @@ def cached_folder(steps):
 
 
 def commands_of(steps, has_package):
-    """The commands of the scripts, in order, without steps for a cache miss if the package exists."""
+    """The commands of the scripts, in order. If the package exists, steps for a cache miss are left out."""
     shells = {None: ["sh", "-e"], "bash": ["bash", "--noprofile", "--norc", "-eo", "pipefail"]}
     return [[*shells[step.get("shell")], "-c", step["run"]] for step in steps
             if "run" in step and not (has_package and step.get("if") == CACHE_MISS)]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSL-1.0
-"""Runs a job of GitLab in a bare Debian: its lines unchanged, its cache and its artefacts."""
+"""Runs a job of GitLab in a bare Debian, with unchanged lines, a cache and artefacts."""
 
 import re
 import shutil

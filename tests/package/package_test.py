@@ -26,7 +26,7 @@ class System:
         self.debian.binds["/packages"] = packages
 
     def expect(self, command, *texts, status=0):
-        """Runs a line of shell, whose output must contain all texts."""
+        """Runs a line of shell. The output must contain all texts."""
         began = time.monotonic()
         with open(self.log_file, "w", encoding="utf-8") as log:
             ended = self.debian.run(["/bin/sh", "-ec", command], log=log)
@@ -42,7 +42,7 @@ def check_program(system):
     system.expect("carom --version", "0.1.0")
     system.expect("ldd /usr/bin/carom | grep -c 'not found'", status=1)
     system.expect("carom gate frictionless-double --cases 50", "sound")
-    # The output names what an engine lacks. The printed command is run below.
+    # The output names what an engine lacks, and the command that installs it.
     system.expect("carom gate --engines --cases 2 --families generic || test $? -lt 3", "bullet-double", "bullet-float ",
                   "jolt-physics is not installed: npm ci --prefix /usr/share/carom/npm")
     system.expect("su nobody -s /bin/sh -c 'carom subjects'",

@@ -19,7 +19,7 @@ import sys
 import tempfile
 from fractions import Fraction
 
-# opposite_cone of friction.v: the general formula of κ, the factor of `rough`, divides by 0, but κ exists.
+# opposite_cone of friction.v: the general formula of κ, the factor of `rough`, divides by 0, although κ exists.
 ON_OPPOSITE_CONE = {
     "a": {"mass": 1, "principal_inertia": [0.25, 0.25, 0.25], "position": [0, 0, 0], "velocity": [-4, -2, 0],
           "angular_velocity": [0, 0, 0]},
@@ -49,7 +49,7 @@ def collisions_of(name):
 
 
 def root(number):
-    """The rational root, or None."""
+    """The rational square root, or None."""
     over, under = math.isqrt(number.numerator), math.isqrt(number.denominator)
     return Fraction(over, under) if over * over == number.numerator and under * under == number.denominator else None
 

@@ -18,7 +18,7 @@ import sys
 import coq
 
 LEFT_OUT = re.compile(r"\b(Admitted|Admit|admit|Axioms?|Parameters?|Conjectures?|bypass_check|Unset\s+\w+\s+Checking)\b"
-                      r"|^(?:Variables?|Hypothes[ie]s|Context)\b", re.MULTILINE)  # these three occur in sections, indented
+                      r"|^(?:Variables?|Hypothes[ie]s|Context)\b", re.MULTILINE)  # allowed if indented in a section
 STATED = re.compile(r"\b(?:Theorem|Corollary)\s+([\w']+)")
 
 

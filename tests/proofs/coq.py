@@ -9,7 +9,7 @@ import subprocess
 
 
 def copied(proofs, build):
-    """Copies the sources to `build`. Files compiled from the same text are kept."""
+    """Copies the sources to `build`. Keeps compiled files whose source text did not change."""
     build.mkdir(parents=True, exist_ok=True)
     for source in sorted(proofs.glob("*.v")):
         target = build / source.name
@@ -30,8 +30,8 @@ def compiled(build, targets=(), jobs=None):
 
 
 def assumptions(build, groups):
-    """The sorted axioms that each group of theorems depends on. A theorem is given as (file, name). A group takes
-    half a second.
+    """The sorted axioms that each group of theorems depends on. A theorem is a pair (file, name). A group takes half a
+    second.
     """
     lines = [f"Require Carom.{file}." for file in dict.fromkeys(file for group in groups for file, _ in group)]
     for number, group in enumerate(groups):

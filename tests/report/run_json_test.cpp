@@ -52,7 +52,7 @@ report::Run run_with(const properties::GateReport& report, bool is_shard) {
   return run_of(report, {true}, {}, environment, {"push@generic"}, is_shard);
 }
 
-/// The shard that is read from the JSON of this report and its witnesses.
+/// The shard read back from the JSON of this report and its witnesses.
 ReadShard read_back(const properties::GateReport& report) {
   const report::Run run = run_with(report, true);
   ReadShard shard = shard_from(json::parse(report_record(run).dump()), "shard");
@@ -95,7 +95,7 @@ TEST(RunJson, KeepsWhatAComparisonNeeds) {
   EXPECT_EQ(read.exit_status(), run.exit_status());
 }
 
-/// The baseline (an earlier report) has every violation, so only the error makes the run fail.
+/// The baseline has every violation, so only the error makes the run fail.
 TEST(RunJson, KeepsTheErrorOfAShardThatAlsoViolatesSomething) {
   properties::GateReport report = judged_report();
   const report::Run baseline = run_with(report, false);

@@ -18,8 +18,8 @@ properties::Witness witness_of(const std::string& invariant, const std::string& 
   return witness;
 }
 
-/// A subject was judged on 80 of 100 cases of `slow`, and on 60 of them for `restitution`. It answers invalid
-/// collisions.
+/// A subject was judged on 80 of 100 cases of `slow`; `restitution` was judged on 60 of these 80. The subject answers
+/// invalid collisions.
 report::Run violated_run() {
   report::Run run;
   run.settings.cases = 100;

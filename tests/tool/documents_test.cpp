@@ -67,7 +67,7 @@ TEST(Documents, FindStatementsByTheirWholeName) {
 }
 
 TEST(Documents, TheoremsThatInvariantsNameAreProved) {
-  // Another test compares the axioms of the theorems in theorems.txt with the permitted axioms.
+  // Another test compares the axioms in theorems.txt with the permitted axioms.
   const std::string listed = content_of(proofs + "theorems.txt");
   std::size_t count = 0;
   for (const properties::Invariant& invariant : properties::all_invariants()) {

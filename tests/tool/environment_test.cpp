@@ -21,8 +21,8 @@ namespace carom::tool {
 namespace {
 
 struct Flags {
-  std::set<std::string> definitions;  // of the target, in any order
-  std::vector<std::string> others;    // in the order of the compile line
+  std::set<std::string> definitions;  // the target's compile definitions, in any order
+  std::vector<std::string> others;    // the other flags, in the order of the compile line
 
   bool operator==(const Flags&) const = default;
 };
@@ -66,7 +66,7 @@ std::string target_of(const std::vector<std::string>& words) {
   return object.substr(begin, object.find(".dir/", begin) - begin);
 }
 
-/// The flags that are in both, in the order of `left`.
+/// The flags of `left` that `right` also has, in the order of `left`.
 Flags common(const Flags& left, const Flags& right) {
   Flags both;
   std::set_intersection(left.definitions.begin(), left.definitions.end(), right.definitions.begin(),
@@ -77,7 +77,7 @@ Flags common(const Flags& left, const Flags& right) {
   return both;
 }
 
-/// The flags that all compile lines of a target have, by target.
+/// For each target, the flags that all its compile lines share.
 std::map<std::string, Flags> compiled_flags() {
   std::map<std::string, Flags> all;
   for (const nlohmann::json& entry : nlohmann::json::parse(tests::content_of(CAROM_COMPILE_COMMANDS))) {

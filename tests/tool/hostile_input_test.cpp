@@ -21,7 +21,7 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-/// ESC, C1 and characters that reverse the direction of writing may hide text.
+/// ESC, C1 and characters that reverse the writing direction may hide text.
 constexpr const char* controls = "\x1b[31m\u009b31m\u202e\u2066\u200f";
 
 void expect_harmless(const RunResult& run) {
@@ -130,8 +130,8 @@ TEST(HostileInput, WhereMemoryEndsWhatWasJudgedUntilThenIsReported) {
   const TemporaryDirectory directory;
   const std::string out = (directory.path() / "report").string();
   int reports = 0;
-  // The least limit is too little to start, and the greatest is more than enough. Between them, memory runs out during
-  // the run.
+  // With the least limit, the program cannot start. The greatest limit is more than enough. Between them, memory runs
+  // out during the run.
   for (int kilobytes = 40'000; kilobytes < 120'000 && reports < 3; kilobytes += 2'000) {
     fs::remove_all(out);
     const RunResult run =
@@ -141,7 +141,7 @@ TEST(HostileInput, WhereMemoryEndsWhatWasJudgedUntilThenIsReported) {
     if (run.exit_status == 1) {
       break;
     }
-    EXPECT_TRUE(run.exit_status == 2 || run.exit_status == 127)  // 127: the system could not even load it
+    EXPECT_TRUE(run.exit_status == 2 || run.exit_status == 127)  // 127: the system cannot even load the program
         << kilobytes << ' ' << run.exit_status << run.errors;
     if (fs::exists(fs::path(out) / "report.json")) {
       EXPECT_EQ(run.errors, "carom: there is not enough memory\n");
@@ -161,7 +161,7 @@ TEST(HostileInput, JsonLinesAreReadAsTheyCome) {
   const TemporaryDirectory directory;
   const std::string line = directory.write("line.json", ball().dump() + '\n');
   const std::string invalid = directory.write("invalid.json", "{}\n");
-  // An error is reported, and earlier results are printed, even if the file does not end.
+  // Even if the file does not end, an error is reported, and earlier results are printed.
   const RunResult bad = run_program(
       "/bin/sh",
       {"-c",
@@ -185,7 +185,7 @@ TEST(HostileInput, ALongFileOfOneLineIsReadAsAWhole) {
 
 class WaitingForInput : public testing::TestWithParam<const char*> {};
 
-/// Each command waits for a pipe without a writer, and for a pipe whose writer is silent.
+/// Each command waits for a pipe, first without a writer, then with a silent writer.
 TEST_P(WaitingForInput, EndsOnOneSignal) {
   const TemporaryDirectory directory;
   const std::string pipe = (directory.path() / "pipe").string();

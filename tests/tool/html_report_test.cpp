@@ -12,7 +12,7 @@
 namespace carom::tests {
 namespace {
 
-/// The elements that a generated page may contain. They load and run nothing.
+/// The elements that a generated page may contain. None of them loads or runs anything.
 const std::set<std::string> elements{
     "html",    "head",    "meta",       "title",   "style",   "body",   "header", "main",  "footer",  "nav",
     "section", "article", "h1",         "h2",      "h3",      "h4",     "p",      "a",     "ul",      "li",

@@ -14,7 +14,7 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-/// A run and its three shards, which have every third case. The subjects are sound and faulty, in each precision.
+/// A run and its three shards. Each shard has every third case. The subjects are sound and faulty, in each precision.
 class Merge : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -67,7 +67,7 @@ class Merge : public testing::Test {
     return {path("shard2"), path("shard1"), path("shard3")};
   }
 
-  /// The directory of a copy of the second shard with a changed report.
+  /// The directory of a copy of the second shard whose report `change` changed.
   [[nodiscard]] static std::string changed_shard(const std::function<void(json&)>& change) {
     const fs::path changed = directory_->path() / "changed";
     fs::remove_all(changed);
@@ -82,7 +82,7 @@ class Merge : public testing::Test {
   static inline TemporaryDirectory* directory_ = nullptr;
 };
 
-/// The report without dates, times, and the cases of witnesses, because each shard chooses its own witnesses.
+/// Each shard chooses its own witnesses, so their cases may differ.
 json without_what_may_differ(json report) {
   report.at("environment").erase("date");
   for (json& subject : report.at("subjects")) {

@@ -39,7 +39,6 @@ std::string lines_of(const std::vector<json>& records) {
   return text;
 }
 
-/// Crates that name their class, and spheres that do not.
 std::string crates_and_spheres() {
   std::vector<json> records;
   for (int i = 0; i < 5; ++i) {
@@ -131,8 +130,8 @@ TEST(Plan, RefusesFloatForOneContactFarFromTheOriginAndNamesItsLine) {
 
 TEST(Plan, FailsWhereNothingServes) {
   const TemporaryDirectory directory;
-  // The change of the velocity is small beside the velocity that both bodies share. An outcome in binary64 cannot hold
-  // that many digits of the change.
+  // The change of velocity is small beside the common velocity of both bodies. So an outcome in binary64 cannot hold 18
+  // digits of the change.
   json fast = crate(0);
   fast["a"]["velocity"] = {1e9 + 0.5, -1.25, 0};
   fast["b"]["velocity"] = {1e9, 0, 0};

@@ -177,7 +177,7 @@ TEST(Replay, SaysWhichFileWhereAndWhatWasExpected) {
 }
 
 TEST(Replay, JudgesNumbersAtTheEndsOfBinary64WithoutAFalseAlarm) {
-  // The frictionless answer to a ball that hits a floor is exact in binary64 at every power of two.
+  // A ball hits a floor. At every power of two, the frictionless answer is exact in binary64.
   const TemporaryDirectory directory;
   for (const char* pointer : {"/a/mass", "/a/velocity/1", "/normal/1", "/a/orientation/0"}) {
     for (const double factor : {0x1p-500, 0x1p-1000, 0x1p+500, 0x1p+1000}) {
@@ -192,7 +192,7 @@ TEST(Replay, JudgesNumbersAtTheEndsOfBinary64WithoutAFalseAlarm) {
 }
 
 TEST(Replay, SaysWhereTheBackwardErrorWasNotDecided) {
-  // Several terms of such velocities overflow binary64, but the answer does not.
+  // With this velocity, several terms overflow binary64, but the answer does not.
   json ball = cube_on_floor();
   ball["a"]["velocity"] = {0, -6e307, 0};
   const TemporaryDirectory directory;
@@ -217,7 +217,7 @@ TEST(Replay, AcceptsAnInvalidCollisionAsAWitnessThatItWasAnswered) {
   EXPECT_NE(result.output.find("refused"), std::string::npos) << result.output;
 }
 
-/// A file may name a program in any of its fields, but only the user may start programs.
+/// A file may name a program in any of its fields. Only the user may start programs.
 TEST(Replay, StartsNoProgramThatAFileNames) {
   const TemporaryDirectory directory;
   const std::string touched = (directory.path() / "touched").string();
@@ -268,10 +268,9 @@ TEST(Replay, ShowsEveryAnswerOfCoulomb) {
   EXPECT_NE(replay(parting, {}).find("answer 1 of 1, untouched"), std::string::npos);
 }
 
-/// A file cannot start an engine either, although carom knows engines by name.
 TEST(Replay, StartsNoEngineThatAFileNames) {
   const TemporaryDirectory directory;
-  // This fake `node` is started if any adapter is.
+  // If any adapter starts, this fake `node` starts.
   const std::string started = (directory.path() / "started").string();
   const std::string node = directory.write("node", "#!/bin/sh\necho started >> " + started + '\n');
   std::filesystem::permissions(node, std::filesystem::perms::owner_all);
@@ -288,7 +287,6 @@ TEST(Replay, StartsNoEngineThatAFileNames) {
   EXPECT_FALSE(std::filesystem::exists(started));
 }
 
-/// Replays the drawn case of a witness, from the witness's file and by the number of the case.
 TEST(Replay, ShowsTheDrawnCaseOfAWitnessAndAnyCaseByItsNumber) {
   const TemporaryDirectory out;
   const RunResult gate = run_carom({"gate", "reflection-in-basis-double", "--families", "near_head_on", "--cases",

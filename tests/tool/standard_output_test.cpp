@@ -25,7 +25,7 @@ const std::vector<std::vector<std::string>> commands{
     {"replay", std::string(CAROM_SOURCE_DIR) + "/docs/examples/head_on.json"},
 };
 
-/// As with other programs, `carom … | head -1` says nothing. The loop waits until the reader is gone.
+/// As with other programs, `carom … | head -1` prints no error. The loop waits until the reader is gone.
 TEST(StandardOutput, ThatNobodyReadsEndsTheProgramSilently) {
   const std::string broken = R"({ trap '' PIPE; while echo 2> /dev/null; do :; done; trap - PIPE; "$@"; status=$?
     echo "status $status" >&2; } | true)";

@@ -57,7 +57,7 @@ TEST(Summary, LeavesOutWhatIsExpectedToFail) {
   EXPECT_EQ(text.find("reflection-in-basis-double"), std::string::npos) << text;
 }
 
-// A subject's text ends no cell by |, ends no code by `, and begins no line with a heading or a tag.
+// A subject's text does not end a cell by |, does not end code by `, and begins no line with a heading or a tag.
 TEST(Summary, IsNotWhatASubjectWrites) {
   const std::string text =
       summary_of({"gate", "exec:/no/such '|`<b>@who\n## planted\x1b[31m'", "--families", "head_on", "--cases", "2"}, 2);

@@ -3,8 +3,8 @@
 
 #include <carom/collision/outcome.hpp>
 
-/// A solver with a defect that the property in README.md finds: it tests for approach with the velocities of the
-/// centres, and ignores rotation.
+/// A solver with a defect that the property in README.md finds. The solver tests for approach with the velocities of
+/// the centres, and ignores rotation.
 inline carom::Outcome<double> my_solver(const carom::Collision& c) {
   carom::Outcome<double> after = carom::unchanged(c);
   const double of_a = c.a.immovable ? 0 : 1 / c.a.mass;

@@ -15,8 +15,8 @@
 namespace carom::formulas {
 namespace {
 
-/// Contacts of real bodies that are not slender, with friction, and without spins, because the formulas omit gyroscopic
-/// torque.
+/// Contacts with friction of real bodies that are not slender. The bodies do not spin, because the formulas omit
+/// gyroscopic torque.
 std::vector<Collision> contacts(std::uint64_t count) {
   std::vector<Collision> drawn;
   for (std::uint64_t i = 0; drawn.size() < count; ++i) {
@@ -46,9 +46,9 @@ void expect_reproduced(const std::string& name) {
     const auto computed = map_outcome<double>(std::get<ReportedOutcome>(answers[i]),
                                               [](long double x) { return static_cast<double>(x); });
     const Outcome<double> expected = (*formula)(c);
-    // The velocities differ by roundings of ten iterations over three rows, with about thirty roundings each. Numbers
-    // cancel to a sixteenth (condition number of K ≤ 16), and moments differ by up to 1 : 8. So the error is at most 10
-    // · 3 · 30 · 16 · 8 u < 2⁻³⁶ of the speeds, with u the unit roundoff.
+    // Ten iterations visit three rows, with about 30 roundings each. The condition number of K is at most 16, and
+    // moments differ by at most 1 : 8. So the error is at most 10 · 3 · 30 · 16 · 8 u < 2⁻³⁶ of the speeds, with the
+    // unit roundoff u.
     const double scale = c.a.velocity.norm() + c.b.velocity.norm();
     for (const auto part : {&Outcome<double>::a, &Outcome<double>::b}) {
       EXPECT_LE(((computed.*part).velocity - (expected.*part).velocity).norm(), 0x1p-36 * scale)
@@ -64,7 +64,8 @@ TEST(EngineFormulas, SayWhatOdeDoes) {
   expect_reproduced("ode-double-coulomb-as-shipped");
 }
 
-/// For each engine, some contact differs by a hundredth or more from the law. So the law does not describe the engine.
+/// For each engine, a contact exists on which the formula and the law differ by more than 1 % of the change of
+/// velocity.
 TEST(EngineFormulas, AreNotTheLaw) {
   const std::vector<Collision> collisions = contacts(100);
   for (const char* engine : {"bullet-double", "ode-double", "rapier", "jolt", "cannon", "physx", "oimo", "mujoco"}) {

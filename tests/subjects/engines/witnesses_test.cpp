@@ -17,14 +17,14 @@ namespace {
 
 using oracles::Rational;
 
-constexpr double some_roundings = 16 * 0x1p-53;  // of numbers up to 1
+constexpr double some_roundings = 16 * 0x1p-53;  // 16 u for the unit roundoff u
 
 Collision witness(const std::string& name) {
   std::ifstream file(CAROM_WITNESSES "/" + name + ".json");
   return collision_from_json(nlohmann::json::parse(file));
 }
 
-/// The velocities of A after the impulse, by the formula, and by the engine if it is installed.
+/// The velocity of A after the impulse, by the formula, and by the engine if it is installed.
 std::vector<Vector3<double>> velocities_by(const std::string& subject_name, const Collision& collision) {
   std::vector<Vector3<double>> velocities{(*formulas::formula_of(subject_name))(collision).a.velocity};
   const Subject subject = *subjects::subject_named(subject_name);
@@ -35,7 +35,7 @@ std::vector<Vector3<double>> velocities_by(const std::string& subject_name, cons
   return velocities;
 }
 
-/// Checks that the impulse F on a body of mass 1 is `impulse`.
+/// Checks the impulse on A, which has mass 1.
 void expect_impulse(const std::string& subject_name, const Collision& collision, const Vector3<double>& impulse,
                     double rounding) {
   ASSERT_EQ(collision.a.mass, 1);
@@ -50,9 +50,9 @@ Vector3<Rational> coulomb_impulse(const Collision& collision) {
   return answers[0].truth.impulse;
 }
 
-/// K = (3, 1, −1; 1, 3, 1; −1, 1, 3), V⁻ = (1, −3, 0). Bullet's friction acts along x alone, and converges to 3 F_x +
-/// F_y = −1, F_x + 3 F_y = 3. Each of ten iterations reduces the error by a factor of nine. Along z, the point still
-/// slips.
+/// K = (3, 1, −1; 1, 3, 1; −1, 1, 3), V⁻ = (1, −3, 0). Bullet's friction acts along x alone. F converges to the
+/// solution of 3 F_x + F_y = −1, F_x + 3 F_y = 3, and each of ten iterations divides the error by nine. The contact
+/// point still slips along z.
 TEST(EngineWitnesses, BulletDoesNotStopASlipAcross) {
   const Collision c = witness("across_the_slip");
   EXPECT_EQ(coulomb_impulse(c), Vector3<Rational>(Rational(-5) / 4, Rational(7) / 4, -1));
@@ -60,7 +60,7 @@ TEST(EngineWitnesses, BulletDoesNotStopASlipAcross) {
 }
 
 /// K = (2, 1; 1, 2), V⁻ = (−3, −1). The first iteration gives F_y = 1/2, then F_x = 5/4. In the second iteration F_y
-/// falls to 0. F_x stays, because the solver does not change friction if F_y is 0.
+/// falls to 0. The solver does not change friction if F_y = 0, so F_x stays.
 TEST(EngineWitnesses, BulletKeepsFrictionWithoutPressure) {
   const Collision c = witness("friction_without_pressure");
   EXPECT_LE((coulomb_impulse(c).unaryExpr([](const Rational& x) { return oracles::to_double(x); }) -
@@ -70,8 +70,8 @@ TEST(EngineWitnesses, BulletKeepsFrictionWithoutPressure) {
   expect_impulse("bullet-double-coulomb-as-shipped", c, {1.25, 0, 0}, some_roundings);
 }
 
-/// K = (2, 1; 1, 2), V⁻ = (1, −2), μ = 1/2. Without friction F_y = 1, so ODE limits F_x to [−1/2, 1/2]. With F_x =
-/// −1/2, F_y is 5/4.
+/// K = (2, 1; 1, 2), V⁻ = (1, −2), μ = 1/2. Without friction F_y = 1, so ODE limits F_x to [−1/2, 1/2]. F_x = −1/2 then
+/// gives F_y = 5/4.
 TEST(EngineWitnesses, OdeTakesTheLimitFromThePressureWithoutFriction) {
   const Collision c = witness("raised_pressure");
   EXPECT_LE((coulomb_impulse(c).unaryExpr([](const Rational& x) { return oracles::to_double(x); }) -
@@ -81,8 +81,8 @@ TEST(EngineWitnesses, OdeTakesTheLimitFromThePressureWithoutFriction) {
   expect_impulse("ode-double-coulomb", c, {-0.5, 1.25, 0}, some_roundings);
 }
 
-/// r × N = (1, −3/4, 0) lies across the rod, so N·KN = 1 + (25/16) / (25/16) = 2, F = N and w⁺ = (16, −12, 0)/25. In
-/// world axes, the greatest entry of J⁻¹ is about 2²⁶ · 16/25 and is rounded by up to 4 · 10⁻⁹.
+/// r × N = (1, −3/4, 0) is orthogonal to the rod, so N·KN = 1 + (25/16) / (25/16) = 2, F = N and w⁺ = (16, −12, 0)/25.
+/// In world axes, the greatest entry of J⁻¹ is about 2²⁶ · 16/25, and its rounding error is up to 4 · 10⁻⁹.
 TEST(EngineWitnesses, ASlenderRodLosesHalfOfItsDigitsByAnInverseInertiaInWorldAxes) {
   const Collision rod = witness("slender_rod");
   const Vector3<double> spin{16.0 / 25, -12.0 / 25, 0};
@@ -113,8 +113,8 @@ struct ByHand {
   double rounding;           // the allowed error, from the engine's precision [m/s]
 };
 
-/// The formula always gives the values of docs/reference/engines, and so does the engine if it is installed. The speeds
-/// are below 16 (256 in the rows with a factor 16), with a few dozen roundings.
+/// The formula gives the values of docs/reference/engines; the engine, if installed, gives the same. The speeds are
+/// below 16 (256 in the rows with a factor 16), and an answer has a few dozen roundings.
 TEST(EngineWitnesses, AreAnsweredAsWorkedOutByHand) {
   constexpr double single = 16 * 0x1p-20;
   constexpr double binary = 16 * 0x1p-48;
@@ -126,7 +126,7 @@ TEST(EngineWitnesses, AreAnsweredAsWorkedOutByHand) {
            ByHand{"a_shorter_side", "cannon-coulomb", {0.8, 0.6, 6.4}, binary},
            ByHand{"mobility_for_slip", "oimo-coulomb", {-44, 0, -69}, 16 * binary},
            ByHand{"spin_across", "physx-coulomb", {-25, 0, 5}, 16 * single},
-           // MuJoCo's contact is soft by 1e-4.
+           // MuJoCo's softness R_N is 1e-4 of N·K N.
            ByHand{"faster_by_the_slip", "mujoco-coulomb", {2.2, 0.6, 0}, 1e-4},
        }) {
     const Collision c = witness(by_hand.witness);

@@ -49,8 +49,7 @@ TEST(Exec, ChangesNoVerdict) {
   }
 }
 
-/// For programs, each relation (an invariant that compares the answers to related collisions) is judged on every fourth
-/// case.
+/// For programs, each relation is judged on every fourth case.
 TEST(Exec, IsAskedAboutRelatedCollisionsOnEveryFourthCase) {
   const Subject subject = exec_subject(std::string("exec:") + CAROM_WELL_BEHAVED, {});
   properties::GateOptions options;
@@ -63,7 +62,7 @@ TEST(Exec, IsAskedAboutRelatedCollisionsOnEveryFourthCase) {
   EXPECT_EQ(report.results[1].count("swap").holds, 80U);
 }
 
-/// A law that does not read friction need not refuse an invalid friction.
+/// If a law does not read friction, a subject of this law need not refuse an invalid friction.
 TEST(Exec, NeedNotRefuseWhatItsLawDoesNotRead) {
   Subject careless = *subject_named("frictionless-double");
   careless.open = [] {
@@ -87,7 +86,6 @@ TEST(Exec, NeedNotRefuseWhatItsLawDoesNotRead) {
             500U);
 }
 
-/// A subject that claims nothing has passed nothing.
 TEST(Exec, IsNotSoundWhereItClaimsNothing) {
   Subject subject = *subject_named("frictionless-double");
   for (const properties::Invariant& invariant : properties::all_invariants()) {
@@ -103,7 +101,7 @@ TEST(Exec, AnswersManyAtOnceAndNone) {
   const Subject subject = exec_subject(std::string("exec:") + CAROM_WELL_BEHAVED, {});
   Session session = subject.open();
   EXPECT_TRUE(session({}).empty());
-  // More than the pipes can buffer.
+  // 5000 collisions exceed the buffers of the pipes.
   const std::vector<Collision> many(5000);
   EXPECT_EQ(session(many).size(), many.size());
   EXPECT_EQ(session(std::span(many).first(1)).size(), 1U);

@@ -30,7 +30,7 @@ std::string misbehaving(const std::string& fault, const std::string& name = "fau
   return std::string("exec:") + CAROM_MISBEHAVING + ' ' + fault + ' ' + name;
 }
 
-/// The gate's report on these subjects. The gate asks twenty cases at once, and the fault occurs at the third.
+/// The gate's report on these subjects. Most faults occur at the third collision after the start of the program.
 struct Gate {
   RunResult run;
   json report;
@@ -56,7 +56,7 @@ constexpr const char* no_line = "wrote no line within 0.7 s";
 
 struct Fault {
   std::string fault;
-  std::vector<std::string> says;  // of the error
+  std::vector<std::string> says;  // parts of the error message
   bool hangs = false;
 };
 
@@ -102,7 +102,7 @@ std::string name_of(const Fault& fault) {
   return name;
 }
 
-/// The gate waits ten times or more for a subject that hangs, so these gates run at the same time.
+/// The gate waits ten times or more for a subject that hangs, so the gates of all such faults run at the same time.
 class Faults : public testing::TestWithParam<Fault> {
  protected:
   static void SetUpTestSuite() {
@@ -124,8 +124,8 @@ class Faults : public testing::TestWithParam<Fault> {
   static inline std::map<std::string, std::future<Gate>> waiting;
 };
 
-/// The report names the request and the reason, and the sound subject is judged to the end. A program that fails to
-/// start is not judged. A program that fails on a collision violates the invariant `finite`.
+/// The report names the request and the reason. The second subject, which is sound, is judged to the end. If the faulty
+/// program fails to start, it is not judged. If it fails on a collision, it violates the invariant `finite`.
 TEST_P(Faults, NameRequestAndReason) {
   const Gate gate = result(GetParam().fault);
   const std::string request = GetParam().says.front();
@@ -162,7 +162,7 @@ TEST(Faults, LoseNoVerdict) {
   EXPECT_GT(gate.subject(0).at("families").at(0).at("invariants").at("restitution").at("holds"), 0);
 }
 
-/// Two answers before each failure are kept, for every start.
+/// After each start, the program answers two collisions before it fails. The gate keeps both answers.
 TEST(Faults, LoseNoVerdictOfTheSameBatch) {
   const Gate gate({misbehaving("signal")});
   const json& finite = gate.subject(0).at("families").at(0).at("invariants").at("finite");
@@ -171,7 +171,7 @@ TEST(Faults, LoseNoVerdictOfTheSameBatch) {
   EXPECT_LT(gate.subject(0).at("cases"), 120) << "a subject that fails and fails is judged no further";
 }
 
-/// A crash has a witness (recorded violation), which is shrunk and replays.
+/// A crash has a witness, which the gate shrinks, and which replays.
 TEST(Faults, ACrashIsFoundShrunkAndReplayed) {
   const TemporaryDirectory out;
   const RunResult run = run_carom({"gate", misbehaving("crash-where-bouncy"), "--families", "generic", "--cases", "40",
@@ -219,7 +219,7 @@ TEST(Faults, NamesThatShareAFileNameAreToldApart) {
   EXPECT_TRUE(std::filesystem::exists(out.path() / "witnesses" / "x_y__2.finite.json"));
 }
 
-/// The protocol can express NaN, so NaN is a wrong outcome and no fault of the protocol.
+/// The protocol can express NaN. So NaN is a wrong outcome and does not violate the protocol.
 TEST(Faults, NumbersThatAreNotFiniteAreAViolation) {
   const Gate gate({misbehaving("nan-as-text")});
   EXPECT_EQ(gate.run.exit_status, 1);
@@ -239,7 +239,7 @@ TEST(Faults, AMatrixThatIsNotFiniteIsAViolation) {
 }
 
 TEST(Faults, AFloodOfErrorsIsCutAndDoesNoHarm) {
-  const Gate gate({misbehaving("flood-of-errors")}, "30");  // a flood takes its time under ThreadSanitizer
+  const Gate gate({misbehaving("flood-of-errors")}, "30");  // a flood is slow under ThreadSanitizer
   EXPECT_EQ(gate.run.exit_status, 0) << gate.run.output.substr(0, 2000);
 }
 
@@ -257,7 +257,7 @@ long largest_child() {
     const Gate gate({misbehaving(fault)});
   }
 #ifndef __SANITIZE_ADDRESS__
-  // A line, its copy, its parts as JSON, and 64 KiB of standard error take tens of MiB, not the GiB that is written.
+  // The program writes a GiB. The gate keeps a line, its copy, its JSON, and 64 KiB of standard error: tens of MiB.
   constexpr long most = 64L << 20U;
   EXPECT_LE(largest_child(), usual + most);
 #else
@@ -266,7 +266,7 @@ long largest_child() {
   std::exit(testing::Test::HasFailure() ? 1 : 0);
 }
 
-/// Runs in a separate process, which has no children of other tests.
+/// Runs in a separate process, so that children of other tests do not count.
 TEST(Faults, TakeNoMoreMemoryThanTheirBounds) { EXPECT_EXIT(take_memory(), testing::ExitedWithCode(0), ""); }
 
 TEST(Faults, AProgramThatCannotBeRunIsAnError) {
@@ -289,7 +289,7 @@ TEST(Faults, AProgramThatCannotBeRunIsAnError) {
 
 bool is_there(pid_t process) { return kill(process, 0) == 0 || errno != ESRCH; }
 
-/// The processes of the misbehaving program with this word on the command line.
+/// The misbehaving programs that have `word` on their command line.
 std::vector<pid_t> processes_with(const std::string& word) {
   std::vector<pid_t> found;
   for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
@@ -326,8 +326,8 @@ pid_t process_in(const std::string& file) {
   return text.empty() ? 0 : std::stoi(text);
 }
 
-/// A shell that becomes the gate may have background jobs. If a job ends, the gate becomes the parent of the job's
-/// children. The gate must end neither jobs nor their children, but processes that a subject leaves behind.
+/// A shell with background jobs may become the gate by `exec`. If a job ends, the gate becomes the parent of the job's
+/// children. The gate must end processes that a subject leaves behind, but neither jobs nor their children.
 TEST(Faults, EndNoProcessThatASubjectDidNotStart) {
   const TemporaryDirectory directory;
   const std::string job = (directory.path() / "job").string();

@@ -98,8 +98,8 @@ TEST(Reply, HasTheBitsOfTheSubjectsPrecision) {
   EXPECT_TRUE(std::isinf(std::get<ReportedOutcome>(large).a.velocity[1]));
 }
 
-/// Decimals next to the midpoint of two binary64 numbers. A reader that first rounds them to extended gets the
-/// midpoint, which then rounds to the wrong side.
+/// Each decimal is close to the midpoint of two binary64 numbers. If a reader first rounds the decimal to the extended
+/// format, it gets the midpoint, and then rounds the midpoint to the wrong neighbour.
 TEST(Reply, RoundsADecimalOnce) {
   for (const auto& [decimal, nearest, other] : std::vector<std::tuple<std::string, double, double>>{
            {"8.68411587126273421", 0x1.15e446f7b7ef9p+3, 0x1.15e446f7b7ef8p+3},
@@ -136,7 +136,7 @@ TEST(Reply, MayLeaveTheRangeOfBinary64) {
   }
 }
 
-/// 0.1 needs more digits in a wider format than in binary64.
+/// A binary64 number such as 0.1 needs more digits in the extended format than in binary64.
 TEST(Reply, LosesNoBitOfABinary64NumberReadAsExtended) {
   ReportedOutcome outcome;
   outcome.a.velocity = {0.1, 1.0 / 3, 0.006120156079754623772160027};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// A sound subject (solver under test) with the fault that the first argument names. Its name is the second argument, or
-// the process id.
+// A sound subject with the fault that the first argument names. The subject's name is the second argument, or the
+// process id.
 #include <csignal>
 #include <cstdlib>
 #include <functional>
@@ -35,7 +35,7 @@ void write_megabytes(std::ostream& stream, int megabytes, bool with_line_ends) {
   }
 }
 
-/// The fault replaces the reply or precedes it, and returns the reply to write.
+/// Acts the fault out, and returns the line to write in place of `reply`.
 using Fault = std::function<std::string(std::uint64_t id, std::string reply)>;
 
 const std::map<std::string, Fault>& faults() {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// A sound subject (solver under test), except that it misreads one spelling that the protocol permits. The first
-// argument selects the spelling.
+// A sound subject, except that it misreads one spelling that the protocol permits. The first argument selects the
+// spelling.
 #include <functional>
 #include <iostream>
 #include <map>

@@ -7,8 +7,7 @@
 
 #include "support/program.hpp"
 
-/// The gate finds programs that misread a permitted spelling (way to write a collision), and each witness (recorded
-/// violation) replays.
+/// The gate finds programs that misread a permitted spelling (way to write a collision), and each witness replays.
 namespace carom::tests {
 namespace {
 
@@ -27,7 +26,7 @@ TEST_P(Misreading, IsViolatedAndItsWitnessesReplay) {
   EXPECT_EQ(subject.at("status"), "violated");
   const json& violations = subject.at("violations");
   ASSERT_FALSE(violations.empty());
-  // A replay starts the program in every spelling.
+  // A replay starts the program once for each spelling, so at most three witnesses are replayed.
   for (std::size_t i = 0; i < violations.size(); i += (violations.size() + 2) / 3) {
     const json& violation = violations.at(i);
     const std::string witness = (out.path() / violation.at("witness").get<std::string>()).string();

@@ -105,7 +105,7 @@ TEST(Spelling, IsTheSameForTheSameBitsAndNumber) {
   }
 }
 
-/// Each free choice is made both ways, in a tenth to nine tenths of all requests.
+/// Each alternative occurs in a tenth to nine tenths of all requests. Blanks may occur in all.
 TEST(Spelling, TakesEveryFreedom) {
   std::map<std::string, int> seen;
   int all = 0;

@@ -12,19 +12,19 @@
 
 namespace carom::formulas {
 
-/// The settings of cannon-es that affect one contact of two bodies, without gravity. Its contact model SPOOK has the
-/// parameters a, b and ε, the same for contact and friction. ε is called s here, because ε is the restitution.
+/// The settings of cannon-es that affect one contact of two bodies, without gravity. The contact model SPOOK has the
+/// parameters a, b and ε, which contact and friction share. Here, s stands for SPOOK's ε, because ε is the restitution.
 struct CannonSettings {
   double a;                 // SPOOK's a: the share of the overlap to remove per second [1/s]
   double b;                 // SPOOK's b: the share of the velocity to remove
-  double softness;          // SPOOK's ε, here s [1/kg]
+  double softness;          // SPOOK's ε, called s here [1/kg]
   double largest_push;      // ContactEquation.maxForce, which limits an impulse [N s]
   double friction_gravity;  // ‖World.frictionGravity‖ [m/s]: μ times this speed times a mass limits an impulse
   int iterations;           // GSSolver.iterations
   double tolerance;         // GSSolver.tolerance [N s]
   double damping;           // linearDamping and angularDamping, the share of the velocity lost per second
   double step;              // [s]
-  double overlap;           // of the shapes, with which the adapter poses the contact [m]
+  double overlap;           // the adapter poses shapes with this overlap [m]
 };
 
 /// Stiffness 1e7 and relaxation 3. Without gravity, the limit on friction is 0.
@@ -35,8 +35,8 @@ struct CannonSettings {
   return {4 / (step * relaxation), 12 / relaxation, softness, 1e6, 0, 10, 1e-7, 0.01, step, overlap};
 }
 
-/// SPOOK in the limit of infinite relaxation: a = 0, b = 1 and s = 0. The limit on friction is μ times the impulse that
-/// would stop and reverse the two masses if they did not spin: (1 + ε) max(0, −N·V⁻) / (1/m_A + 1/m_B).
+/// SPOOK in the limit of infinite relaxation: a = 0, b = 1 and s = 0. The limit on friction is μ times the normal
+/// impulse on bodies that cannot rotate, (1 + ε) max(0, −N·V⁻) / (1/m_A + 1/m_B).
 [[nodiscard]] inline CannonSettings cannon_configured(const Collision& collision, double overlap) {
   const Problem problem = problem_of(collision);
   const double approach = std::max(0.0, -problem.normal.dot(problem.velocity));
@@ -44,13 +44,13 @@ struct CannonSettings {
   return {0, 1, 0, none, (1 + problem.restitution) * approach, 100, 0, 0, 1.0 / 60, overlap};
 }
 
-/// The impulse of cannon-es: Gauss–Seidel on three rows, d = T_1, T_2, N in this order:
+/// The impulse F of cannon-es, by Gauss–Seidel on three rows. Their directions are d = T_1, T_2, N in this order:
 ///
+///  T_1 = N × e_x if |N_x| < 0.9, else N × e_y; T_2 = N × T_1. Both have the same length, at most 1.
 ///  F = λ_1 T_1 + λ_2 T_2 + λ_N N
-///  λ_d becomes λ_d + (B_d − d·K F − s λ_d) / (d·K d + (1 − d·d) (1/m_A + 1/m_B) + s), clamped to its limits
-///  B_d = −b d·V⁻ for T_1 and T_2, −b (N·V⁻ + ε N·(v_A − v_B)) + a overlap for N, with v of the centres of mass
-///  |λ_i| ≤ μ friction_gravity / (1/m_A + 1/m_B) for any normal impulse, and 0 ≤ λ_N ≤ maxForce
-///  T_1 = N × e_x if |N_x| < 0.9, else N × e_y; T_2 = N × T_1: both have the same length, at most 1.
+///  λ_d ← λ_d + (B_d − d·K F − s λ_d) / (d·K d + (1 − d·d) (1/m_A + 1/m_B) + s), clamped to its limits
+///  B_d = −b d·V⁻ for T_1 and T_2; B_N = −b (N·V⁻ + ε N·(v_A − v_B)) + a overlap, v of the centres of mass
+///  |λ_1|, |λ_2| ≤ μ friction_gravity / (1/m_A + 1/m_B), and 0 ≤ λ_N ≤ maxForce
 ///
 /// Source: cannon-es.js: Narrowphase.createFrictionEquationsFromContact, Vec3.tangents, FrictionEquation.computeB,
 /// ContactEquation.computeB, Equation.computeGiMGt (which treats every direction as a unit vector), GSSolver.solve.
@@ -97,9 +97,9 @@ struct CannonSettings {
   return impulse;
 }
 
-/// The outcome of cannon-es. Each lever arm ends at the surface of its shape, half the overlap beyond the contact point
-/// P. Movable bodies are damped after the contact (World.internalStep). Precondition: the collision is valid and at
-/// least one body can move.
+/// The outcome of cannon-es. Each lever arm ends at the surface of its shape, half the overlap beyond the contact
+/// point. After the contact, movable bodies are damped (World.internalStep). Precondition: the collision is valid and
+/// at least one body can move.
 [[nodiscard]] inline Outcome<double> cannon(const Collision& collision, const CannonSettings& settings) {
   Collision posed = collision;
   const Vector3<double> beyond = settings.overlap / 2 * problem_of(collision).normal;

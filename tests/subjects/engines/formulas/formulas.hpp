@@ -22,8 +22,8 @@ using OutcomeOf = std::function<Outcome<double>(const Collision&)>;
 
 namespace detail {
 
-/// The overlap of the spheres that represent a contact (src/subjects/engines/npm/posing.mjs): this share of the longer
-/// lever arm [m].
+/// The overlap of the spheres with which an adapter poses a contact (src/subjects/engines/npm/posing.mjs): `share`
+/// times the longer lever arm [m].
 [[nodiscard]] inline double overlap_of(const Collision& collision, double share) {
   const double longer =
       std::max((collision.point - collision.a.position).norm(), (collision.point - collision.b.position).norm());

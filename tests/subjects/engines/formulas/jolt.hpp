@@ -24,23 +24,23 @@ struct JoltSettings {
 [[nodiscard]] inline JoltSettings jolt_as_shipped() { return {10, 1.0, 0.05, 500, 15 * std::numbers::pi, 1.0 / 60}; }
 [[nodiscard]] inline JoltSettings jolt_configured() { return {20, 0, 0, 1e18, 1e18, 1.0 / 60}; }
 
-/// The tangent that Jolt chooses: in the world's x z plane if |n_x| > |n_y|, else in the y z plane.
+/// The tangent that Jolt chooses: in the world's x z plane if |N_x| > |N_y|, else in the y z plane.
 [[nodiscard]] inline Vector3<double> jolt_tangent(const Vector3<double>& normal) {
   const bool in_xz = std::abs(normal.x()) > std::abs(normal.y());
   return (in_xz ? Vector3<double>(normal.z(), 0, -normal.x()) : Vector3<double>(0, normal.z(), -normal.y()))
       .normalized();
 }
 
-/// The impulse of Jolt's sequential impulses. Friction comes first, and each axis is solved separately:
+/// The impulse F of Jolt's sequential impulses. T_1 = jolt_tangent(N), T_2 = N × T_1, k_i = T_i·K T_i and V = V⁻ + K F.
+/// F starts at 0. In each step:
 ///
-///  V = V⁻ + K F, and in each step                    (T_1 = jolt_tangent(N), T_2 = N × T_1, k_i = T_i·K T_i)
-///    f_i = F·T_i − T_i·V / k_i for i = 1, 2, with the same V; if ‖f‖ > μ F·N, f becomes f μ F·N / ‖f‖
-///    F = (F·N) N + f_1 T_1 + f_2 T_2
-///    F·N becomes max(0, F·N − (N·V + ε' N·V⁻) / N·K N), ε' = ε if −N·V⁻ > the restitution's threshold, else 0.
+///  f_i = F·T_i − T_i·V / k_i for i = 1, 2, with the same V; if ‖f‖ > μ F·N, f ← f μ F·N / ‖f‖
+///  F ← (F·N) N + f_1 T_1 + f_2 T_2
+///  F·N ← max(0, F·N − (N·V + ε' N·V⁻) / N·K N)
 ///
-/// The friction limit is the normal impulse of the previous step, which is 0 in the first step. Source: JoltPhysics:
-/// ContactConstraintManager.cpp, sSolveVelocityConstraint and CalculateFrictionAndNonPenetrationConstraintProperties;
-/// Vec3::GetNormalizedPerpendicular.
+/// ε' = ε if −N·V⁻ exceeds the restitution's threshold, else 0. The limit μ F·N uses F·N of the previous step. Source:
+/// JoltPhysics: ContactConstraintManager.cpp, sSolveVelocityConstraint and
+/// CalculateFrictionAndNonPenetrationConstraintProperties; Vec3::GetNormalizedPerpendicular.
 [[nodiscard]] inline Vector3<double> jolt_impulse(const Problem& problem, const JoltSettings& settings) {
   const Vector3<double>& normal = problem.normal;
   const Vector3<double> tangents[] = {jolt_tangent(normal), normal.cross(jolt_tangent(normal))};
@@ -67,10 +67,10 @@ struct JoltSettings {
   return pushing * normal + friction;
 }
 
-/// The outcome of Jolt. Before the contact is solved, velocities of movable bodies are multiplied by 1 − damping · step
-/// and clamped to their limits (MotionProperties::ApplyForceTorqueAndDragInternal), even if the bodies separate.
-/// Afterwards they are clamped again (PhysicsSystem::JobIntegrateVelocity). Precondition: the collision is valid and at
-/// least one body can move.
+/// The outcome of Jolt. Before it solves the contact, Jolt multiplies the velocities of movable bodies by 1 − damping ·
+/// step and clamps them to their limits (MotionProperties::ApplyForceTorqueAndDragInternal), even if the bodies
+/// separate. After the contact, Jolt clamps the velocities again (PhysicsSystem::JobIntegrateVelocity). Precondition:
+/// the collision is valid and at least one body can move.
 [[nodiscard]] inline Outcome<double> jolt(const Collision& collision, const JoltSettings& settings) {
   const auto limit_speeds = [&](auto& body) {
     shorten(body.velocity, settings.max_linear_velocity);

@@ -14,7 +14,8 @@ namespace detail {
 
 inline constexpr double mujoco_step = 0.002;  // as shipped [s]
 
-/// The zero of an increasing function, or 0 if the function is not negative at 0. Precondition: one of these exists.
+/// The zero x ≥ 0 of an increasing function, or 0 if the function is not negative at 0. Precondition: the function is
+/// not negative everywhere.
 template <class Function>
 [[nodiscard]] double root_of_increasing(const Function& function) {
   if (function(0.0) >= 0) {
@@ -34,9 +35,9 @@ template <class Function>
   return above;
 }
 
-/// The impulse that minimises ½ F·Q F + c·F in the cone ‖F_T‖ ≤ μ F_N, in a basis {N, T0, T1}. For each F_N, the
-/// multiplier ν ≥ 0 of the cone gives the friction. The least cost is convex in F_N, so F_N is the zero of its
-/// derivative.
+/// The impulse that minimises ½ F·Q F + c·F in the cone ‖F_T‖ ≤ μ F_N, in a basis {N, T0, T1}. For fixed F_N, the
+/// multiplier ν ≥ 0 of the cone gives the friction F_T of least cost. The least cost is a convex function of F_N.
+/// `impulse` finds the zero of its derivative.
 class LeastInCone {
  public:
   LeastInCone(const Matrix3<double>& q, const Vector3<double>& c, double friction)
@@ -57,7 +58,7 @@ class LeastInCone {
     return along > 0 ? root_of_increasing([&](double nu) { return friction_ * along - friction(along, nu).norm(); })
                      : 0;
   }
-  /// The derivative of the least cost by F_N. As F_N → 0, ν F_N → ‖c_T‖ / μ.
+  /// The derivative of the least cost with respect to F_N. As F_N → 0, ν F_N → ‖c_T‖ / μ.
   [[nodiscard]] double slope(double along) const {
     if (along <= 0) {
       return c_[0] - friction_ * c_.tail<2>().norm();
@@ -71,7 +72,8 @@ class LeastInCone {
   double friction_;
 };
 
-/// The impulses f ≥ 0 along the four edges of a pyramid that minimise ½ f·Q f + c·f. Q is positive definite.
+/// The impulses f ≥ 0 along the four edges of a pyramid that minimise ½ f·Q f + c·f. Precondition: Q is positive
+/// definite.
 [[nodiscard]] inline Eigen::Vector4d least_along_edges(const Eigen::Matrix4d& q, const Eigen::Vector4d& c) {
   Eigen::Vector4d best = Eigen::Vector4d::Zero();
   double least = 0;
@@ -96,7 +98,7 @@ class LeastInCone {
   return best;
 }
 
-/// {N, T0, T1} as in MuJoCo: T0 is the world's y axis made orthogonal to N, or the z axis if N is nearer to y.
+/// {N, T0, T1} as in MuJoCo: T0 is the world's y axis made orthogonal to N, or the z axis if |N_y| ≥ ½.
 [[nodiscard]] inline Matrix3<double> mujoco_frame(const Vector3<double>& n) {
   const Vector3<double> first = n[1] < 0.5 && n[1] > -0.5 ? Vector3<double>::UnitY() : Vector3<double>::UnitZ();
   Matrix3<double> frame;
@@ -128,10 +130,10 @@ class LeastInCone {
   return with_velocities(collision, velocities);
 }
 
-/// The problem of `mujoco_impulse` in the basis `frame`, {N, T0, T1}.
+/// K, c and R_N of `mujoco_impulse`. K and c are in the basis `frame`, {N, T0, T1}.
 struct MujocoProblem {
   Matrix3<double> frame;
-  Matrix3<double> k;  // K
+  Matrix3<double> k;
   Vector3<double> c;
   double softness;  // R_N
 };
@@ -148,7 +150,7 @@ struct MujocoProblem {
   }
   constexpr double impedance = 0.9;
   constexpr double time = 0.95 * 0.02;                                     // [s]
-  constexpr double overlap = 64 * std::numeric_limits<double>::epsilon();  // of the longer lever arm, by the adapter
+  constexpr double overlap = 64 * std::numeric_limits<double>::epsilon();  // a share of the longer lever arm
   const auto contact = impulse::make_contact<double>(collision);
   const double longer = std::max(contact.a.lever_arm.norm(), contact.b.lever_arm.norm());
   const double depth = overlap * (longer > 0 ? longer : 1);
@@ -160,40 +162,48 @@ struct MujocoProblem {
 
 }  // namespace detail
 
-/// The impulse if the half line F_N ≥ 0 replaces the cone of `mujoco_impulse`.
+/// The impulse without friction: the half line F_N ≥ 0 replaces the cone of `mujoco_impulse`.
 [[nodiscard]] inline Vector3<double> mujoco_frictionless_impulse(const Collision& collision, bool configured) {
   const detail::MujocoProblem problem = detail::mujoco_problem(collision, configured);
   const double soft = problem.k(0, 0) + problem.softness;
   return problem.frame.col(0) * (problem.c[0] < 0 && soft > 0 ? -problem.c[0] / soft : 0.0);
 }
 
-/// The impulse of MuJoCo 3.14.0. One step of length h minimises, with the softness R of the contact,
+/// The impulse F of MuJoCo 3.14.0. In one step of length h, MuJoCo minimises
 ///
 ///  ½ F·(K + R) F + c·F   over the cone ‖F_T‖ ≤ μ F_N,   c = V⁻ + ΔV − V_r.
 ///
-/// ΔV is the change of V in a step without a contact: the effect of gyroscopic torque as shipped. V_r is the requested
-/// velocity. So F = 0 if c_N ≥ μ ‖c_T‖. Otherwise, for some ν ≥ 0 that is 0 inside the cone,
+/// R is the softness of the contact. V_r is the requested velocity. ΔV is the change of V in a step without a contact;
+/// as shipped, gyroscopic torque causes it. If c_N ≥ μ ‖c_T‖, F = 0. Otherwise, for some ν ≥ 0 that is 0 inside the
+/// cone,
 ///
 ///  (K + R + ν (P − μ² N Nᵀ)) F = −c,   P = I − N Nᵀ.
 ///
-/// Without R, ΔV and the term μ² N Nᵀ, this is the law `coulomb`. With the term, a contact point that slips has V_T⁺ =
-/// −ν F_T as in `coulomb`, but N·V⁺ = N·V_r + μ ‖V_T⁺‖: the bodies separate faster, by μ times the slip.
+/// Without R, ΔV and the term μ² N Nᵀ, this equation states the law `coulomb`. With the term, a slipping contact point
+/// still has V_T⁺ = −ν F_T, but N·V⁺ = N·V_r + μ ‖V_T⁺‖. So the bodies separate faster than requested, by μ times the
+/// slip.
 ///
-/// Configured: h → 0, and V_r = −ε N·V⁻ N up to softness. With the impedance d = 0.9999, c_N = (1+ε) N·V⁻ / d, c_T =
-/// V_T⁻, R_N = (1−d)/d N·K N and R_T = R_N / 100. At μ = 0, the contact is posed without friction.
+/// Configured: h → 0, and V_r = −ε (N·V⁻) N up to softness. With the impedance d = 0.9999,
 ///
-/// As shipped: h = 0.002 s, and there is no ε. c = h b V⁻ + ΔV, minus h k d r along N, with d = 0.9, b = 2/τ, k = 1/τ²,
-/// τ = 0.95 · 0.02 s and the depth r. R_N = (1−d)/d λ, λ = 1/m_A + 1/m_B. The cone is a pyramid with the edges E = N ±
-/// μ T0, N ± μ T1 (`mujoco_frame`): F = Σ f_E E, f_E ≥ 0, with R = 2 μ² (1+μ²) R_N for each f_E.
+///  c_N = (1+ε) N·V⁻ / d,   c_T = V_T⁻,   R_N = (1−d)/d N·K N,   R_T = R_N / 100.
 ///
-/// Any other friction coefficient below 1e-5 acts as 1e-5.
+/// At μ = 0, the adapter poses the contact without friction.
+///
+/// As shipped: h = 0.002 s, and there is no ε. With the depth p of the overlap and τ = 0.95 · 0.02 s,
+///
+///  c = h b V⁻ + ΔV − h k d p N,   d = 0.9,   b = 2/τ,   k = 1/τ²,   R_N = (1−d)/d (1/m_A + 1/m_B).
+///
+/// A pyramid with the edges E = N ± μ T0, N ± μ T1 (`mujoco_frame`) replaces the cone: F = Σ f_E E, f_E ≥ 0. The
+/// softness of each f_E is 2 μ² (1+μ²) R_N.
+///
+/// A coefficient μ < 1e-5 acts as 1e-5, except for μ = 0 if configured.
 ///
 /// Source: src/engine/engine_core_constraint.c, `mj_diagApprox` and `mj_makeImpedance` (R, b, k),
-/// `mj_referenceConstraint` (V_r) and `mj_constraintUpdate_impl` (the cost, whose dual this is).
-/// src/engine/engine_solver.c minimises it.
+/// `mj_referenceConstraint` (V_r) and `mj_constraintUpdate_impl` (the cost, whose dual is the problem above).
+/// src/engine/engine_solver.c minimises the cost.
 ///
-/// The formula omits three effects: R_N is at least 1e-15 kg⁻¹, which matters from 1e11 kg on; d grows with the depth;
-/// the solver as shipped stops at a tolerance.
+/// The formula omits three effects: R_N is at least 1e-15 kg⁻¹, which matters for masses from 1e11 kg on; d grows with
+/// the depth; the solver as shipped stops at a tolerance.
 [[nodiscard]] inline Vector3<double> mujoco_impulse(const Collision& collision, bool configured) {
   if ((collision.a.immovable && collision.b.immovable) || (configured && collision.friction == 0)) {
     return mujoco_frictionless_impulse(collision, configured);

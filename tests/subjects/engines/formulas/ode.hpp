@@ -11,9 +11,9 @@
 
 namespace carom::formulas {
 
-/// The x in a box, lower ≤ x ≤ upper, for which each component of A x + b is 0, or pushes x against its bound. This
-/// linear complementarity problem has one solution, because A is positive definite. The function tries all 27
-/// combinations.
+/// The x with lower ≤ x ≤ upper for which each component of A x + b is 0, or ≥ 0 with x at its lower bound, or ≤ 0 with
+/// x at its upper bound. This linear complementarity problem has one solution, because A is positive definite. The
+/// function tries all 27 combinations.
 [[nodiscard]] inline Vector3<double> in_box(const Matrix3<double>& a, const Vector3<double>& b,
                                             const Vector3<double>& lower, const Vector3<double>& upper) {
   Vector3<double> best = Vector3<double>::Zero();
@@ -56,13 +56,15 @@ struct OdeSettings {
 /// The impulse on A of ODE 0.16's dWorldStep on one contact joint, without gyroscopic torque and at depth 0. Source:
 /// joints/contact.cpp, lcp.cpp: dSolveLCP.
 ///
-/// The directions are N, s₁ and s₂ = N × s₁. s₁ = V_T⁻/‖V_T⁻‖ if `along_slip`, otherwise p of plane_space.hpp. Let
-/// A = K + CFM/step in these directions, and w the limit on friction. F is the only solution of
+/// The directions are N, s₁ and s₂ = N × s₁. If `along_slip` and V_T⁻ ≠ 0, s₁ = V_T⁻/‖V_T⁻‖, otherwise p of
+/// plane_space.hpp. Let A = K + CFM/step in these directions, V⁺ = V⁻ + A F, and w the limit on friction. F is the only
+/// solution of
 ///
-///  F_N ≥ 0, |F_s| ≤ w, and V_T⁺ = 0, N·V⁺ = −ε N·V⁻ unless F is at its bound;  V⁺ = V⁻ + A F.
+///  F_N ≥ 0;  N·V⁺ = −ε N·V⁻, or F_N = 0 and N·V⁺ is greater,
+///  |F_s| ≤ w for s = s₁, s₂;  s·V⁺ = 0, or |F_s| = w and F_s opposes s·V⁺.
 ///
-/// If μ is a limit on the force, w = μ · step in N s. Otherwise w is μ times the *frictionless* F_N, which ODE does not
-/// update.
+/// If `pyramid`, w is μ times the F_N of the problem without friction, which ODE does not update. Otherwise, μ limits
+/// the force, and w = μ · step [N s].
 [[nodiscard]] inline Vector3<double> ode_impulse(const Problem& problem, const OdeSettings& settings) {
   const Vector3<double>& n = problem.normal;
   const double approach = n.dot(problem.velocity);

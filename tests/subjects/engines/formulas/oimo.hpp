@@ -7,20 +7,21 @@
 
 namespace carom::formulas {
 
-/// The outcome of OimoPhysics 1.2.2 for the first contact of two bodies. Let N be the normal, T the two directions
-/// orthogonal to it in any basis, and V = V⁻ + K F. F starts at 0. Repeat 10 times (`configured`: 100 times):
+/// The outcome of OimoPhysics 1.2.2 for the first contact of two bodies. N is the normal, the index T stands for two
+/// directions orthogonal to N in any basis, and V = V⁻ + K F. F starts at 0. The solver repeats 10 times (`configured`:
+/// 100 times):
 ///
 ///  F_T ← F_T − K_TT⁻¹ V_T,  and if ‖F_T‖ > μ F_N,  F_T ← F_T μ F_N / ‖F_T‖,
 ///  F_N ← max(0, F_N + (R − V_N) / K_NN).
 ///
-/// Each line updates V. R = −ε V_N⁻ if V_N⁻ < −0.5 m/s (`configured`: < 0), else 0. The answer does not depend on the
-/// basis. The limit on friction is that of the previous iteration, 0 at first.
+/// Each line updates V. R = −ε V_N⁻ if V_N⁻ < −0.5 m/s (`configured`: V_N⁻ < 0), else 0. The limit μ F_N uses F_N of
+/// the previous iteration, which is 0 at first.
 ///
 /// Source: src/oimo/dynamics/constraint/solver/pgs/PgsContactConstraintSolver.hx, `preSolveVelocity` and
 /// `solveVelocity`. R is in src/oimo/dynamics/constraint/contact/ContactConstraint.hx, `_getVelocitySolverInfo`.
 ///
-/// The formula omits two effects. As shipped, the velocities after the contact are limited to 20 m and π rad per step.
-/// Bodies whose principal moments have a product below 1e-32 (kg m²)³ do not rotate.
+/// The formula omits two effects. As shipped, velocities after the contact are limited to 20 m and π rad per step.
+/// Bodies do not rotate if the product of their principal moments is below 1e-32 (kg m²)³.
 [[nodiscard]] inline Outcome<double> oimo(const Collision& collision, bool configured) {
   const Problem problem = problem_of(collision);
   const Vector3<double>& n = problem.normal;

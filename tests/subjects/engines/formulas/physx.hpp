@@ -9,7 +9,7 @@
 
 namespace carom::formulas {
 
-/// One step of PhysX's default angular damping, before the contact is solved: w ← (1 − 0.05 1/s · 1/60 s) w.
+/// PhysX's default angular damping over one step, before the contact is solved: w ← (1 − 0.05 1/s · 1/60 s) w.
 [[nodiscard]] inline Collision with_damped_spins(Collision collision) {
   for (Body* body : {&collision.a, &collision.b}) {
     if (!body->immovable) {
@@ -19,29 +19,29 @@ namespace carom::formulas {
   return collision;
 }
 
-/// The outcome of PhysX 5.6.1 with its default solver, PGS, for the first contact of two bodies. Let N be the normal,
-/// v_A and v_B the velocities of the centres of mass, u = v_A − v_B, and T0 and T1 the axes of friction:
+/// The outcome of PhysX 5.6.1 with its default solver, PGS, for the first contact of two bodies. N is the normal, v_A
+/// and v_B are the velocities of the centres of mass, u = v_A − v_B, and T0 and T1 are the axes of friction:
 ///
 ///  T0 = u_T / ‖u_T‖ if u_T = u − (N·u) N is longer than 0.01 m/s,
 ///  else N rotated by a right angle about the x axis (about z if N is within 45° of x) and normalised;
 ///  T1 = N × T0.
 ///
-/// F starts at 0. Repeat, where each line updates V = V⁻ + K F,
+/// F starts at 0. The solver repeats 5 times (`configured`: 259 times), the first time without friction:
 ///
 ///  F_N ← max(0, F_N + (R − V_N) / K_NN),
 ///  F_0 ← clamp(F_0 − 0.8 V_0 / K_00, ±μ F_N),
-///  F_1 ← clamp(F_1 − 0.8 V_1 / K_11, ±μ F_N),
+///  F_1 ← clamp(F_1 − 0.8 V_1 / K_11, ±μ F_N).
 ///
-/// 4 + 1 times (`configured`: 4 + 255), the first time without friction. R = −ε V_N⁻ if V_N⁻ < −2 m/s (`configured`: <
-/// 0), else 0. As shipped, the spins are damped first. Also as shipped, if R would be 0, the first 4 iterations use R =
-/// 0.8 · depth · 60 Hz, which corrects the overlap.
+/// Each line updates V = V⁻ + K F. R = −ε V_N⁻ if V_N⁻ < −2 m/s (`configured`: V_N⁻ < 0), else 0. As shipped, the spins
+/// are damped first. If R = 0 as shipped, the first 4 iterations use R = 0.8 · depth · 60 Hz, which corrects the
+/// overlap.
 ///
-/// Each axis limits friction by itself, whatever the slip of the contact point. Friction changes V_N in the last
-/// iteration, and this change remains.
+/// Friction is limited along each axis separately. The axes do not depend on the slip of the contact point. In the last
+/// iteration, friction changes V_N after F_N is set, and this change remains.
 ///
 /// Source: physx/source/lowleveldynamics/src: DyContactPrep.cpp, `setupFinalizeSolverConstraints` (T0, T1, 0.8);
 /// DyContactPrepShared.h, `constructContactConstraint` (R); DySolverConstraintsShared.h, `solveDynamicContacts`, and
-/// DySolverConstraints.cpp, `solveContact` (the lines); DySolverControl.cpp, `solveV_Blocks` (the iterations).
+/// DySolverConstraints.cpp, `solveContact` (the updates of F); DySolverControl.cpp, `solveV_Blocks` (the iterations).
 ///
 /// The formula omits the limit of 100 rad/s as shipped. `depth` is in m.
 [[nodiscard]] inline Outcome<double> physx(const Collision& given, bool configured, double depth) {

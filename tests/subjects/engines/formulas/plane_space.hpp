@@ -9,9 +9,9 @@
 
 namespace carom::formulas {
 
-/// Two directions p and q orthogonal to a unit normal n, independent of any velocity. If |n_z| > 1/√2, p = (0, −n_z,
-/// n_y)/‖·‖, else p = (−n_y, n_x, 0)/‖·‖; q = n × p. Source: Bullet's btPlaneSpace1 (LinearMath/btVector3.h), from
-/// ODE's dPlaneSpace (ode/src/odemath.cpp).
+/// Two directions p and q = n × p orthogonal to a unit normal n. If |n_z| > 1/√2, p ∥ (0, −n_z, n_y), else p ∥ (−n_y,
+/// n_x, 0). Both have length 1. Source: Bullet's btPlaneSpace1 (LinearMath/btVector3.h), from ODE's dPlaneSpace
+/// (ode/src/odemath.cpp).
 struct PlaneSpace {
   Vector3<double> p;
   Vector3<double> q;

@@ -8,8 +8,8 @@
 #include <carom/impulse/collision_matrix.hpp>
 #include <carom/impulse/contact.hpp>
 
-/// Formulas in double for the results of engines on a contact with friction, written from the engines' sources, and
-/// compared with the engines' answers.
+/// Formulas in double for an engine's result on a contact with friction. The formulas come from the engines' sources,
+/// and tests compare them with the engines' answers.
 namespace carom::formulas {
 
 /// The part of a contact that the formulas read.
@@ -33,7 +33,7 @@ struct Problem {
   return impulse::apply_impulse(impulse::make_contact<double>(collision), impulse_on_a);
 }
 
-/// Shortens a vector to this length.
+/// Shortens a vector to `length` if it is longer.
 inline void shorten(Vector3<double>& vector, double length) {
   if (vector.norm() > length) {
     vector *= length / vector.norm();

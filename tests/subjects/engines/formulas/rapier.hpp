@@ -18,13 +18,13 @@ struct RapierSettings {
   int substeps;              // numSolverIterations
   double natural_frequency;  // contact_natural_frequency [Hz]
   double length_unit;        // lengthUnit [m]
-  double overlap;            // of the shapes, with which the adapter poses the contact [m]
+  double overlap;            // the adapter poses shapes with this overlap [m]
 };
 
 [[nodiscard]] inline RapierSettings rapier_as_shipped(double overlap) { return {1.0 / 60, 4, 30, 1, overlap}; }
 [[nodiscard]] inline RapierSettings rapier_configured(double overlap) { return {1e-16, 4, 0, 1e15, overlap}; }
 
-/// A body that rotates in the substeps. The contact keeps its original lever arm and inertia.
+/// A body that rotates in the substeps. The equations of the contact keep the original lever arm and inertia.
 class RapierBody {
  public:
   RapierBody(const Body& body, const Vector3<double>& lever_arm) : body_(body), lever_arm_(lever_arm) {
@@ -34,8 +34,8 @@ class RapierBody {
     }
   }
 
-  /// Applies the gyroscopic torque over the time t: L = J ω becomes L − t ω × L, scaled to the length of L. Source:
-  /// rigid_body.rs, gyroscopic_corrected_angvel.
+  /// Applies the gyroscopic torque over `time` t: L = J ω becomes L − t ω × L, scaled back to the old length ‖L‖.
+  /// Source: rigid_body.rs, gyroscopic_corrected_angvel.
   void twist(Vector3<double>& angular_velocity, double time) const {
     if (body_.immovable) {
       return;
@@ -50,7 +50,7 @@ class RapierBody {
     }
   }
 
-  /// Moves the body, and returns the displacement of the material point at the contact. Source:
+  /// Moves the body, and returns the displacement of its material point at the contact. Source:
   /// RigidBodyVelocity::integrate_linearized.
   [[nodiscard]] Vector3<double> move(const Vector3<double>& velocity, const Vector3<double>& angular_velocity,
                                      double time) {
@@ -155,7 +155,7 @@ class RapierContact {
   RapierBody b_;
   RapierSettings settings_;
   double substep_;      // [s]
-  double distance_;     // of the material points at P along N; negative if they overlap [m]
+  double distance_;     // gap between the material points at P along N; negative if they overlap [m]
   double recovery_;     // erp_inv_dt [1/s]
   double softness_;     // cfm_factor
   double pushing_ = 0;  // the normal impulse of this substep [N s]
@@ -163,24 +163,19 @@ class RapierContact {
   bool has_pushed_ = false;
 };
 
-/// The outcome of Rapier. V is the current relative velocity. p and f are the normal impulse and the friction of one
-/// substep. Each change of p or f acts on V at once. In each substep:
+/// The outcome of Rapier. V is the current relative velocity. p and f are the normal impulse and the friction of the
+/// substep; they start at 0. Each change of p or f acts on V at once. Each substep has these steps:
 ///
-///  ω changes by the gyroscopic torque; p N + f acts again, as in the previous substep (at first 0)
-///  p = s max(0, p − (N·V + b) / N·K N); if the shapes overlap, s = softness_ and b = distance_ · recovery_ (at least
-///  −3 lengthUnit/s), else s = 1 and b = g
+///  1. Gyroscopic torque changes ω, and the impulse p N + f of the previous substep acts again.
+///  2. p ← s max(0, p − (N·V + b) / N·K N). If the shapes overlap, s = softness_ and b = distance_ · recovery_ (at
+///     least −3 lengthUnit/s); otherwise s = 1 and b = g. g is the gap over the time of the substep, 0 if they overlap.
+///  3. The speeds are clamped to their limits, and the bodies move.
+///  4. p ← max(0, p − (N·V + g) / N·K N).
+///  5. f ← f − (P K P)⁻¹ P V, P = I − N Nᵀ; if ‖f‖ > μ p, f ← f μ p / ‖f‖.
 ///
-///  the speeds are clamped to their limits, and the bodies move
-///  p = max(0, p − (N·V + g) / N·K N), g = the gap over the substep, 0 if they overlap
+/// After the last substep, if ε > 0, N·V⁻ < 0 and p was positive in some substep:
 ///
-///  f = f − (P K P)⁻¹ P V, P = I − N Nᵀ; if ‖f‖ > μ p, f becomes f μ p / ‖f‖
-///
-/// After the last substep, if N·V⁻ < 0 and p was positive in some substep:
-///
-///  p = max(0, p − (N·V + ε N·V⁻) / N·K N), if ε > 0
-///
-/// With one short substep this is an impulse of p = −N·V⁻ / N·K N, friction of at most μ p, and the rest of the
-/// restitution.
+///  p ← max(0, p − (N·V + ε N·V⁻) / N·K N)
 ///
 /// Source: Rapier: staged_island_solver/worker.rs, run_worker; contact_constraint_element.rs, the parts with `Slim` in
 /// their names; contact_with_twist_friction.rs, ContactWithTwistFriction::{warmstart, solve} and
