@@ -189,7 +189,7 @@ fuzz_one() {
     echo "$target: $(tail -n 1 "build-fuzz/$target.log"), nothing found"
   else
     tail -n 60 "build-fuzz/$target.log"
-    echo "$target: a finding; tests/fuzz/README.md says what to do with it"
+    echo "$target: a finding; docs/internals/fuzzing.md says what to do with it"
     return 1
   fi
 }
