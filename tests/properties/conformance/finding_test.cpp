@@ -14,7 +14,7 @@
 
 #include "mutants/catalogue.hpp"
 
-/// The kit's tests find nothing in sound solvers, and find the defect of each mutant.
+/// The kit's tests pass for sound solvers, and fail for each mutant.
 namespace carom::conformance {
 namespace {
 
@@ -31,7 +31,7 @@ Finding find(const Subject& subject, std::string_view invariant, const std::stri
 
 Subject frictionless() { return subject("frictionless", Law::frictionless, impulse::frictionless<double>); }
 
-/// Adds the restitution twice.
+/// Doubles the restitution.
 Subject bouncing_twice() {
   return subject("bouncing", Law::frictionless, [](impulse::Contact<double> contact) {
     contact.restitution *= 2;
@@ -103,7 +103,6 @@ TEST(Finding, SaysWhereASubjectRemembers) {
   expect_in(finding.text, {"it keeps state from earlier collisions"});
 }
 
-/// For a sound subject, each invariant is tested in some family.
 class SoundSuite : public testing::TestWithParam<Subject> {};
 
 TEST_P(SoundSuite, HoldsAndTestsEachInvariant) {

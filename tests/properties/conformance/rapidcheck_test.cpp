@@ -41,7 +41,7 @@ std::vector<std::uint64_t> bits_of(const Collision& collision) {
   return bits;
 }
 
-/// The case that the gate draws if its random words give the same answers to the family's questions.
+/// The case that the gate draws if its random words make these choices.
 Case drawn_by_words(const Family& family, const std::vector<properties::Choice>& choices) {
   std::vector<std::uint64_t> words;
   for (const auto& [question, answer] : choices) {
@@ -56,12 +56,12 @@ Case drawn_by_words(const Family& family, const std::vector<properties::Choice>&
   return drawn;
 }
 
-/// The case with the same choices, but no plain number (Stream::plainly).
+/// The case with the same choices, but without plain numbers (Stream::plainly).
 ChosenCase without_plainness(const Family& family, ChosenCase chosen) {
   const auto is_plain = [](const properties::Choice& choice) {
     return choice.question.is_of_plainness && choice.answer == 1;
   };
-  // Other numbers may lead to other choices, so this repeats.
+  // Other numbers may lead to other choices, so the loop repeats.
   while (std::any_of(chosen.choices.begin(), chosen.choices.end(), is_plain)) {
     for (properties::Choice& choice : chosen.choices) {
       choice.answer = is_plain(choice) ? 0 : choice.answer;
@@ -73,7 +73,7 @@ ChosenCase without_plainness(const Family& family, ChosenCase chosen) {
 
 class EachFamily : public testing::TestWithParam<const Family*> {};
 
-/// The family draws each simpler case from its choices. Without plain numbers, the gate draws it too.
+/// The family draws each simpler case. Without plain numbers, the gate can draw the case, too.
 TEST_P(EachFamily, ShrinksToWhatItCouldDraw) {
   const Family& family = *GetParam();
   rc::Random random(1);
@@ -112,7 +112,7 @@ TEST_P(EachFamily, IsTheGatesAtFullSize) {
 INSTANTIATE_TEST_SUITE_P(Of, EachFamily, testing::ValuesIn(each_family()),
                          [](const auto& test) { return std::string(test.param->name); });
 
-/// Visits values of a generator at all sizes, and the first simpler values of each value.
+/// Visits values of a generator at sizes from 1 to 100, and from each value the chain of first simpler values.
 template <class Visit>
 void visit_shrunk(const rc::Gen<Collision>& generator, int values, Visit visit) {
   rc::Random random(3);
@@ -187,11 +187,11 @@ TEST(Generators, GiveSimpleCollisionsAtSmallSizes) {
       complexities[i] += properties::complexity(gen::generic()(random.split(), sizes[i]).value());
     }
   }
-  // At size 2, one choice in 25 is free, so few numbers are not plain.
+  // At size 2, only one choice in 25 is free, so most numbers are plain.
   EXPECT_LT(complexities[0], complexities[2] / 8);
   EXPECT_LT(complexities[0], complexities[1]);
   EXPECT_LT(complexities[1], complexities[2]);
-  // These are not zero at size 0: two masses, twice three moments, two orientations, a normal.
+  // At size 0, eleven numbers are not zero: two masses, six moments, two of the orientations, one of the normal.
   EXPECT_EQ(numbers_of(gen::generic()(rc::Random(6), 0).value()), 11);
 }
 
@@ -226,7 +226,6 @@ RC_GTEST_PROP(Generators, ComposeWithThoseOfRapidCheck, ()) {
   RC_ASSERT(restitution <= 1);
 }
 
-/// Every feature is available by name, and remains while a collision shrinks.
 TEST(Features, AreGivenByName) {
   for (const properties::Feature& feature : properties::all_features()) {
     int seen = 0;

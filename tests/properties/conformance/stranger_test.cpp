@@ -14,7 +14,7 @@ namespace {
 
 bool fails(const Collision& collision) { return !properties::non_penetrating_post_velocity(my_solver, collision); }
 
-/// Moves to the first simpler value that also fails, as RapidCheck does.
+/// Repeatedly takes the first simpler value that fails, as RapidCheck does.
 Collision shrunk(rc::Shrinkable<Collision> failing) {
   auto shrinks = failing.shrinks();
   while (auto next = shrinks.next()) {
@@ -39,7 +39,7 @@ int numbers_to_write(const Collision& collision) {
   return count;
 }
 
-/// The solver is wrong if a spin moves one body towards the other. One component each of N, r and w suffices.
+/// The solver is wrong if a spin w moves one body towards the other, which needs one component each of N, r and w.
 constexpr int most_numbers = 3;
 
 TEST(StrangersSolver, IsShrunkToACollisionThatFitsOnPaper) {

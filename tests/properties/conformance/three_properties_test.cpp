@@ -41,7 +41,7 @@ const std::map<std::string_view, JudgedProperty>& judged_properties() {
   return all;
 }
 
-/// A subject, one session of it, and the number of its answers in a property's domain.
+/// A subject, one session of it, and the number of its answers in the domain of each property.
 struct Solver {
   Subject subject;
   Session session;
@@ -49,7 +49,7 @@ struct Solver {
 
   explicit Solver(const Subject& of) : subject(of), session(of.open()) {}
 
-  /// The violation in words. Empty if there is none, or if the subject cannot take the case.
+  /// The violation in words. Empty if there is none, or if the subject skips the case.
   [[nodiscard]] std::string violation(std::string_view property, const Collision& collision) {
     const Answer answer = session(std::span(&collision, 1)).at(0);
     if (std::holds_alternative<Skipped>(answer)) {
@@ -99,7 +99,6 @@ RC_GTEST_PROP(EverySolver, ConservesMomentum, (const Collision& collision)) {
   expect_of_every_solver("momentum_conservation", collision);
 }
 
-/// More than ten of a hundred collisions are in each property's domain.
 TEST(EverySolver, IsJudged) {
   rc::Random random(1);
   for (Solver& solver : every_sound_solver()) {
@@ -119,7 +118,6 @@ TEST(EverySolver, IsJudged) {
 
 class PlantedDefect : public testing::TestWithParam<mutants::BrokenProperty> {};
 
-/// Only the property that a planted defect breaks finds it.
 TEST_P(PlantedDefect, LacksThatPropertyAlone) {
   Solver solver(GetParam().subject());
   for (const properties::Property& property : properties::three_properties()) {

@@ -36,8 +36,8 @@ TEST(Diagnosis, OfASingleViolatedCaseSaysThatItIsTooFewForAHint) {
   EXPECT_EQ(diagnosis.look_at, "");
 }
 
-/// The inverse inertia of `frictionless-world-double` is a matrix in world axes. The cases of `structured` also have
-/// features that might distinguish the violated ones.
+/// The inverse inertia of `frictionless-world-double` is a matrix in world axes. Features of `structured` might also
+/// distinguish the violated cases.
 TEST(Diagnosis, OfSlenderBodiesNamesTheInverseInertiaInWorldAxes) {
   GateOptions options;
   options.cases = 200;
@@ -51,7 +51,7 @@ TEST(Diagnosis, OfSlenderBodiesNamesTheInverseInertiaInWorldAxes) {
   EXPECT_EQ(others.look_at.find("world axes"), std::string::npos) << others.look_at;
 }
 
-/// A's spin changes by 5 % too much if A's moments differ by more than 1 : 3. These are no lost digits.
+/// A's spin changes by 5 % too much if A's moments differ by more than 1 : 3. This error loses no digits.
 TEST(Diagnosis, OfAWrongFormulaForSomeInertiasDoesNotNameLostDigits) {
   Subject subject = subjects::subject_named("frictionless-double").value();
   subject.open = [sound = subject.open] {

@@ -38,7 +38,8 @@ TEST(Hypotheses, HaveWordsOfTheirOwn) {
   }
 }
 
-/// Each hypothesis (such as "as if ε were 0") is visibly wrong in some case, and explains its own answer there.
+/// The answer of each hypothesis (such as "as if ε were 0") is visibly wrong in some case. The hypothesis explains this
+/// answer.
 TEST(Hypotheses, ExplainWhatTheyAnswerThemselves) {
   std::set<std::string> seen;
   for (const Law law : laws_with_truth) {

@@ -99,7 +99,7 @@ TEST(Where, NothingIsSaidOfFewerViolatedCasesThanAHintNeeds) {
   EXPECT_NE(words_of_first(least_violated), "");
 }
 
-/// Some of several hundred possible conditions hold by chance in all of a dozen cases.
+/// Of several hundred conditions, some hold by chance in each of a dozen violated cases.
 TEST(Where, AConditionOfADozenCasesByChanceIsNoFinding) {
   for (int offset = 0; offset < 8; ++offset) {
     int count = offset;

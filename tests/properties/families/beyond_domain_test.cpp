@@ -58,8 +58,8 @@ TEST(BeyondDomain, IsOfFamiliesOfItsOwn) {
 TEST(BeyondDomain, HasContactsFromNearToFarOutside) {
   const Drawn drawn = drawn_of(*family_named("far_contacts"));
   EXPECT_GE(drawn.colliding, 396);  // a body without lever arm and nearly without spin may rest
-  // A body gets one of 27 powers of two. 400 cases lack the smallest or the largest with a probability of 2 (26/27)^400
-  // < 10⁻⁶. Before scaling, the ratio of a body is at most a few tens.
+  // A body gets one of 27 powers of two as a factor. 400 cases lack the smallest or the largest with a probability of
+  // at most 2 (26/27)^400 < 10⁻⁶. With the factor 1, the bound of κ(K) is at most a few tens.
   EXPECT_LT(drawn.least, 1e3);
   EXPECT_GT(drawn.greatest, 1e14);
   EXPECT_LT(drawn.greatest, 1e19);
@@ -79,11 +79,11 @@ TEST(BeyondDomain, IsNotReachedByPhysicalBodies) {
   for (std::uint64_t i = 0; i < drawn_cases; ++i) {
     const Collision c = unit::case_of("physical", i).collision;
     EXPECT_LE(moment_excess(c), 1 + 0x1p-50) << i;
-    EXPECT_LE(condition_number_at_most(c), 1 + 3 * 15 + 0x1p-40) << i;  // C ⪯ 16 λI
+    EXPECT_LE(condition_number_at_most(c), 1 + 3 * 15 + 0x1p-40) << i;  // tr K/λ − 2, with K ⪯ 16 λI
   }
 }
 
-/// tr K = 3λ + tr(Σ [r]ᵀ J⁻¹ [r]) exactly. The binary64 number has fewer than 64 roundings of positive terms.
+/// condition_number_at_most is tr K/λ − 2. In binary64, it is a sum of positive terms with fewer than 64 roundings.
 TEST(BeyondDomain, MeasuresTheTraceOfTheCollisionMatrix) {
   for (const char* family : {"far_contacts", "impossible_moments", "generic", "driven_wall"}) {
     for (std::uint64_t i = 0; i < 50; ++i) {

@@ -9,8 +9,8 @@
 
 #include "support/exact.hpp"
 
-/// Exact tests of what families promise about N, V and K. If n cases have a property with probability p, its count has
-/// a standard deviation of √(n p (1 − p)). Limits are five standard deviations from the mean.
+/// Exact tests of what families promise about N, V and K. If n cases have a property with probability p, the count of
+/// these cases has a standard deviation of √(n p (1 − p)). Limits are five standard deviations from the mean.
 namespace carom::properties {
 namespace {
 
@@ -71,13 +71,13 @@ TEST(Families, LieBesideTheConeOfStickingInStickOrSlip) {
     const ExactVector& impulse = exact_case.truth(Law::sticking, Approach::colliding).impulse;
     const auto cone = oracles::squared_cone(c, impulse);
     if (c.normal.dot(impulse) <= 0 || cone.left[0] == 0) {
-      continue;  // no friction makes it stick, or none is needed
+      continue;  // no friction suffices to stick, or none is needed
     }
     (cone.left[0] <= cone.right[0] ? sticking : slipping) += 1;
-    // The family draws μ at 1 ± 10^-k of the limit, with k ≥ 1. For general bodies, μ also has a rounding error.
+    // μ is 1 ± 10^-k times the least μ that sticks, with k ≥ 1. For general bodies, μ also has a rounding error.
     EXPECT_NEAR(std::sqrt(oracles::to_double(Rational(cone.left[0] / cone.right[0]))), 1, 0.12) << i;
   }
-  // Nearly half of the counted cases each, − 5 · 7.1.
+  // p is nearly 1/2 for each of the two counts: 5 · 7.1 below the mean.
   EXPECT_GT(sticking, 50);
   EXPECT_GT(slipping, 50);
 }
@@ -137,8 +137,8 @@ TEST(Families, GrazeInGrazing) {
   EXPECT_GT(count("grazing", Approach::colliding), 100);
 }
 
-/// λI ⪯ K ⪯ 16 λI. The construction of each stored moment and coordinate has fewer than 64 roundings. They move an
-/// eigenvalue by at most 64 u Σ‖∂K/∂q‖ ‖q‖ (Weyl).
+/// λI ⪯ K ⪯ 16 λI. The construction of each stored moment and coordinate has fewer than 64 roundings. These roundings
+/// move an eigenvalue by at most 64 u Σ‖∂K/∂q‖ ‖q‖ (Weyl).
 TEST(Families, AreBoundedBySixteenLambdaInPhysical) {
   Rational largest(0);
   for (const char* family : {"physical", "collinear_spheres"}) {
@@ -152,7 +152,7 @@ TEST(Families, AreBoundedBySixteenLambdaInPhysical) {
       largest = std::max(largest, trace);
     }
   }
-  // Some contact has a mean eigenvalue of at least 2 λ.
+  // Some contact has a mean eigenvalue of more than 2 λ.
   EXPECT_GT(largest, 6);
 }
 

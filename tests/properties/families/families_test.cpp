@@ -124,7 +124,7 @@ TEST(Families, ReachTheExtremesThatTheyPromise) {
     fastest = std::max(fastest, unit::case_of("common_velocity", i).collision.a.velocity.norm());
   }
   // Each k of a factor 10^k is drawn with probability at least 1/61. 300 cases miss the two largest with a probability
-  // of (59/61)^300 < 5e-5.
+  // of at most (59/61)^300 < 5e-5.
   EXPECT_GT(largest_ratio, 1e7);
   EXPECT_GT(longest_normal, 1e28);
   EXPECT_LT(shortest_normal, 1e-28);

@@ -14,7 +14,7 @@ using oracles::Rational;
 
 constexpr int cases_of_each = 50;  // for each impact
 
-/// The published answers in ℚ, for sphere A above B. K = diag(k_t, k_n, k_t), with k_n = Σ 1/m and k_t = Σ (1/m + r²/J)
+/// The published answers in ℚ. Sphere A is above B. K = diag(k_t, k_n, k_t), with k_n = Σ 1/m and k_t = Σ (1/m + r²/J)
 /// over the spheres. Friction acts along x against the slip u, and at most stops it.
 struct Published {
   BasicCollision<Rational> c;
@@ -90,13 +90,13 @@ TEST(ChungOoi, BothLawsWithFrictionGiveThePublishedAnswers) {
   });
 }
 
-/// The printed formulas use J = 2/5 m r², which the cases have up to a few roundings.
+/// The printed formulas use J = 2/5 m r². In the cases, J differs from this by a few roundings.
 TEST(ChungOoi, TheFormulasAsPrintedHold) {
   int slid = 0;
   for_each_impact([&](int number, const Collision& c, const Published& published) {
     const auto nearest = [](const Rational& x) { return oracles::nearest_double(x); };
     const double approach = c.b.velocity.y() - c.a.velocity.y();
-    const double change = c.friction * (1 + c.restitution) * approach;  // of the tangential velocity, for 1/m
+    const double change = c.friction * (1 + c.restitution) * approach;  // k_n times the largest friction impulse
     const double slip = nearest(published.slip());
     const Vector3<double> after = published.velocity_of_a().unaryExpr(nearest);
     const double spin = nearest(published.spin_of_a());

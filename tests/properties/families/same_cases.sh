@@ -5,10 +5,10 @@
 #  same_cases.sh SOURCE WORK [CASES]
 #
 # The script builds the families and same_cases_main.cpp in each way below, in the folder WORK, and runs the program.
-# The first thousand cases of each family must equal those of first_thousand.txt. The first CASES (default 20000) must
-# equal those of the first build. A build needs its compiler. `src/bootstrap.sh same-cases` installs the compilers for
-# other machines. Exit status: 0 if all builds draw the same cases, 1 if one does not, 77 if one could not be built and
-# all others do.
+# The checksums of the first thousand cases of each family must equal first_thousand.txt. Those of the first CASES
+# (default 20000) must equal those of the first build. `src/bootstrap.sh same-cases` installs the compilers for other
+# machines. Exit status: 0 if all builds draw the same cases, 1 if one build draws others, 77 if some could not be built
+# and the others agree.
 set -euo pipefail
 
 source=$(cd "$1" && pwd)
@@ -18,7 +18,8 @@ cases=${3:-20000}
 table=$source/tests/properties/families/first_thousand.txt
 foreign=(i386 arm64)
 
-# The compile option of the families. Without it the cases may differ, so the script ends here if it is removed.
+# The compile option of the families. Without this option the cases may differ, so the script ends here if
+# properties/CMakeLists.txt lacks it.
 contraction=$(grep -o -m 1 -e '-ffp-contract=off' "$source/properties/CMakeLists.txt")
 
 # Links the folders under the names that headers use, and the libraries whose headers are the same on every machine.
@@ -33,7 +34,7 @@ include() {
   done
 }
 
-# GMP and MPFR of Debian for another architecture, unpacked beside the builds. The system does not change.
+# Downloads Debian's GMP and MPFR for other architectures, and unpacks them in WORK.
 foreign_libraries() {
   local apt=$work/apt arch
   mkdir -p "$apt/lists/partial" "$apt/archives/partial"
@@ -41,7 +42,7 @@ foreign_libraries() {
     echo "APT::Architectures { \"$(dpkg --print-architecture)\"; $(printf '"%s"; ' "${foreign[@]}")};"
     echo "Dir::State::lists \"$apt/lists\"; Dir::Cache \"$apt\"; APT::Sandbox::User \"root\";"
   } >"$apt/apt.conf"
-  # If one of several sources is out of date, the others may still have the packages.
+  # If one package source is out of date, another may still have the packages.
   APT_CONFIG=$apt/apt.conf apt-get update -qq || true
   for arch in "${foreign[@]}"; do
     (cd "$apt" && APT_CONFIG=apt.conf apt-get download -qq "libgmp-dev:$arch" "libmpfr-dev:$arch") || return
@@ -56,7 +57,7 @@ draw() {
   local name=$1 runner=$2
   shift 2
   mkdir -p "$work/$name"
-  rm -f "$work/$name"/*.o # of sources that are gone
+  rm -f "$work/$name"/*.o # of removed sources
   # The compiling shell gets the folder as $0, and the file as $1 before the command.
   # shellcheck disable=SC2016
   printf '%s\0' "$source"/properties/{draws,families,features}/*.cpp "$source/oracles/exact/rational.cpp" \
@@ -96,7 +97,7 @@ agree() {
   fi
 }
 
-# cross ARCH TRIPLET: the options for headers and libraries of another architecture, linked statically.
+# cross ARCH TRIPLET: prints the options to link libraries of another architecture statically.
 cross() { printf '%s\n' -isystem "$work/$1/usr/include/$2" -isystem "$work/$1/usr/include" "-L$work/$1/usr/lib/$2" -static; }
 
 include

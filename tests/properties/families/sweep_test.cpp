@@ -37,7 +37,7 @@ TEST(Sweeps, AreValidAlongAllOfThem) {
 
 TEST(Sweeps, SetTheQuantityThatTheyAreNamedAfter) {
   for (const double quantity : {1e2, 1e6}) {
-    // At most ten roundings.
+    // The ratios have at most ten roundings.
     const double rounding = 10 * 0x1p-53 * quantity;
     const Vector3<double> rod = at("slenderness", quantity).a.principal_inertia;
     EXPECT_NEAR(rod.maxCoeff() / rod.minCoeff(), quantity, rounding);

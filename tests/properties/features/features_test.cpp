@@ -34,7 +34,7 @@ TEST(Features, HaveNamesOfTheirOwnAndReasons) {
   EXPECT_EQ(feature_named("no_such_feature"), nullptr);
 }
 
-/// Each maker makes its feature in most collisions, and leaves them valid.
+/// `Feature::make` succeeds in at least half of the collisions, and keeps all valid.
 TEST(Features, AreMade) {
   constexpr int tries = 40;
   for (const Feature& feature : all_features()) {
@@ -64,8 +64,8 @@ TEST(Features, AreNotInEveryCollision) {
   }
 }
 
-/// The makers cannot make an infeasible pair. Pairs that are kept out of the domain by choice, and decades of one
-/// quantity, are not tested.
+/// `make_both` makes no infeasible pair. Not tested: pairs that the domain excludes by choice, and two decades of one
+/// quantity.
 TEST(Features, AreNotTogetherWherePairsAreInfeasible) {
   const std::set<std::string_view> by_choice{"masses are 10⁻⁹ to 10¹⁰ kg",
                                              "the contact would lie outside of the body, and K would have no bound",
@@ -90,7 +90,7 @@ TEST(Features, AreNotTogetherWherePairsAreInfeasible) {
   }
 }
 
-/// The gate's cases have no infeasible pair. At the default seed, they have every feasible pair.
+/// The cases of a default run have every feasible pair of features, and no infeasible pair.
 TEST(Features, AreAllThereInPairs) {
   const GateOptions defaults;
   FeatureCoverage coverage;
@@ -115,7 +115,7 @@ TEST(Features, AreAllThereInPairs) {
   }
 }
 
-/// `seldom_together` has no infeasible pair, and no pair with a renamed feature.
+/// Each pair of groups in `seldom_together` has a feasible pair of features.
 TEST(Features, ThatSeldomComeTogetherAreThereAndCan) {
   const auto place_of = [](const Feature* feature) {
     return static_cast<std::size_t>(feature - all_features().data());

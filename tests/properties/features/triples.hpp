@@ -9,8 +9,8 @@
 
 namespace carom::properties {
 
-/// The triples of features that collisions have had. A triple counts as feasible if its three pairs are. So the
-/// computed share is a lower bound of the share of feasible triples.
+/// The triples of features that the added collisions have. A triple counts as feasible if its three pairs are feasible.
+/// Some such triples are impossible, so the computed share is a lower bound of the true share.
 class TripleCoverage {
  public:
   TripleCoverage();
@@ -33,7 +33,7 @@ class TripleCoverage {
   [[nodiscard]] static std::uint64_t feasible();
 
  private:
-  std::vector<bool> met_;  // of x < y < z at C(z, 3) + C(y, 2) + x
+  std::vector<bool> met_;  // the triple x < y < z at C(z, 3) + C(y, 2) + x
 };
 
 }  // namespace carom::properties

@@ -3,7 +3,8 @@
 //
 //  triples [--seed S] [--cases N] [--jobs J] [--missing K]
 //
-// It runs N cases of each family, times its weight, as `carom gate --cases N` does, and prints intermediate results.
+// It draws N cases of each family, times the family's weight, as `carom gate --cases N` does. It prints intermediate
+// results.
 #include <algorithm>
 #include <cstdint>
 #include <exception>
@@ -24,7 +25,7 @@
 namespace carom::properties {
 namespace {
 
-/// Adds every `step`-th case of each family, from first × weight + `offset` to before last × weight.
+/// For each family of weight w, adds the cases first·w + offset, first·w + offset + step, … below last·w.
 void add_cases(TripleCoverage& coverage, std::uint64_t seed, std::uint64_t first, std::uint64_t last,
                std::uint64_t offset, std::uint64_t step) {
   for (const Family& family : all_families()) {

@@ -13,7 +13,8 @@
 
 #include "io/threads.hpp"
 
-/// The boundary from which a subject fails, in families beyond the claimed domain, decides no verdict.
+/// In families beyond the claimed domain, the gate finds the least quantity at which a subject fails. By default, this
+/// boundary decides no verdict.
 namespace carom::properties {
 namespace {
 
@@ -21,7 +22,7 @@ constexpr double stops_at = 1e6;
 
 Subject sound_subject() { return subjects::subject_named("frictionless-double").value(); }
 
-/// Adds 1 to A's velocity along x if the condition number of the collision matrix may be 10⁶ or more.
+/// Adds 1 to A's velocity along x if `condition_number_at_most` is at least 10⁶.
 Subject stopping() {
   Subject subject = sound_subject();
   subject.name = "stopping";
@@ -53,7 +54,7 @@ GateOptions options_of(const char* family, unsigned jobs) {
 TEST(Boundary, IsTheLeastOfTheQuantityAtWhichSomethingIsViolated) {
   const GateOptions options = options_of("generic", 1);
   const SubjectResult result = run_gate({sound_subject(), stopping()}, options).results.at(1);
-  // The condition numbers of `generic` are far smaller.
+  // The condition numbers of `generic` are far below 10⁶.
   EXPECT_TRUE(result.is_sound()) << result.not_judged;
   EXPECT_EQ(result.cases(), 200U);
   ASSERT_EQ(result.beyond_domain.size(), 2U);

@@ -9,15 +9,15 @@
 #include <carom/properties/conformance/subject.hpp>
 #include <carom/properties/gate/gate.hpp>
 
-/// Solvers as users might write them, in coordinates of their choice. Solvers that divide torques by the moments in the
-/// body frame are sound. A solver with the inverse inertia tensor in world axes fails on slender bodies.
+/// Solvers in coordinates that users might choose. Solvers that divide torques by the moments in the body frame are
+/// sound. A solver with the inverse inertia tensor in world axes fails on slender bodies.
 namespace carom::properties {
 namespace {
 
 using Vector = Vector3<double>;
 using Matrix = Matrix3<double>;
 
-/// Avoids overflow and underflow of the squares.
+/// The squares of the scaled components do not overflow.
 template <class V>
 V unit(const V& v) {
   const V scaled = v / v.cwiseAbs().maxCoeff();
@@ -82,7 +82,7 @@ struct Solver {
 
 Matrix world(const Collision& /*collision*/) { return Matrix::Identity(); }
 
-/// {N, T0, T1}. T0 is orthogonal to N and to the axis that N is least aligned with.
+/// {N, T0, T1}. T0 is orthogonal to N and to the axis along which N has its least component.
 Matrix contact_basis(const Collision& c) {
   const Vector n = unit(c.normal);
   int least = 0;
@@ -95,7 +95,7 @@ Matrix contact_basis(const Collision& c) {
   return basis;
 }
 
-/// Rotates the torque into the body frame, divides it there, and rotates it back.
+/// Rotates the torque into the body frame, divides it by the moments, and rotates the quotient back.
 Response by_torque_in_body(const Body& body, const Vector& arm, const Vector& normal) {
   const Matrix axes = axes_of(body);
   const Vector torque = arm.cross(normal);
@@ -160,7 +160,8 @@ double moment_ratio(const Collision& c) {
   return largest;
 }
 
-/// J⁻¹ in world axes costs up to a tenth of the ratio of the moments, in ulps (docs/findings/accuracy.md).
+/// With J⁻¹ in world axes, residuals are at most a tenth of the ratio of the moments, in ulps
+/// (docs/findings/accuracy.md).
 TEST(Coordinates, OfTheWorldLoseSlenderBodiesAlone) {
   const SubjectResult result = gated({"with J⁻¹ in world axes", {world, by_world_inertia}});
   std::size_t seen = 0;

@@ -25,7 +25,8 @@ GateOptions options_of_all_families(std::uint64_t of_each, unsigned jobs = 1) {
 
 Subject right() { return subjects::subject_named("frictionless-double").value(); }
 
-/// Adds 1 to A's velocity along x if `is_wrong(collision, call)`. Each session counts its calls from 0.
+/// Adds 1 to A's velocity along x if `is_wrong(collision, call)`. `call` is the number of earlier outcomes of the
+/// session.
 template <class IsWrong>
 Subject wrong_where(IsWrong is_wrong) {
   Subject subject = right();
@@ -54,7 +55,7 @@ Subject always_wrong() {
   return wrong_where([](const Collision&, std::uint64_t) { return true; });
 }
 
-/// Wrong in cases that come late and not in the family that is drawn first.
+/// Wrong only in late cases, and in no case of the first family.
 Subject wrong_at_times() {
   return wrong_where([](const Collision& c, std::uint64_t) {
     return !c.a.immovable && !c.b.immovable && c.a.mass > 0.5 * c.b.mass && c.restitution > 0.875;
@@ -112,7 +113,7 @@ TEST(FailFast, GoesOnWithTheOtherSubjects) {
   EXPECT_EQ(report.results[1].cases(), run_gate({right()}, options_of_all_families(20)).results[0].cases());
 }
 
-/// Only a repeated question finds a violation of `memoryless`. It ends the run too, and no case counts twice.
+/// The subject claims only `memoryless`, which needs a repeated collision. Its violation also ends the run.
 TEST(FailFast, EndsAtWhatASessionRemembers) {
   Subject subject = wrong_where([](const Collision&, std::uint64_t call) { return call > 0; });
   for (const Invariant& invariant : all_invariants()) {
@@ -137,7 +138,7 @@ TEST(Budget, DrawsMoreCasesThanTheDefaultAndSaysNothingElse) {
   EXPECT_TRUE(result.is_sound()) << result.not_judged;
 }
 
-/// The seed, the family and the number determine the case, as in a complete run.
+/// With a budget, too, seed, family and number determine the case.
 TEST(Budget, FindsWhatReplays) {
   GateOptions options = options_of_all_families(1);
   options.budget = std::chrono::milliseconds(100);

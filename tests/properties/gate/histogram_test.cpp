@@ -13,7 +13,7 @@
 namespace carom::properties {
 namespace {
 
-/// Most of these digits are from 14 to 17, as in a gate. Some are fewer, and a few are outside the scale.
+/// Numbers of correct digits. Most are from 14 to 17, as in a gate, and a few are outside `DigitsScale`.
 std::vector<double> some_digits(std::size_t count) {
   Stream stream = stream_from(17);
   std::vector<double> digits;
@@ -46,7 +46,7 @@ TEST(Histogram, OfDigitsIsOffByHalfAHundredthAtMost) {
       EXPECT_EQ(histogram.at(rank), digits.front());
     } else {
       EXPECT_LE(std::abs(histogram.at(rank) - exact), 0.005 * (1 + 0x1p-40)) << exact;
-      const bool is_tie = exact * 20 == std::round(exact * 20);  // between two tenths, at the edge of a bin
+      const bool is_tie = exact * 20 == std::round(exact * 20);  // halfway between two tenths
       EXPECT_TRUE(is_tie || fmt::format("{:.1f}", histogram.at(rank)) == fmt::format("{:.1f}", exact)) << exact;
     }
   }

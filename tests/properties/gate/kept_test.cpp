@@ -10,7 +10,7 @@
 #include <carom/properties/gate/witness.hpp>
 #include <carom/subjects/catalogue.hpp>
 
-/// Each subject that is expected to fail violates an invariant. If it becomes sound, set its `expected_to_pass`.
+/// Each subject that is expected to fail violates an invariant. If a subject becomes sound, set its `expected_to_pass`.
 namespace carom::properties {
 namespace {
 
@@ -28,7 +28,7 @@ const std::map<std::string, Number> rare{{"reflection-llt-float", {202, 75335}},
                                          {"reflection-full-lu-float", {1, 32704}},
                                          {"reflection-qr-float", {3, 125099}}};
 
-/// Regression cases of sound subjects. The first three show a defect of the solver, the last one a defect of the judge.
+/// Regression cases of sound subjects. The first three test mended solvers, and the last tests a mended judge.
 const std::vector<std::pair<std::string, Number>> mended{
     {"reflection-in-stable-basis-float", {101, 13155}},
     {"rough-float", {20261125, 42175}},
@@ -71,8 +71,8 @@ TEST(Kept, Fail) {
   EXPECT_GT(kept, 20U);
 }
 
-/// In the same cases, hand-written LDLᵀ is sound, because it takes no pivot below λ = 1/m_A + 1/m_B. In double, every
-/// method is sound.
+/// In the cases of `rare`, the hand-written LDLᵀ is sound, because it takes no pivot below λ = 1/m_A + 1/m_B. Each
+/// method of `rare` is sound in double.
 TEST(Kept, FailWhereOthersDoNot) {
   for (const auto& [name, number] : rare) {
     const std::string in_double = name.substr(0, name.rfind('-')) + "-double";

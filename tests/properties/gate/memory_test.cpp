@@ -43,7 +43,7 @@ Subject remembering(Remembers what) {
                             (what == Remembers::the_last_outcome && state->last);
         state->refused = false;
         if (is_off) {
-          // Only `memoryless` finds one ulp.
+          // An error of one ulp violates only `memoryless`.
           long double& component = outcome->a.velocity[0];
           component = std::nextafter(static_cast<double>(component), 1e300);
         }

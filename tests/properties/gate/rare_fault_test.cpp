@@ -8,19 +8,18 @@
 #include <carom/properties/gate/gate.hpp>
 #include <carom/subjects/catalogue.hpp>
 
-/// A single relation finds a fault in one of a hundred answers.
 namespace carom::properties {
 namespace {
 
 constexpr int one_in = 100;
 
-/// frictionless-double as a program that claims one invariant. In one of a hundred answers, drawn at random, the
-/// impulse is a quarter too large.
+/// frictionless-double, as a program that claims only the invariant `claimed`. In one of a hundred answers, drawn at
+/// random, the impulse is a quarter too large.
 Subject faulty(const std::string& claimed) {
   const Subject right = subjects::subject_named("frictionless-double").value();
   Subject subject = right;
   subject.name = "faulty";
-  subject.specification = "exec:faulty";  // the gate takes it for a program, to which questions are expensive
+  subject.specification = "exec:faulty";  // the gate judges relations on fewer cases of a program
   for (const Invariant& invariant : all_invariants()) {
     if (invariant.name != claimed) {
       subject.deviates.emplace_back(invariant.name);
@@ -56,7 +55,7 @@ TEST(RareFault, IsFoundByDefaultByOneRelationInOneFamily) {
   options.families = {family_named("generic")};
   std::size_t relations = 0;
   for (const Invariant& invariant : all_invariants()) {
-    // A second impulse does nothing, however large the first one was. So `repeat` does not find this fault.
+    // A second impulse is zero, however large the first is. So `repeat` cannot find this fault.
     if (std::holds_alternative<AboutRelation>(invariant.about) && invariant.claimed_for(Law::frictionless) &&
         invariant.name != "repeat") {
       ++relations;

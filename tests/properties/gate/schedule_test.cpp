@@ -80,7 +80,7 @@ TEST(Schedule, DoesNotDependOnTheOrderInWhichFamiliesAreReported) {
   }
 }
 
-/// A budget does not change the numbers of cases, so a longer run continues a shorter one.
+/// With a budget, too, the cases come in the order of their numbers, so a longer run continues a shorter one.
 TEST(Schedule, GoesOnWithoutEndOnABudget) {
   GateOptions options = options_to_schedule(1);
   options.budget = std::chrono::seconds(1);

@@ -19,8 +19,8 @@ using oracles::LiftedOutcome;
 using oracles::Rational;
 using Solved = SolvedOutcome<Rational>;
 
-/// Rotates by a quaternion q of integers. With s = ‖q‖², the matrix s R has integer entries, so vectors of few bits are
-/// rotated without rounding. The factor s is a change of units: of metres to 1/s metres, and of seconds to s seconds.
+/// Rotates by a quaternion q of integers. With s = ‖q‖² and the rotation matrix R, s R has integer entries. So s R
+/// rotates vectors of few bits without rounding. The factor s changes the units to 1/s metres and s seconds.
 struct WholeTurn {
   Quaternion<double> q;
 
@@ -109,11 +109,11 @@ Claim claim_of_outcome(Law law, Precision precision) {
   return claim;
 }
 
-/// `coulomb` has no sensitivity. If the contact sticks, its outcome is that of `sticking`.
+/// `coulomb` has no sensitivity. If the contact sticks, the outcomes of `coulomb` and `sticking` are equal.
 Law like(Law law) { return law == Law::coulomb ? Law::sticking : law; }
 
-/// Either C with an error in one entry, or λI with an error, with λ = Σ 1/m. The error of C is `share` of the permitted
-/// error. The error of λI is 1 to 64 times as large as that, near the permitted error of `definite`.
+/// With off = `share` · `allowance` · ‖C‖ and λ = Σ 1/m: either C plus off in one entry, or λI minus 1 to 64 off along
+/// a direction. The second error is near the permitted error of `definite`.
 Matrix3<Rational> planted_matrix(Stream& stream, const Collision& c, double allowance, double share) {
   Matrix3<Rational> matrix = impulse::collision_matrix(unit::exact_contact(c));
   const double off =
@@ -147,7 +147,7 @@ Judgement judged(const Collision& collision, const Claim& claim, const Solved& o
                   [&](const Collision&) -> ExactAnswer { return LiftedOutcome(outcome); });
 }
 
-/// Permitted residuals are rounded, so a residual close to this limit may pass or fail.
+/// Permitted residuals are rounded, so a residual close to its permitted residual may pass or fail.
 bool is_at_the_limit(const Verdict& verdict) {
   return verdict.status == Status::violated && std::abs(verdict.residual / verdict.allowed - 1) < 0x1p-20;
 }
@@ -203,7 +203,7 @@ TEST(Verdicts, AreTheSameWhenACollisionIsTurned) {
 }
 
 /// If a solver rotates torques into the body frame and back, an impulse along an axis causes a small spin by rounding.
-/// This error passes, although only one component of the velocities is not zero.
+/// This error passes, although the exact spin is zero.
 TEST(Verdicts, AllowRoundingAcrossAnAxis) {
   Collision c = unit::ball_on_a_plane(0.4, 0);
   c.a.velocity = {0, -4, 0};

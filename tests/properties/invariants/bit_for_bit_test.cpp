@@ -10,9 +10,9 @@
 
 #include "examination.hpp"
 
-/// Relations between two collisions that change only signs, exponents, or the names A and B. A solver rounds
-/// corresponding numbers alike, so the outcomes correspond bit for bit, except for the sign of zeros. The solvers are
-/// compiled with -ffp-contract=off, because a fused x·y + z rounds only one of two products that a relation exchanges.
+/// Relations that change only signs, exponents, or the names A and B. A solver rounds corresponding numbers alike, so
+/// the outcomes correspond bit for bit, except for the sign of zeros. The solvers are compiled with -ffp-contract=off,
+/// because a fused x·y + z rounds only one of two products that a relation exchanges.
 namespace carom::properties {
 namespace {
 
@@ -123,8 +123,7 @@ Relation units_changed_by(int mass, int length, int time) {
 
 constexpr const char* bits_differ = "the bits differ";
 
-/// Whether the outcome of the related collision is exactly the related outcome. `prepared` is applied to the collision
-/// first.
+/// Whether the outcome of the related collision is exactly the related outcome. `prepared` changes the collision first.
 Question bit_for_bit(
     const Relation& relation,
     const std::function<Collision(const Collision&)>& prepared = [](const Collision& c) { return c; }) {
@@ -207,9 +206,9 @@ std::vector<Examinee> examinees_of_single_numbers() {
 
 class QuarterTurns : public testing::TestWithParam<Examinee> {};
 
-/// A quarter turn exchanges two terms of sums of three, which are added in a fixed order. So it does not keep the bits,
-/// and the invariant `rotation` is judged within rounding. Double-double is excluded: it has twice the digits of its
-/// answer, so nearly every answer keeps its bits.
+/// A quarter turn exchanges two of three terms that a solver adds in a fixed order. So it changes bits, and the
+/// invariant `rotation` permits rounding. Double-double is excluded: it has twice the digits of its answer, so nearly
+/// every answer keeps its bits.
 TEST_P(QuarterTurns, AreNotBitForBit) {
   EXPECT_TRUE(differs_somewhere(GetParam(), bit_for_bit(moved_by(turn_about_x))));
   EXPECT_TRUE(differs_somewhere(GetParam(), bit_for_bit(moved_by(turn_about_y))));

@@ -18,7 +18,7 @@ using Contact = impulse::Contact<Rational>;
 
 Contact contact_of(const Collision& collision) { return impulse::make_contact<Rational>(oracles::lift(collision)); }
 
-/// `solve` takes a contact and a function that receives the collision matrix. It returns an outcome.
+/// `solve` takes a contact and a function that receives the collision matrix. `solve` returns an outcome.
 template <class Solve>
 Examinee exactly(std::string name, Law law, Solve solve) {
   Examinee examinee;

@@ -44,7 +44,7 @@ std::vector<Claimed> claimed_by(const std::vector<Examinee>& examinees) {
   return claimed;
 }
 
-/// The tests of a suite share one pass over the families. The pass judges only the selected invariants.
+/// The tests of a suite share one pass over the families. The pass judges only the claims whose tests run.
 class OnePass : public testing::TestWithParam<Claimed> {
  protected:
   template <class ExamineeOf>
@@ -98,7 +98,7 @@ TEST_P(HoldsExactly, For) { expect_no_violation(GetParam()); }
 
 INSTANTIATE_TEST_SUITE_P(Invariants, HoldsExactly, testing::ValuesIn(claimed_by(exact_examinees())), name_of_test);
 
-/// For each law, one examinee in floating point and one in ℚ.
+/// For each law, one examinee in floating point, and one in ℚ if any.
 std::vector<Examinee> one_of_each() {
   std::vector<Examinee> examinees;
   for (const std::vector<Examinee>& all : {built_in_examinees(), exact_examinees()}) {
@@ -114,7 +114,6 @@ std::vector<Examinee> one_of_each() {
   return examinees;
 }
 
-/// Runs the tests above on subjects that violate the invariant.
 class NeverHolds : public OnePass {
  protected:
   static void SetUpTestSuite() {
@@ -140,7 +139,7 @@ TEST(FindViolation, ReportsThatNothingWasTested) {
   }
 }
 
-/// An invariant without cases does not hold, even if the head-on probe passes.
+/// If no case tests an invariant, find_violation says so, even if the head-on probe passes.
 TEST(Examination, NoticesFamiliesThatDrawNothing) {
   const std::vector<Examinee> examinees = built_in_examinees();
   const Invariant& momentum = *invariant_named("linear_momentum");

@@ -15,8 +15,8 @@
 #include "support/known_collisions.hpp"
 #include "support/known_values.hpp"
 
-/// Stores every invariant's residual and permitted residual for a wrong solver.
-/// tests/oracles/judge/known_values_test.cpp gives the reason.
+/// Compares every invariant's residual and permitted residual for a wrong solver with recorded numbers (why:
+/// tests/oracles/judge/known_values_test.cpp).
 namespace carom::properties {
 namespace {
 
@@ -88,7 +88,7 @@ ExactAnswer right_answer(const Collision& c, Law law) {
   return oracles::LiftedOutcome(reported);
 }
 
-/// Adds 2⁻¹⁰ times velocities that no impulse gives.
+/// Adds 2⁻¹⁰ times velocities that no impulse gives, and 2⁻¹⁰ to each entry of the matrix.
 ExactAnswer nearly_right_answer(const Collision& c, Law law) {
   ExactAnswer answer = right_answer(c, law);
   if (const auto* right = std::get_if<oracles::LiftedOutcome>(&answer)) {

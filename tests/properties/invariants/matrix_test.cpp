@@ -88,7 +88,8 @@ using Names = std::set<std::string_view>;
 
 double inverse_mass_of(const ShownSolve& one) { return oracles::inverse_mass(one.one.collision); }
 
-/// Reports `planted` for many contacts. The judges with and without filters must agree.
+/// Reports the matrix `planted` for many contacts. With and without filters, the judge must find exactly `expected`
+/// violated.
 void expect_violated(const std::function<Matrix(const ShownSolve&)>& planted, const Names& expected) {
   for (const char* family : {"generic", "physical", "mass_ratio", "immovable_a"}) {
     int colliding = 0;
@@ -132,7 +133,7 @@ TEST(ShownMatrix, IsNotUsedWhereItIsOfAnotherContact) {
       {"matrix_used"});
 }
 
-/// Adds a multiple of the cross matrix [F]×. As [F]× F = 0, C F does not change.
+/// Adds a multiple of the impulse's cross matrix [F]×. As [F]× F = 0, C F does not change.
 Matrix asymmetric(const ShownSolve& one) {
   const Vector f = one.impulse().normalized() * (one.matrix().trace() / 1000);
   Matrix skew;
@@ -182,7 +183,7 @@ TEST(ShownMatrix, IsNothingWhereItIsNotFinite) {
   }
 }
 
-/// `well_conditioned` judges the reported matrix, not only the exact one. Its eigenvalues are at most 16 λ.
+/// `well_conditioned` permits eigenvalues of the reported matrix up to 16 λ.
 TEST(ShownMatrix, IsToBeWellConditionedIfTheBodiesAre) {
   int judged = 0;
   for (std::uint64_t i = 0; i < 10; ++i) {
@@ -201,7 +202,6 @@ TEST(ShownMatrix, IsToBeWellConditionedIfTheBodiesAre) {
   EXPECT_GT(judged, 5);
 }
 
-/// Extreme numbers never pass.
 TEST(ShownMatrix, MayHoldAnyNumber) {
   const ShownSolve one = shown_solve("generic", 0);
   ASSERT_TRUE(one.outcome.collision_matrix);

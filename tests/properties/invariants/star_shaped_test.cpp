@@ -109,7 +109,7 @@ Surface random_surface(Stream& stream, const Radius& radius) {
     for (int side = 0; side < 2; ++side) {
       auto& direction = directions[axis][side];
       for (int i = 0; i < 3; ++i) {
-        // The diagonal dominates, so no octant's determinant changes its sign.
+        // The diagonal dominates, so the determinant of each octant keeps its sign.
         direction[i] = i == axis ? (side == 0 ? 8 : -8) : stream.integer(-3, 3);
       }
       radii[axis][side] = radius();
@@ -142,7 +142,7 @@ Surface spiky_surface(Stream& stream) {
   return random_surface(stream, [&] { return spiky_radius(stream); });
 }
 
-/// The shift moves the surface away from the apex, so some volumes are negative.
+/// The shift moves the surface away from the apex, so some tetrahedra have negative volumes.
 TEST(StarShaped, HaveMomentsThatDoNotDependOnTheApex) {
   Stream stream = stream_from(41);
   for (int i = 0; i < 50; ++i) {
@@ -227,7 +227,7 @@ TEST(StarShaped, ExceedTheBoundWhereTheContactIsFarOutside) {
   }
 }
 
-/// A hammer with a massless handle. The contact at the end of the handle does not see all of the head.
+/// A hammer with a thin handle of nearly no mass. From the end of the handle, a part of the head is hidden.
 TEST(StarShaped, ExceedTheBoundWhereABodyIsTouchedInAPointThatDoesNotSeeAllOfIt) {
   Surface hammer;
   for (int octant = 0; octant < 8; ++octant) {

@@ -25,9 +25,9 @@ struct Counts {
   int far = 0;
 };
 
-/// Computes y + (to − from), rounded as in relations.cpp. The second vector differs from it in one component, by
-/// `least` to `most` times the permitted error. If surely_near shows that the two vectors are near, exact arithmetic
-/// confirms it.
+/// `left` is y + (to − from), rounded as in relations.cpp. `right` differs from `left` in one component, by `least` to
+/// `most` times the permitted error. If surely_near calls `left` and `right` near, they must be near in exact
+/// arithmetic.
 Counts expect_shown_to_be_near(double allowance, double least, double most) {
   Counts counts;
   Stream stream = stream_from(91);
@@ -63,7 +63,6 @@ Counts expect_shown_to_be_near(double allowance, double least, double most) {
   return counts;
 }
 
-/// The order from the worst verdict: violated, undecided, holds, outside the domain.
 TEST(Both, IsTheWorseOfTwoVerdicts) {
   Verdict violated;
   violated.status = Status::violated;
@@ -97,8 +96,8 @@ TEST(Seriousness, OrdersViolations) {
   verdict.left = {1, -12};
   verdict.right = {5};
   EXPECT_EQ(verdict.relative_residual(), 0.5);
-  // If nothing is permitted, the unit is 2⁻⁵³ times the largest number of the collision's velocities and the formula,
-  // or 2⁻⁵³ if all are zero.
+  // If the permitted residual is 0, the unit is 2⁻⁵³ times the largest number of `left`, `right` and the collision's
+  // velocities. If all are zero, the unit is 2⁻⁵³.
   verdict.allowed = 0;
   EXPECT_TRUE(std::isinf(verdict.severity()));
   EXPECT_EQ(seriousness(verdict, c), 6 / 12.0 * 0x1p+53);
@@ -138,7 +137,7 @@ TEST(SurelyNear, CountsTheRoundingOfWhatItCompares) {
   EXPECT_GT(counts.shown, 100);
 }
 
-/// The permitted error, one rounding of extended, is no more than the rounding of the compared numbers.
+/// The permitted error is one rounding of extended, no more than the rounding of the compared numbers.
 TEST(SurelyNear, DecidesNothingBelowItsOwnRounding) {
   const Outcome<double> y{{{1, 2, 3}, {4, 5, 6}}, {{7, 8, 9}, {1, 2, 3}}};
   const auto reported = map_outcome<long double>(y, [](double x) { return static_cast<long double>(x); });

@@ -11,7 +11,7 @@
 namespace carom::properties::plan {
 namespace {
 
-/// Findings as "severity lint field".
+/// The findings, each as "severity lint field".
 std::vector<std::string> found(const Collision& collision) {
   std::vector<std::string> all;
   for (const LintFinding& finding : findings_of({"", collision, "here:1"})) {
@@ -25,7 +25,7 @@ std::vector<std::string> found(const Collision& collision) {
 
 using Found = std::vector<std::string>;
 
-/// A cube of edge 1 and mass 1 hits a fixed plane with a corner. The eigenvalues of K are 1 to 5.5.
+/// A cube of edge 1 and mass 1 hits an immovable body with a corner. The eigenvalues of K are 1 to 5.5.
 Collision cube() {
   Collision c;
   c.a.principal_inertia.setConstant(1.0 / 6);
@@ -38,7 +38,7 @@ Collision cube() {
 
 TEST(Lint, IsSilentOfACube) { EXPECT_EQ(found(cube()), Found{}); }
 
-/// Ignores `centre_of_mass`, because the family's normals fit no surface of its bodies.
+/// Ignores mass ratios, and centres of mass: the normals of `physical` fit no surface of its bodies.
 TEST(Lint, IsSilentOfConvexUniformBodies) {
   for (std::uint64_t i = 0; i < 50; ++i) {
     Collision c = unit::case_of("physical", i).collision;
@@ -54,7 +54,8 @@ TEST(Lint, IsSilentOfConvexUniformBodies) {
   }
 }
 
-/// With one movable body of mass 1 and equal moments I, the largest eigenvalue of K is 1 + ‖r‖²/I.
+/// For one movable body of mass 1 with the moment I about both axes across r, the largest eigenvalue of K is 1 +
+/// ‖r‖²/I.
 TEST(Lint, FindsAConditionAbove16) {
   Collision c = cube();
   c.a.position = {1, 0, 0};
@@ -67,7 +68,7 @@ TEST(Lint, FindsAConditionAbove16) {
   EXPECT_EQ(found(c), Found{"warning condition a"});
 }
 
-/// B is a hundred times lighter. This makes λ = 1/m_A + 1/m_B so large that K stays below 16 λ.
+/// B is a hundred times lighter than A. So λ = 1/m_A + 1/m_B is large, and K stays below 16 λ.
 TEST(Lint, FindsALeverArmOfOneBodyWhereKHidesIt) {
   Collision c = cube();
   c.a.position = {1, 0, 0};
@@ -119,7 +120,7 @@ TEST(Lint, IsSilentOfACentreOfMassInThePlaneOfTheContact) {
   c.a.position = {0.25, 0, 0.125};
   c.b.position = {0, 0, 0};
   EXPECT_EQ(found(c), Found{});
-  c.normal = {3, 1, 0};  // 3 × 0.1 > 0.3 in binary64, so the centre lies beyond the plane
+  c.normal = {3, 1, 0};  // 3 × 0.1 exceeds 0.3 in binary64, but not the number after 0.3
   c.normal.normalize();
   c.b.position = {0, -0.5, 0};
   c.a.position = {0.1, std::nextafter(-0.3, -1.0), 0};

@@ -98,7 +98,7 @@ TEST(Plan, NamesClassesByGeometryUnlessTheyHaveAName) {
   EXPECT_EQ(plan.whole.contacts.size(), 20U);
 }
 
-/// A subject with an error of about 10⁻¹⁰ on one of many contacts is never recommended.
+/// A plan rejects a subject with a relative error of 10⁻¹⁰ on one of a hundred contacts, unless nine digits suffice.
 TEST(Plan, RejectsAPlantedWrongCandidate) {
   std::vector<Candidate> candidates = some_candidates();
   Candidate wrong = candidate("frictionless-float", 0);
@@ -172,7 +172,7 @@ TEST(Plan, RefusesFloatForOneContactFarFromTheOrigin) {
   EXPECT_LT(*certificate.least_digits, 5);
 }
 
-/// A contact that does not collide must stay unchanged, to the demanded digits.
+/// If a contact does not collide, the velocities must stay unchanged to the demanded digits.
 TEST(Plan, AsksForNoDigitsOfAChangeThatThereIsNot) {
   ClassedCollision parting = crate_at(0.25);
   parting.collision.a.velocity = {0.7, 1.3, 0.2};
@@ -266,7 +266,7 @@ TEST(Plan, IsTheSameWithAnyNumberOfThreads) {
   }
 }
 
-/// Planning ends with a certificate for every contact of every family and law.
+/// For every law, each certificate counts all contacts of all families.
 TEST(Plan, IsMadeOfEveryFamily) {
   std::vector<ClassedCollision> contacts;
   for (const auto& [family, one] : unit::valid_cases(3)) {

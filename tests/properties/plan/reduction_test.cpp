@@ -23,15 +23,15 @@ bool are_same(const Outcome<T>& x, const Outcome<Rational>& y) {
   });
 }
 
-/// Whether the exact outcomes of two laws are the same. Preconditions: both have one exact outcome; that of `lesser` is
-/// rational.
+/// Whether the exact outcomes of two laws are the same. Preconditions: each law has one exact outcome, and that of
+/// `lesser` is rational.
 bool answer_alike(const ExactCase& c, Law law, Law lesser) {
   return c.with_truth(law, c.approach(), [&]<class T>(const oracles::Truth<T>& truth) {
     return are_same<T>(truth.outcome, c.truth(lesser).outcome);
   });
 }
 
-/// Cases of every family, and cases of small dyadic numbers. Many of the latter meet the conditions for equal outcomes.
+/// Cases of every family, and collisions of small dyadic numbers, many of which have equal outcomes by two laws.
 std::vector<Collision> cases() {
   std::vector<Collision> all;
   for (const auto& [family, one] : unit::valid_cases(6)) {
@@ -56,7 +56,7 @@ std::vector<Collision> cases() {
   return all;
 }
 
-/// `reduction` gives a reason exactly if the exact outcomes of two laws are equal.
+/// `reduction` gives a reason if and only if the exact outcomes of two laws are equal.
 TEST(Reduction, ToFrictionlessIsGivenExactlyWhereTheTruthsAreTheSame) {
   PerLaw<int> given{};
   PerLaw<int> not_given{};
@@ -89,7 +89,7 @@ TEST(Reduction, OfRoughToStickingIsGivenOnlyWhereTheTruthsAreTheSame) {
   EXPECT_GT(given, 10);
 }
 
-/// A law that replaces `coulomb` gives one of its answers. oracles::coulomb_answers finds them independently.
+/// A law that replaces `coulomb` gives one of the answers that oracles::coulomb_answers finds independently.
 TEST(Reduction, OfCoulombIsGivenOnlyWhereTheLesserLawIsAnAnswer) {
   PerLaw<int> given{};
   const std::vector<Collision> all = cases();

@@ -7,7 +7,7 @@
 
 #include "runs.hpp"
 
-/// The checkers find a planted defect of the history, the ledger or an impulse, and nothing without a defect.
+/// The checkers find each planted defect of the history, the ledger or an impulse. Without a defect, they find nothing.
 namespace carom::properties {
 namespace {
 
@@ -51,7 +51,7 @@ TEST(Planted, AnArcABillionthOfARadiusInsideItsNeighbourIsFound) {
 }
 
 TEST(Planted, SpheresThatPassThroughEachOtherAreFound) {
-  // The velocities do not change and the run ends before any wall, so no path jumps.
+  // The impact changes no velocity, and the run ends before a sphere reaches a wall. So no path jumps.
   Scene scene = duel();
   scene.duration = 2;
   const unit::WatchedRun run(scene, 100, unit::first_impact([](Event& event) {
@@ -121,16 +121,16 @@ TEST(Planted, ASphereAnUlpBelowAPlaneIsFound) {
   }
 }
 
-/// The parabola of an arc crosses the plane between its ends.
+/// An arc starts and ends below a ceiling, and crosses it in between.
 TEST(Planted, ABulgeThroughACeilingIsFound) {
   Scene scene = unit::empty_scene(Law::frictionless, {1, 0, 0, 0, 0}, 0.875);
   scene.gravity = {0, 0, -8};
-  // The sphere rises by 1 in 1/2 s and falls almost back. Its centre reaches 1.5.
+  // The sphere rises by 1 m in 1/2 s and falls almost back. Its top reaches z = 2 m.
   unit::add_sphere(scene, 0.5, {0, 0, 0.5}, {0, 0, 4});
   unit::add_plane(scene, {0, 0, 1}, {0, 0, 0});
   const unit::WatchedRun run(scene, 100);
   EXPECT_EQ(run.validity().count, 0U);
-  // An exact touch would be reported, because the sphere is not above the plane. So the plane is an ulp higher.
+  // The checker reports an exact touch, so the plane is an ulp above the top of the sphere.
   unit::add_plane(scene, {0, 0, -1}, {0, 0, std::nextafter(2.0, 3.0)});
   EXPECT_EQ(check_validity(scene, run.history).count, 0U);
   scene.planes.back().point.z() = std::nextafter(2.0, 0.0);

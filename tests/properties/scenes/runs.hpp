@@ -24,7 +24,7 @@ namespace carom::unit {
   return yardstick;
 }
 
-/// Changes an event before the checkers receive it. If it returns false, they do not receive the event.
+/// Changes an event before the checkers receive it. Returns false to withhold the event from them.
 using Alter = std::function<bool(scene::Event&)>;
 
 /// Applies `change` to the first impact of two bodies.

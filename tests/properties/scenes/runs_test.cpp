@@ -26,14 +26,14 @@ void check(const Scene& scene, std::size_t most_events) {
   const unit::WatchedRun run(scene, most_events);
   const Validity validity = run.validity();
   EXPECT_EQ(validity.count, 0U) << text_of(validity);
-  // Spheres touch at an impact, up to the error of the contact time. The widest error bound is that of a quartic, the
-  // squared distance of the centres: 264 u L². L is the distance travelled in its span, 44 m in 3 s under gravity. The
-  // gap is half of this error divided by the distance of the centres.
+  // The gap at an impact comes from the error of d², the squared distance of the centres. The largest error bound is
+  // that of a quartic: 264 u L², with the distance L travelled in its span, 44 m in 3 s under gravity. The gap is at
+  // most 264 u L²/(2 d) < 10⁻⁹ d, as d ≥ 0.4 m.
   EXPECT_LE(run.widest_gap, 1e-9);
   EXPECT_GT(validity.exact_pairs, 0U);
   EXPECT_GT(validity.joints, 50U);
   // Each entry of the ledger has a rounding error of about 10⁻¹⁵ (8 u of a few numbers), with a nearly random sign. The
-  // sum of thousands stays far below 10⁻¹².
+  // sum of thousands of entries stays far below 10⁻¹².
   const long double scale = run.ledger.scale();
   EXPECT_LE(std::abs(run.ledger.energy(Cause::rounding)), 1e-12L * scale);
   long double sum = run.ledger.initial().total();

@@ -23,8 +23,8 @@ void expect_valid(const Scene& scene, std::size_t most_events = 20000) {
   EXPECT_LE(run.relative_rounding(), 1e-12L);
 }
 
-/// After the impact, spheres still approach at 10⁻¹⁶ m/s. So bounds of their contact time are seconds apart. Meanwhile,
-/// spheres leave their cells (scene::CellGrid).
+/// After the impact, rounding lets spheres approach at 10⁻¹⁶ m/s, so the bounds of their contact time are seconds
+/// apart. Between these bounds, spheres leave their cells (scene::CellGrid).
 TEST(StructuredScenes, ABallStrikesARowThatTouchesWithoutRestitution) {
   for (const double restitution : {0.0, 0.25, 1.0}) {
     Scene scene = unit::empty_scene(Law::frictionless, {restitution, 0, 0, 0, 0}, 5);
@@ -35,8 +35,8 @@ TEST(StructuredScenes, ABallStrikesARowThatTouchesWithoutRestitution) {
   }
 }
 
-/// A pair closes at 2⁻⁴⁴ m/s and touches at 1 s, within bounds of 0.04 s. Another pair touches exactly at 1 − 2⁻¹⁰ s.
-/// Before, a fast sphere leaves several cells and hits a sphere at rest.
+/// One pair closes at 2⁻⁴⁴ m/s and touches at 1 s, within bounds that are 0.04 s apart. A second pair touches at 1 −
+/// 2⁻¹⁰ s. At 1 − 2⁻⁶ s, a fast sphere has left several cells and hits a resting sphere.
 TEST(StructuredScenes, AFastSphereLeavesItsCellsWithinTheBoundsOfASlowContact) {
   Scene scene = unit::empty_scene(Law::frictionless, {1, 0, 0, 0, 0}, 0x1p22);
   unit::add_sphere(scene, 0.5, {0, 8, 0}, {0, 0, 0});
@@ -80,7 +80,8 @@ TEST(StructuredScenes, BallsThatRollArePressedTogether) {
   }
 }
 
-/// Far from the origin, an ulp of a position is 10⁻¹⁰ m. The energy has the rounding error of m g x.
+/// At 10⁶ m, an ulp of a position is 10⁻¹⁰ m. The ledger's scale includes m |g·x|, so its relative rounding stays
+/// small.
 TEST(StructuredScenes, FarFromTheOriginTheLedgerCloses) {
   Scene scene = unit::empty_scene(Law::rough, {0.75, 0.25, 0, 0.01, 0.001}, 4);
   scene.gravity = {0, 0, -9.81};

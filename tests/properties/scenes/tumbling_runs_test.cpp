@@ -42,9 +42,9 @@ void expect_sound(const Scene& scene, std::size_t most_events, std::size_t least
   EXPECT_GT(validity.planes, 0U);
   EXPECT_EQ(validity.joints, 2 * run.simulation.counts().impacts + run.simulation.counts().plane_impacts +
                                  run.simulation.counts().renewals);
-  // The limit is 2⁻³⁰ of the smaller radius, which is at most 0.4.
+  // `unseen` is at most 2⁻³⁰ of the smaller radius, and a radius is at most 0.4 m.
   EXPECT_LE(validity.unseen, 0.4 * 0x1p-30);
-  // A stored position has coordinates of up to 2, with about eight roundings.
+  // A coordinate of a position is at most 2 m and has about eight roundings.
   EXPECT_LE(validity.largest_jump, 8 * 0x1p-52);
   // Each event rounds the states of two of the eight bodies, with a relative error of about 20 u.
   EXPECT_LE(run.relative_rounding(), 1e-12L);
@@ -71,7 +71,7 @@ TEST_P(RandomRooms, OfPolyhedraAreValidAndBalanced) {
   for (const double restitution : {0.0, 0.5, 1.0}) {
     for (const double gravity : {0.0, 9.81}) {
       ++seed;
-      // Reflection may create energy. Gravity brings the bodies back, so the energy would grow without limit.
+      // `reflection` may create energy. Under gravity the impacts never end, so the energy would grow without limit.
       if (GetParam() == Law::reflection && gravity > 0) {
         continue;
       }
@@ -96,7 +96,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, RandomRooms,
                          testing::Values(Law::frictionless, Law::reflection, Law::sticking, Law::rough, Law::coulomb),
                          [](const auto& law) { return std::string(name_of(law.param)); });
 
-/// A brick and a tetrahedron meet after 1.07 s. The scene ends before they meet again, after 1.35 s.
+/// A brick and a tetrahedron meet after 1.07 s. They would meet again after the end of the scene, at 1.35 s.
 Scene meeting() {
   Scene scene = unit::empty_scene(Law::frictionless, {0.75, 0, 0, 0, 0}, 1.25);
   unit::add_polyhedron(scene, unit::centred_box({0.5, 0.75, 1}), {-2, 0.125, 0}, {1.25, 0, 0}, {1, 2, -0.5});
@@ -139,7 +139,7 @@ TEST(PlantedInATumble, ABodyThatGoesThroughAPlaneIsFound) {
 }
 
 TEST(PlantedInATumble, APlaceThatIsMovedIsFound) {
-  // A move by 10⁻¹³ m, some hundred ulps of the position, is a jump but no overlap.
+  // A move by 10⁻¹³ m, hundreds of ulps of the position, is a jump but no overlap.
   const unit::WatchedRun jump(meeting(), 100, unit::first_impact([](Event& event) {
                                 event.b->after.path.position.y() += 1e-13;
                                 return true;
@@ -219,7 +219,7 @@ TEST(PlantedInATumble, AVelocityThatChangesWithoutACauseDoesNotClose) {
 }
 
 TEST(PlantedInATumble, EnergyWithoutACauseDoesNotClose) {
-  // The impulse in the outcome exceeds the stored one by a billionth.
+  // A's change of velocity in the outcome exceeds that of its arc by a billionth.
   const unit::WatchedRun greater(meeting(), 100, unit::first_impact([](Event& event) {
                                    event.outcome.a.velocity +=
                                        1e-9 * (event.outcome.a.velocity - event.collision.a.velocity);
@@ -227,7 +227,8 @@ TEST(PlantedInATumble, EnergyWithoutACauseDoesNotClose) {
                                  }));
   EXPECT_GT(greater.relative_rounding(), 1e-12L);
   EXPECT_EQ(greater.judge.violated(), 1U);
-  // Slow contacts push a body on the floor, so it keeps hopping. One event does not report its push.
+  // Slow contacts push a body on the floor, so it keeps hopping. If `is_silent`, the first slow contact does not report
+  // its push.
   Scene scene = unit::empty_scene(Law::frictionless, {0, 0, 0, 0, 0}, 1);
   scene.gravity = {0, 0, -9.81};
   unit::add_plane(scene, {0, 0, 1}, {0, 0, 0});
@@ -273,7 +274,7 @@ TEST(PlantedInATumble, BallsAndPolyhedraAreBookedTogether) {
   for (const Cause cause : {Cause::sliding, Cause::rolling, Cause::spinning}) {
     EXPECT_EQ(run.ledger.energy(cause), 0) << name_of(cause);
   }
-  // The momentum equals the impulses of planes and gravity, up to rounding.
+  // The momentum is the sum of the initial momentum and the impulses of gravity and planes, up to rounding.
   Vector3<long double> momentum = Vector3<long double>::Zero();
   for (const scene::BodyState& body : run.simulation.state().bodies) {
     momentum += body.mass * velocity_at(body.arc.path, run.simulation.time()).cast<long double>();
@@ -282,8 +283,8 @@ TEST(PlantedInATumble, BallsAndPolyhedraAreBookedTogether) {
                                       run.ledger.plane_impulse() + run.ledger.momentum_rounding();
   EXPECT_LE(static_cast<double>((momentum - booked).norm()), 1e-13);
   EXPECT_LE(static_cast<double>(run.ledger.momentum_rounding().norm()), 1e-13);
-  // A ball's lever arm has the length of its radius. The other lever arm ends in the middle of the gap, up to 2⁻³¹
-  // radii from the ball.
+  // The ball's lever arm ends on the ball. The polyhedron's lever arm ends in the middle of the gap, at most 2⁻³¹ radii
+  // from the ball.
   EXPECT_LE(static_cast<double>(run.ledger.angular_momentum_rounding()),
             0x1p-30 * static_cast<double>(run.ledger.angular_momentum_scale()) *
                 static_cast<double>(run.simulation.counts().impacts));

@@ -40,8 +40,8 @@ TEST(Simpler, GivesValidAndStrictlySimplerCollisionsOnly) {
   EXPECT_GT(candidates, 1000U);
 }
 
-/// Doubling or rounding up the largest numbers overflows. `simpler` must not return such collisions. Runs in another
-/// process, because `complexity` might not terminate for a number that is not finite.
+/// `simpler` must not return a collision in which rounding or doubling overflows. Runs in another process, because
+/// `complexity` might not terminate for a number that is not finite.
 void simplify_at_the_ends(double x) {
   constexpr unsigned seconds_until_it_counts_as_endless = 20;
   alarm(seconds_until_it_counts_as_endless);
@@ -112,7 +112,7 @@ TEST(Shrink, EndsWhereNothingSimplerFails) {
   EXPECT_GT(shrunk_cases, 5);
 }
 
-/// A case shrinks to one body and two vectors with one component each, as in a textbook.
+/// A case shrinks to one body, a normal and a velocity with one component each, as in a textbook.
 TEST(Shrink, ReachesSmallDyadicNumbers) {
   int shrunk_cases = 0;
   for (std::uint64_t i = 0; i < 30; ++i) {
@@ -128,7 +128,7 @@ TEST(Shrink, ReachesSmallDyadicNumbers) {
               << i << ": " << path.text() << " = " << number;
         },
         shrunk);
-    // The normal and a velocity need one number each. Only a few others remain.
+    // Besides one number each of a normal and a velocity, only a few remain.
     EXPECT_LE(complexity(shrunk), 24) << i;
   }
   EXPECT_GT(shrunk_cases, 4);

@@ -18,7 +18,7 @@ namespace {
 using oracles::ExactCase;
 using oracles::Rational;
 
-/// A random direction with `count` components and a length of at most 1.
+/// A random unit vector of `count` components, or zero.
 std::vector<double> direction(Stream& stream, std::size_t count) {
   std::vector<double> components(count);
   double squares = 0;
@@ -64,7 +64,7 @@ std::optional<Outcome<Rational>> answer_to(const BasicCollision<Rational>& c, La
   return collides ? oracles::colliding_truth(c, law, branch).outcome : unchanged(c);
 }
 
-/// Cases near and far from the origin. Far away, the rounding of a position is as large as the body or larger.
+/// Cases near and far from the origin. Far away, the rounding of a position may exceed the body's size.
 std::vector<Collision> cases(Stream& stream) {
   std::vector<Collision> all;
   for (const char* family : {"generic", "physical", "collinear_spheres", "sticking", "grazing", "driven_wall"}) {
@@ -86,7 +86,6 @@ struct Seen {
   std::size_t blind = 0;
 };
 
-/// Checks that every claimed invariant accepts an outcome that is exact for permitted inputs.
 void expect_to_pass(const Collision& collision, Law law, Precision precision, Stream& stream, Seen& seen) {
   Subject subject;
   subject.law = law;
@@ -98,7 +97,7 @@ void expect_to_pass(const Collision& collision, Law law, Precision precision, St
   if (reason_unjudged(judged.exact(), claim.yardstick)) {
     return;
   }
-  // The other tenth of the allowance covers second-order changes. Except in hard cases, they are at most 1/32 of the
+  // The last tenth of the allowance covers second-order changes. Except in hard cases, these are at most 1/32 of the
   // first-order changes.
   constexpr double share = 0.9;
   const double allowance = claim.yardstick.allowance();
@@ -131,7 +130,7 @@ TEST(Permitted, OutcomesOfPermittedInputsPass) {
   EXPECT_GT(seen.blind, 100U);
 }
 
-/// For a ball far from the origin, the permitted error is at most 20 times the largest effect of permitted inputs.
+/// For a ball far from the origin, the permitted error is at most 20 times the largest effect of 400 permitted inputs.
 TEST(Permitted, DistancesAreNoLargerThanTheyHaveToBe) {
   constexpr double allowance = 32 * 0x1p-24;
   Collision c = unit::ball_on_a_plane(0.4, 0);

@@ -33,7 +33,7 @@ Case extreme_case(Stream& stream, int most) {
   return one;
 }
 
-/// Judges solvers on extreme cases. Exits with 0 if every judgement ends, whatever the verdicts are.
+/// Judges solvers on extreme cases. Exits with 0 if every judgement ends with verdicts or a reason for none.
 void judge_to_the_end(int most) {
   Stream stream = stream_from(static_cast<std::uint64_t>(most));
   for (int i = 0; i < unit::effort(20); ++i) {
@@ -51,7 +51,7 @@ void judge_to_the_end(int most) {
 }
 
 /// Judges solvers as if in binary32, at so large a limit that a permitted residual can overflow. Exits with 0 if the
-/// judges with and without filters agree. Relations would take long rationals.
+/// judges with and without filters agree. Relations are left out, because their rationals would be long.
 void judge_at_the_largest_limit(int most) {
   Stream stream = stream_from(static_cast<std::uint64_t>(most));
   for (int i = 0; i < unit::effort(4); ++i) {
@@ -98,15 +98,15 @@ TEST(Trial, PushAllowsWhatTheInputsRoundTo) {
     };
     return try_case(JudgedCase(resting), claim, pulled).verdicts.at(0).verdict.status;
   };
-  // The velocities are 1, so 32 × `rounding` is permitted.
+  // The components of the velocities are ±1, so a pull of about 32 × `rounding` is permitted.
   const double rounding = unit_roundoff(Precision::binary64);
   EXPECT_EQ(push_of(rounding / 100), Status::holds);
   EXPECT_EQ(push_of(10'000 * rounding), Status::violated);
 }
 
-/// An outcome one ulp away from sticking. The normal is so short that the scale of N × V⁺ underflows, and the masses
-/// are so large that the scale of friction does not. It is undecidable whether the contact point slips, so friction
-/// need not be on the cone.
+/// An outcome one ulp away from sticking. The normal is so short that the scale of N × V⁺ underflows, and A's mass is
+/// so large that the scale of friction does not. It is then undecidable whether the contact point slips, so friction
+/// may be off the cone.
 TEST(Trial, ASlipThatCannotBeToldFromStickingIsNoViolation) {
   const auto verdict_with = [](double normal, double mass) {
     Case one{unit::ball_on_a_plane(mass / 2, 10), false};
