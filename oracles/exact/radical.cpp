@@ -64,7 +64,7 @@ Rational approximately(const Radical& number) {
     return number.rational_part();
   }
   const Rational by_root = number.coefficient() * root_below(number.under_the_root()).root;
-  if (sign_of(number.rational_part()) * sign_of(number.coefficient()) >= 0) {
+  if (sign_of(number.rational_part()) != -sign_of(number.coefficient())) {
     return number.rational_part() + by_root;
   }
   // This form avoids cancellation: (p² − q² s) / (p − q √s).

@@ -100,26 +100,24 @@ VectorBall PermittedInputs::response_at_point(const VectorBall& impulse) const {
   return sum;
 }
 
-/// All F′ = φ′ N with N·K F′ in `wanted`. For the given impulse φ N, φ′ − φ = (N·K F′ − N·K φ N) / (N·K N). The divisor
-/// N·K N is at least λ for a unit normal.
-VectorBall PermittedInputs::along_normal(const Vector3<double>& impulse, const ScalarBall& wanted) const {
+/// For the given impulse φ N, φ′ − φ = (N·K F′ − N·K φ N) / (N·K N). The divisor N·K N is at least λ for a unit normal.
+VectorBall PermittedInputs::along_normal(const Vector3<double>& impulse, double radius) const {
   const double share = unit_normal_.centre.dot(impulse);
   const ScalarBall along{share, 0};
-  const double missed = wanted.radius + dot(unit_normal_, response_at_point(along * unit_normal_)).radius;
+  const double missed = radius + dot(unit_normal_, response_at_point(along * unit_normal_)).radius;
   const double divisor = std::max(least_inverse_mass_, dot(unit_normal_, response_at_point(unit_normal_)).least());
   return ScalarBall{share, missed / divisor} * unit_normal_;
 }
 
-/// All F′ with K F′ = b, with b in `wanted`. For the given impulse F, F′ − F = K⁻¹ (b − K F) is at most ‖b − K F‖ / λ
-/// long.
-VectorBall PermittedInputs::by_matrix(const Vector3<double>& impulse, const VectorBall& wanted) const {
-  const double missed = wanted.radius + response_at_point({impulse, 0}).radius;
+/// F′ − F = K⁻¹ (K F′ − K F) is at most ‖K F′ − K F‖ / λ long.
+VectorBall PermittedInputs::by_matrix(const Vector3<double>& impulse, double radius) const {
+  const double missed = radius + response_at_point({impulse, 0}).radius;
   return {impulse, missed / least_inverse_mass_};
 }
 
 PermittedInputs::RoughParts PermittedInputs::rough_parts() const {
-  const VectorBall stops_approach = along_normal(stops_approach_, -normal_velocity_);
-  const VectorBall stops_point = by_matrix(stops_point_, -relative_velocity_);
+  const VectorBall stops_approach = along_normal(stops_approach_, normal_velocity_.radius);
+  const VectorBall stops_point = by_matrix(stops_point_, relative_velocity_.radius);
   const VectorBall difference = stops_point - stops_approach;
   const ScalarBall numerator = friction_ * (ScalarBall{1, 0} + restitution_) * dot(unit_normal_, stops_approach);
   const VectorBall tangential = cross(unit_normal_, difference);
@@ -149,11 +147,11 @@ VectorBall PermittedInputs::impulses(const Vector3<double>& impulse, Law law, Br
   const ScalarBall rebound = ScalarBall{1, 0} + restitution_;
   switch (law == Law::rough && branch == Branch::only ? Law::frictionless : law) {
     case Law::frictionless:
-      return along_normal(impulse, -(rebound * normal_velocity_));
+      return along_normal(impulse, (rebound * normal_velocity_).radius);
     case Law::reflection:
-      return by_matrix(impulse, -(rebound * normal_velocity_) * unit_normal_);
+      return by_matrix(impulse, ((rebound * normal_velocity_) * unit_normal_).radius);
     case Law::sticking:
-      return by_matrix(impulse, -(relative_velocity_ + (restitution_ * normal_velocity_) * unit_normal_));
+      return by_matrix(impulse, (relative_velocity_ + (restitution_ * normal_velocity_) * unit_normal_).radius);
     case Law::rough:
       return rough(impulse);
     case Law::coulomb:

@@ -74,10 +74,10 @@ class PermittedInputs {
   [[nodiscard]] Change response(const OfBody& of, const VectorBall& impulse) const;
   /// K F.
   [[nodiscard]] VectorBall response_at_point(const VectorBall& impulse) const;
-  /// All F = φ N with N·K F in `wanted`.
-  [[nodiscard]] VectorBall along_normal(const Vector3<double>& impulse, const ScalarBall& wanted) const;
-  /// All F with K F = b, for b in `wanted`.
-  [[nodiscard]] VectorBall by_matrix(const Vector3<double>& impulse, const VectorBall& wanted) const;
+  /// All F′ = φ′ N for which N·K F′ differs from N·K F by at most `radius`. Precondition: the impulse F is along N.
+  [[nodiscard]] VectorBall along_normal(const Vector3<double>& impulse, double radius) const;
+  /// All F′ for which K F′ differs from K F by a vector of at most the length `radius`, for the impulse F.
+  [[nodiscard]] VectorBall by_matrix(const Vector3<double>& impulse, double radius) const;
   [[nodiscard]] RoughParts rough_parts() const;
   [[nodiscard]] VectorBall rough(const Vector3<double>& impulse) const;
   [[nodiscard]] VectorBall impulses(const Vector3<double>& impulse, Law law, Branch branch) const;

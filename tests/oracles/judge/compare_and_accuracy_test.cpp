@@ -306,6 +306,7 @@ TEST(Accuracy, HasDigitsUpToTheLastBit) {
   Yardstick yardstick;
   yardstick.unit_roundoff = unit_roundoff(Precision::extended);
   yardstick.digits = 3;
+  EXPECT_DOUBLE_EQ(yardstick.allowance(), 1e-3);
   const auto bound = static_cast<long double>(yardstick.allowance());
   for (const bool filtered : {true, false}) {
     yardstick.filtered = filtered;

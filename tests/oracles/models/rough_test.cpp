@@ -131,6 +131,16 @@ TEST_F(CertifiedRough, IsNoOtherCombination) {
             "the truth of `rough` does not satisfy the combination of its parts");
 }
 
+TEST_F(CertifiedRough, IsTheCombinationInEachComponent) {
+  for (const OutcomeVector k : all_outcome_vectors) {
+    for (int i = 0; i < 3; ++i) {
+      Outcome<Rational> wrong = after({Rational(3, 4), Rational(6), Rational(0)});
+      (*vectors(wrong)[k])[i] += 1;
+      EXPECT_THROW(certify_rough(exact, wrong, parts), std::logic_error) << name_of(k) << '[' << i << ']';
+    }
+  }
+}
+
 TEST_F(CertifiedRough, LiesInTheCone) {
   parts.friction_share = 1;
   EXPECT_EQ(said_of({Rational(1), Rational(6), Rational(0)}),
@@ -316,11 +326,14 @@ TEST(Radical, IsAFieldWithAnOrder) {
   EXPECT_EQ(to_text(x), "3 + -2 √(2)");
 }
 
-/// 665857/470832 differs from √2 by 1.6 × 10⁻¹².
+/// √2 minus its own approximation r is (2 − r²) / (√2 + r).
 TEST(Radical, IsRoundedWithoutCancellation) {
-  const Radical near = Radical::root_of(Rational(2)) - Radical(ratio(665857, 470832));
-  const Rational product = near.rational_part() * near.rational_part() - Rational(2);
-  EXPECT_DOUBLE_EQ(to_double(near), to_double(Rational(-product)) / (std::sqrt(2.0) + 665857.0 / 470832.0));
+  const Rational r = root_below(Rational(2)).root;
+  const Radical difference = Radical::root_of(Rational(2)) - Radical(r);
+  const double expected = to_double(Rational(2 - r * r)) / (2 * std::sqrt(2.0));
+  EXPECT_DOUBLE_EQ(to_double(difference), expected);
+  EXPECT_DOUBLE_EQ(to_double(-difference), -expected);
+  EXPECT_DOUBLE_EQ(to_double(Radical::root_of(Rational(2)) + Radical(r)), 2 * std::sqrt(2.0));
 }
 
 TEST(Radical, KnowsSquares) {
