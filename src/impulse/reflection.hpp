@@ -24,7 +24,7 @@ template <class S, class Inertia>
 
 /// The impulse of the reflection law, without a tangent basis. Equations 17, 20 and 21 of D. Eberly's note
 /// (docs/findings/note.md) together give K F = V⁺ − V⁻ = −(1+ε) (N·V⁻)/(N·N) N, with K the collision matrix. Solve is
-/// one of solve3.hpp.
+/// a solver of 3×3 systems, one of those in solve3.hpp.
 ///
 /// Preconditions: the contact was made from a valid collision; `approach` is N·V⁻.
 template <class Solve = Ldlt, class S, class Inertia, class See = UnseenMatrix>

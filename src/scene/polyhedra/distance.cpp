@@ -25,7 +25,8 @@ using Points = std::vector<Vector>;
 // and size ratios from 1 : 1 to 1 : 10⁻⁶.
 
 /// The tolerance of FCL's iteration, relative to the smaller body. With 10⁻⁶, the gap at the size ratio 1 : 10⁻⁴ is too
-/// small by 3 × 10⁻⁷ of the sizes. With 10⁻¹², only the rounding of directions, 10⁻¹², makes the gap too small.
+/// small by 3 × 10⁻⁷ of the sizes. With this tolerance, only the rounding of
+/// directions makes the gap too small, by 10⁻¹² of the sizes.
 constexpr double fcl_tolerance = 1e-12;
 
 /// A gap is accepted if it is less than FCL's distance by at most this share, because the true distance lies between
@@ -139,9 +140,9 @@ Features all_features(const PlacedPolyhedron& body) {
   return features;
 }
 
-/// Tries every direction between two nearest points if one of them lies on a face or an edge. `between` is the
-/// direction from the nearest point of B to that of A. For an edge and a corner, the direction is the part of `between`
-/// perpendicular to the edge.
+/// Tries every possible direction between two nearest points if one of the points lies on a face or an edge. `between`
+/// is the direction from the nearest point of B to that of A. For an edge and a corner, the direction is the part of
+/// `between` perpendicular to the edge.
 void try_features(Search& search, const Features& a, const Features& b, const Vector& between) {
   for (const Vector& normal : a.normals) {
     search.try_direction(-normal);
