@@ -233,7 +233,7 @@ std::optional<double> scale_of(const OneEquation& equation, const ExactCase& exa
   };
   const Wide wide = (outcome.reported() != nullptr ? parts(*outcome.reported()) : parts(outcome.rounded())) +
                     static_cast<Wide>(by_curvature);
-  return is_in_range(wide) ? std::optional<double>(static_cast<double>(wide)) : std::nullopt;
+  return wide == 0 || is_in_range(wide) ? std::optional<double>(static_cast<double>(wide)) : std::nullopt;
 }
 
 /// A cheap lower bound of the scale: the part by outputs. Precondition: the bounds and the outcome are moderate.

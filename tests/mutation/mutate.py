@@ -9,7 +9,6 @@ import collections
 import concurrent.futures
 import hashlib
 import json
-import math
 import os
 import pathlib
 import re
@@ -217,7 +216,7 @@ def main():
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="how many changes are tried at a time")
     parser.add_argument("--list", action="store_true", help="print what is drawn, and stop")
     parser.add_argument("--only", type=int, nargs="+", metavar="ID", help="try these of the sample")
-    parser.add_argument("--share-alone", action="store_true", help="for a random sample: judge its share alone")
+    parser.add_argument("--share-alone", action="store_true", help="for a new sample: a survivor need not be named")
     options = parser.parse_args()
     found, places = drawn(options.seed, options.count)
     if unknown := set(options.only or []) - set(places):
@@ -236,13 +235,11 @@ def main():
             print(f"{number:4} {by or 'SURVIVES'}: {places[number].name}", flush=True)
             survivors += [] if by else [number]
     unlisted = [n for n in survivors if places[n].name not in (ROOT / PAGE).read_text()]
-    noticed, p = len(tried) - len(survivors), LEAST_NOTICED
+    noticed = len(tried) - len(survivors)
     print(f"{found} places found, {len(places)} drawn, {len(dropped)} dropped, {noticed} noticed "
           f"({100 * noticed / max(1, len(tried)):.1f} %), {len(survivors)} survived, of which {PAGE} does not name "
           f"{unlisted or 'none'}")
-    # The probability that a random sample has so few if the share of all changes is p.
-    chance = sum(math.comb(len(tried), k) * p**k * (1 - p)**(len(tried) - k) for k in range(noticed + 1))
-    enough = chance > 0.001 if options.share_alone else noticed >= p * len(tried) and not unlisted
+    enough = noticed >= LEAST_NOTICED * len(tried) and (options.share_alone or not unlisted)
     return int(not enough or len(dropped) > MOST_DROPPED * len(places))
 
 

@@ -20,4 +20,19 @@ namespace carom::unit {
                              : exact_case.with_truth(law, exact_case.approach(), rational);
 }
 
+/// The exact outcome of the law, rounded to binary64, as a subject reports it. Precondition: the law is one of
+/// `laws_with_truth`.
+[[nodiscard]] inline ReportedOutcome reported_outcome(const oracles::ExactCase& exact_case, Law law) {
+  return {
+      map_outcome<long double>(exact_case.nearest_truth(law), [](double x) { return static_cast<long double>(x); })};
+}
+
+/// The same with the collision matrix, rounded to binary64.
+[[nodiscard]] inline ReportedOutcome reported_outcome_with_matrix(const oracles::ExactCase& exact_case, Law law) {
+  ReportedOutcome reported = reported_outcome(exact_case, law);
+  reported.collision_matrix = exact_case.collision_matrix().unaryExpr(
+      [](const oracles::Rational& x) { return static_cast<long double>(oracles::nearest_double(x)); });
+  return reported;
+}
+
 }  // namespace carom::unit

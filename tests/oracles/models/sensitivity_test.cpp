@@ -56,8 +56,7 @@ struct Differentiated {
   std::vector<Radical> numbers;
 };
 
-/// The first case of each of these families, and as many collisions of small dyadic numbers. A sampled test takes
-/// fewer.
+/// The first case of each of these families, and six collisions of small dyadic numbers. A sampled test takes fewer.
 std::vector<Collision> binary64_collisions(std::vector<const char*> families = {"driven_wall", "elastic", "sliding",
                                                                                 "sticking"}) {
   families.resize(static_cast<std::size_t>(unit::effort(static_cast<int>(families.size()))));
@@ -65,7 +64,7 @@ std::vector<Collision> binary64_collisions(std::vector<const char*> families = {
   for (const char* family : families) {
     result.push_back(unit::case_of(family, 0).collision);
   }
-  for (std::uint64_t i = 0; i < families.size(); ++i) {
+  for (std::uint64_t i = 0; i < static_cast<std::uint64_t>(unit::effort(6)); ++i) {
     properties::Stream stream = properties::stream_from(600 + i);
     result.push_back(unit::small_collision(stream));
   }

@@ -14,6 +14,7 @@
 
 #include "support/known_collisions.hpp"
 #include "support/known_values.hpp"
+#include "support/outcome_of_law.hpp"
 
 /// Compares every invariant's residual and permitted residual for a wrong solver with recorded numbers (why:
 /// tests/oracles/judge/known_values_test.cpp).
@@ -80,12 +81,7 @@ ExactAnswer right_answer(const Collision& c, Law law) {
   if (!validate(c).empty()) {
     return Refused{"invalid"};
   }
-  const oracles::ExactCase exact_case(c);
-  ReportedOutcome reported =
-      map_outcome<long double>(exact_case.nearest_truth(law), [](double x) { return static_cast<long double>(x); });
-  reported.collision_matrix = exact_case.collision_matrix().unaryExpr(
-      [](const oracles::Rational& x) { return static_cast<long double>(oracles::nearest_double(x)); });
-  return oracles::LiftedOutcome(reported);
+  return oracles::LiftedOutcome(unit::reported_outcome_with_matrix(oracles::ExactCase(c), law));
 }
 
 /// Adds 2⁻¹⁰ times velocities that no impulse gives, and 2⁻¹⁰ to each entry of the matrix.

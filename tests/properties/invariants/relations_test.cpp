@@ -4,13 +4,13 @@
 #include <carom/properties/trial/trial.hpp>
 
 #include "support/known_collisions.hpp"
+#include "support/outcome_of_law.hpp"
 
 namespace carom::properties {
 namespace {
 
 ExactAnswer answer_of_reflection(const Collision& c) {
-  return oracles::LiftedOutcome(ReportedOutcome{map_outcome<long double>(
-      oracles::ExactCase(c).nearest_truth(Law::reflection), [](double x) { return static_cast<long double>(x); })});
+  return oracles::LiftedOutcome(unit::reported_outcome(oracles::ExactCase(c), Law::reflection));
 }
 
 /// The verdict of `swap` if the subject answers the collision rightly and the swapped one as given.
