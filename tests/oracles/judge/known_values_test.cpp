@@ -138,8 +138,12 @@ void add_bounds(const KnownCollision& known, std::vector<KnownLine>& lines) {
   const BoundedCase& bounds = exact_case.bounds();
   KnownLine line{known.name + ", bounds", {bounds.normal_velocity_sensitivity_above()}};
   append(line.numbers, bounds.norms_before());
+  const ConeDistance enclosed = enclosed_cone_distance(known.collision);
+  line.numbers.insert(line.numbers.end(), {enclosed.distance, enclosed.sensitivity});
   if (bounds.is_moderate()) {
-    line.numbers.push_back(bounds.collision_matrix_sensitivity_below());
+    const ConeDistance roughly = cone_distance(known.collision);
+    line.numbers.insert(line.numbers.end(),
+                        {roughly.distance, roughly.sensitivity, bounds.collision_matrix_sensitivity_below()});
     for (const Law law : laws_with_truth) {
       append(line.numbers, bounds.colliding_sensitivity_below(law, exact_case.branch(law)));
       if (known.name == "plain" || known.name == "much_friction") {  // exact derivatives take long

@@ -13,6 +13,7 @@
 #include <carom/properties/trial/trial.hpp>
 
 #include "support/known_collisions.hpp"
+#include "support/known_sweeps.hpp"
 #include "support/known_values.hpp"
 #include "support/outcome_of_law.hpp"
 
@@ -99,8 +100,25 @@ ExactAnswer nearly_right_answer(const Collision& c, Law law) {
   return answer;
 }
 
-/// Counts the allowances at which each invariant has each status. A limit that moves by a factor of √2 changes a
-/// count.
+void append_stages_since(const oracles::StageCounts& before, KnownLine& line) {
+  for (const oracles::Stage stage : oracles::all_stages) {
+    line.numbers.push_back(static_cast<double>(oracles::decided_by_stage()[stage] - before[stage]));
+  }
+}
+
+using StatusCounts = std::map<std::string_view, std::map<Status, int>>;
+
+void append_counts(StatusCounts& counts, KnownLine& line) {
+  for (auto& [name, of_status] : counts) {
+    line.name += ' ' + std::string(name);
+    for (const Status status : {Status::holds, Status::violated, Status::skipped}) {
+      line.numbers.push_back(of_status[status]);
+    }
+  }
+}
+
+/// Counts the allowances at which each invariant has each status, and the decisions of each filter. A limit that moves
+/// by a factor of √2 changes a count.
 TEST(KnownValues, OfTheAllowancesAtWhichVerdictsChange) {
   std::vector<KnownLine> lines;
   for (const KnownCollision& known : unit::known_collisions()) {
@@ -108,7 +126,8 @@ TEST(KnownValues, OfTheAllowancesAtWhichVerdictsChange) {
       continue;
     }
     const JudgedCase judged_case({known.collision, true});
-    std::map<std::string_view, std::map<Status, int>> counts;
+    StatusCounts counts;
+    const oracles::StageCounts before = oracles::decided_by_stage();
     for (int i = 2; i < 34; ++i) {
       const Claim claim = whole_claim(Law::rough, std::exp2(-i / 2.0) / oracles::default_limit_ulps);
       const auto solve = [&](const Collision& c) { return nearly_right_answer(c, Law::rough); };
@@ -117,12 +136,8 @@ TEST(KnownValues, OfTheAllowancesAtWhichVerdictsChange) {
       }
     }
     KnownLine line{known.name, {}};
-    for (auto& [name, of_status] : counts) {
-      line.name += ' ' + std::string(name);
-      for (const Status status : {Status::holds, Status::violated, Status::skipped}) {
-        line.numbers.push_back(of_status[status]);
-      }
-    }
+    append_counts(counts, line);
+    append_stages_since(before, line);
     lines.push_back(std::move(line));
   }
   unit::expect_known_lines(CAROM_KNOWN_ALLOWANCES, lines);
@@ -146,14 +161,35 @@ TEST(KnownValues, OfTheStagesThatDecide) {
         const Judgement judgement = try_case(judged_case, claim, solve);
         EXPECT_TRUE(is_judged_or_unjudged(judgement)) << known.name;
         KnownLine line{known.name + ", " + std::string(name_of(law)) + ", " + std::string(name_of(precision)), {}};
-        for (const oracles::Stage stage : oracles::all_stages) {
-          line.numbers.push_back(static_cast<double>(oracles::decided_by_stage()[stage] - before[stage]));
-        }
+        append_stages_since(before, line);
         lines.push_back(std::move(line));
       }
     }
   }
   unit::expect_known_lines(CAROM_KNOWN_STAGES, lines);
+}
+
+/// Counts, for collisions of the sweeps, the statuses of each invariant and the decisions of each filter.
+TEST(KnownValues, OfVerdictsInSweeps) {
+  std::vector<KnownLine> lines;
+  for (const unit::Sweep& sweep : unit::sweeps()) {
+    for (const Law law : {Law::rough, Law::reflection}) {
+      KnownLine line{sweep.name + ", " + std::string(name_of(law)), {}};
+      StatusCounts counts;
+      const oracles::StageCounts before = oracles::decided_by_stage();
+      for (int k = 0; k < sweep.count; k += 24) {
+        const JudgedCase judged_case({sweep.collision(k), true});
+        const auto solve = [&](const Collision& c) { return right_answer(c, law); };
+        for (const NamedVerdict& named : try_case(judged_case, whole_claim(law, 0x1p-53), solve).verdicts) {
+          ++counts[named.invariant->name][named.verdict.status];
+        }
+      }
+      append_counts(counts, line);
+      append_stages_since(before, line);
+      lines.push_back(std::move(line));
+    }
+  }
+  unit::expect_known_lines(CAROM_KNOWN_VERDICTS_IN_SWEEPS, lines);
 }
 
 TEST(Stages, AreRationalAloneWithoutFilters) {

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSL-1.0
+#include "support/known_sweeps.hpp"
+
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <carom/oracles/filters/stage.hpp>
+#include <carom/oracles/judge/accuracy.hpp>
+#include <carom/oracles/judge/exact_case.hpp>
+#include <carom/oracles/models/sensitivity.hpp>
+
+#include "support/known_values.hpp"
+
+/// How far each filter and each fact reaches. A line counts the collisions of a sweep for which each filter decides and
+/// each fact holds. A filter that decides less changes no verdict, but slows the judge.
+namespace carom::oracles {
+namespace {
+
+using unit::KnownLine;
+using unit::Sweep;
+
+constexpr double allowance_of_sweeps = 0x1p-40;
+
+std::vector<std::pair<std::string_view, bool>> facts_of(const ExactCase& exact_case) {
+  const BoundedCase& bounds = exact_case.bounds();
+  std::vector<std::pair<std::string_view, bool>> facts{
+      {"normal_velocity", bounds.normal_velocity().has_value()},
+      {"is_inside_cone", bounds.is_inside_cone().has_value()},
+      {"reaches_cone", bounds.reaches_cone().has_value()},
+      {"is_moderate", bounds.is_moderate()},
+      {"is_well_conditioned", bounds.is_well_conditioned()},
+      {"has_clear_divisor", bounds.is_moderate() && bounds.has_clear_divisor()},
+      {"colliding", exact_case.approach() == Approach::colliding},
+      {"separating", exact_case.approach() == Approach::separating},
+      {"is_grazing", exact_case.is_grazing(allowance_of_sweeps)},
+      {"permitted_inputs", exact_case.permitted_inputs(allowance_of_sweeps) != nullptr},
+      {"is_bounded_by_1", exact_case.is_bounded_by(Rational(1))},
+      {"is_collinear", exact_case.is_collinear()},
+      {"is_head_on", exact_case.is_head_on()}};
+  for (const Law law : laws_with_truth) {
+    facts.emplace_back("is_moderate for a law", exact_case.is_moderate(law));
+    facts.emplace_back("has_two_answers", exact_case.has_two_answers(law, allowance_of_sweeps));
+    facts.emplace_back("is_open", exact_case.is_open(law, allowance_of_sweeps));
+  }
+  return facts;
+}
+
+/// Counts the collisions whose sensitivity each arithmetic gives, and adds up the logarithms of these sensitivities.
+KnownLine line_of_sensitivities(const Sweep& sweep, Law law) {
+  KnownLine line{sweep.name + ", sensitivities of " + std::string(name_of(law)), {0, 0, 0, 0}};
+  for (int k = 0; k < sweep.count; k += 4) {
+    const ExactCase exact_case(sweep.collision(k));
+    const Branch branch = exact_case.branch(law);
+    std::size_t next = 0;
+    for (const auto& known :
+         {colliding_sensitivity(exact_case.collision(), law, branch),
+          enclosed_sensitivity(exact_case.collision(), law, branch, exact_case.bounds().is_moderate())}) {
+      if (known) {
+        line.numbers[next] += 1;
+        for (const double one : *known) {
+          line.numbers[next + 1] += std::log2(1 + one);
+        }
+      }
+      next += 2;
+    }
+  }
+  return line;
+}
+
+KnownLine line_of_facts(const Sweep& sweep) {
+  KnownLine line{sweep.name, {}};
+  for (int k = 0; k < sweep.count; ++k) {
+    std::size_t next = 0;
+    for (const auto& [name, holds] : facts_of(ExactCase(sweep.collision(k)))) {
+      if (k == 0) {
+        line.name += ' ' + std::string(name);
+        line.numbers.push_back(0);
+      }
+      line.numbers[next++] += holds ? 1 : 0;
+    }
+  }
+  return line;
+}
+
+/// Counts the stages that decide the accuracy of the truth plus errors of 2⁻ʲ.
+KnownLine line_of_stages(const Sweep& sweep, Law law) {
+  const StageCounts before = decided_by_stage();
+  for (int k = 0; k < sweep.count; k += 9) {
+    const ExactCase exact_case(sweep.collision(k));
+    Yardstick yardstick;
+    yardstick.unit_roundoff = allowance_of_sweeps / default_limit_ulps;
+    for (int j = 30; j < 50; ++j) {
+      ReportedOutcome outcome =
+          map_outcome<long double>(exact_case.nearest_truth(law), [](double x) { return static_cast<long double>(x); });
+      for (Vector3<long double>* vector : vectors(outcome)) {
+        *vector += Vector3<long double>(std::ldexp(1.0L, -j), 0, -std::ldexp(3.0L, -j));
+      }
+      (void)accuracy(exact_case, law, LiftedOutcome(outcome), yardstick, default_limit_ulps / 2);
+    }
+  }
+  KnownLine line{sweep.name + ", stages of " + std::string(name_of(law)), {}};
+  for (const Stage stage : all_stages) {
+    line.numbers.push_back(static_cast<double>(decided_by_stage()[stage] - before[stage]));
+  }
+  return line;
+}
+
+TEST(KnownValues, OfSweeps) {
+  std::vector<KnownLine> lines;
+  for (const Sweep& sweep : unit::sweeps()) {
+    lines.push_back(line_of_facts(sweep));
+    for (const Law law : laws_with_truth) {
+      lines.push_back(line_of_sensitivities(sweep, law));
+      lines.push_back(line_of_stages(sweep, law));
+    }
+  }
+  unit::expect_known_lines(CAROM_KNOWN_SWEEPS, lines);
+}
+
+}  // namespace
+}  // namespace carom::oracles

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <carom/collision/collision.hpp>
+
+namespace carom::unit {
+
+/// Collisions k = 0, 1, …, count − 1 that differ in one number, which grows or shrinks by powers of two.
+struct Sweep {
+  std::string name;
+  int count;
+  std::function<Collision(int)> collision;
+};
+
+/// Sweeps for tests against recorded values. They do not depend on the families.
+[[nodiscard]] std::vector<Sweep> sweeps();
+
+}  // namespace carom::unit
