@@ -50,8 +50,8 @@ std::vector<std::pair<std::string_view, bool>> facts_of(const ExactCase& exact_c
   return facts;
 }
 
-/// Counts the collisions whose sensitivity binary64 and double-double arithmetic give, and adds up the logarithms of the
-/// double-double sensitivities. In binary64, rounding spoils the sensitivities of ill-conditioned collisions.
+/// Counts the collisions whose sensitivity binary64 and double-double arithmetic give, and adds up the logarithms of
+/// the double-double sensitivities. In binary64, rounding spoils the sensitivities of ill-conditioned collisions.
 KnownLine line_of_sensitivities(const Sweep& sweep, Law law) {
   KnownLine line{sweep.name + ", sensitivities of " + std::string(name_of(law)), {0, 0, 0}};
   for (int k = 0; k < sweep.count; k += 4) {
