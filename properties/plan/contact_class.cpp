@@ -18,10 +18,10 @@ constexpr int least_ratio_of_slender_moments = 8;
 
 Rational squared_length(const Vector3<Rational>& v) { return v.dot(v); }
 
-/// Whether ‖r × N‖ is at most the effect of rounding P, X and N: 8u ‖N‖ (‖P‖ + ‖X‖), with u of binary64.
+/// Whether ‖r × N‖ is at most about the effect of rounding P, X and N: 8u ‖N‖ (‖P‖ + ‖X‖), with u of binary64.
 bool is_along_normal(const ExactBody& body, const BasicCollision<Rational>& c) {
   const Vector3<Rational> moment = oracles::lever_arm(body, c.point).cross(c.normal);
-  // (p + x)² ≤ 2 p² + 2 x², so no root is needed.
+  // The larger 2 ‖P‖² + 2 ‖X‖² replaces (‖P‖ + ‖X‖)², so that no root is needed.
   const Rational squared_positions = Rational(2) * (squared_length(c.point) + squared_length(body.position));
   const Rational rounding(0x1p-50);
   return squared_length(moment) <= rounding * rounding * squared_length(c.normal) * squared_positions;

@@ -26,7 +26,7 @@ struct StruckSphere {
                                              const MaterialPair& pair);
 
 /// The outcome of a collision of spheres by a law, computed in a precision. The laws `frictionless` and `reflection`
-/// leave the spins exactly unchanged. The law `coulomb` is `rough` without tangential restitution. Preconditions:
+/// leave the spins exactly unchanged. For `coulomb`, the function computes `rough` with e_t = 0. Preconditions:
 /// collision_of or collision_with_plane made the collision; the law is not `any`.
 [[nodiscard]] Outcome<double> struck(Law law, Precision precision, const Collision& collision);
 

@@ -7,9 +7,9 @@
 
 namespace carom::scene {
 
-/// If ε = 1, this factor reduces the scene's capture height h, because the energy must stay constant. A capture or a
-/// rebound at the least speed changes the energy by up to m g h R. With the default h and this factor, the change is at
-/// most 10⁻¹² m g R, less than properties::Ledger allows for rounding.
+/// If ε = 1, this factor reduces the scene's capture height h, because the energy must stay constant. h is in units of
+/// the radius R. A capture or a rebound at the least speed changes the energy by up to m g h R times this factor. With
+/// the default h, this change is at most 10⁻¹² m g R, less than properties::Ledger allows for rounding.
 inline constexpr double elastic_capture_share = 1e-6;
 
 /// The least speed of a rebound that the simulation follows, √(2 a f h R) [m/s]. The factor f is

@@ -120,9 +120,9 @@ TEST(MutantCatalogue, NamesInvariantsThatTheSubjectClaims) {
   }
 }
 
-/// `backward_error` alone rejects only two kinds of mutants: those that lose digits, and those of `rough` with a wrong
-/// share of friction.
-TEST(MutantCatalogue, NeedsTheTruthOnlyForALossOfDigits) {
+/// An invariant other than `backward_error` rejects each mutant, with two exceptions: mutants that lose digits, and
+/// mutants of `rough` whose friction has a wrong size.
+TEST(MutantCatalogue, NeedsTheTruthOnlyForLostDigitsAndSizesOfFriction) {
   for (const Mutant& mutant : all_mutants()) {
     const bool loses_digits =
         mutant.defect == Defect::outcome_to_ten_digits || mutant.defect == Defect::outcome_in_float;

@@ -10,7 +10,7 @@
 namespace carom::subjects::protocol {
 
 const std::string& mark_of_children() {
-  // The name is random, so that a subject that marks its own children does not overwrite the variable.
+  // The mark is an environment variable. Its name is random, so a subject that itself runs Carom sets another variable.
   static const std::string mark = [] {
     std::random_device source;
     std::string name = "CAROM_CHILD";

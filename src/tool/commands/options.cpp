@@ -10,7 +10,7 @@
 namespace carom::tool {
 namespace {
 
-// No arithmetic passes below `smallest_limit`, and every arithmetic passes above `largest_limit`.
+// Limits of --limit [ulps]. Below the smallest, rounding alone violates the limit. Above the largest, no digit counts.
 constexpr double smallest_limit = 1e-3;
 constexpr double largest_limit = 1e15;
 constexpr double shortest_timeout = 1e-3;  // [s]
