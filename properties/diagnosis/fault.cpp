@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <carom/collision/expects.hpp>
+#include <carom/oracles/judge/coulomb_answers.hpp>
 #include <carom/oracles/laws/equations.hpp>
 #include <carom/properties/diagnosis/fault.hpp>
 
@@ -22,11 +23,12 @@ enum class Step {
   spin_of_a,
   spin_of_b,
   impulse,
-  none,  // no step is off by more than a thousandth
+  unknown,  // the law permits many impulses
+  none,     // no step is off by more than a thousandth
 };
-constexpr std::array all_steps{Step::immovable_moved, Step::moved_apart,  Step::left_as_it_was,
-                               Step::reaction,        Step::spin_of_both, Step::spin_of_a,
-                               Step::spin_of_b,       Step::impulse,      Step::none};
+constexpr std::array all_steps{Step::immovable_moved, Step::moved_apart, Step::left_as_it_was, Step::reaction,
+                               Step::spin_of_both,    Step::spin_of_a,   Step::spin_of_b,      Step::impulse,
+                               Step::unknown,         Step::none};
 
 using oracles::Rational;
 using Exact = BasicCollision<Rational>;
@@ -76,6 +78,20 @@ struct Told {
   std::optional<Shares> shares;  // set if the impulse is wrong
 };
 
+/// The law's impulse on A. Of several answers of `coulomb`, the one nearest to the outcome counts. No value if the law
+/// permits any impulse. Precondition: the contact collides.
+std::optional<Vector3<Rational>> right_impulse(const ViolatedCase& violated, const oracles::ExactCase& exact_case,
+                                               Law law) {
+  if (const std::optional<KnownCase> known = known_case(violated, law)) {
+    return known->impulse.cast<Rational>();
+  }
+  if (law != Law::coulomb) {
+    return std::nullopt;
+  }
+  const std::vector<oracles::CoulombAnswer> answers = coulomb_answers(exact_case);
+  return answers[nearest_answer(exact_case, answers, std::get<ReportedOutcome>(violated.answer)).number].truth.impulse;
+}
+
 Told told_of(const ViolatedCase& violated, Law law) {
   const oracles::ExactCase exact_case(violated.one.collision);
   const Exact& c = exact_case.exact();
@@ -100,20 +116,19 @@ Told told_of(const ViolatedCase& violated, Law law) {
   if (a || b) {
     return {a && b ? Step::spin_of_both : (a ? Step::spin_of_a : Step::spin_of_b), {}};
   }
-  if (!determines_outcome(law)) {
-    return {Step::none, {}};
+  const std::optional<Vector3<Rational>> right = right_impulse(violated, exact_case, law);
+  if (!right) {
+    return {Step::unknown, {}};
   }
-  const std::optional<KnownCase> known = known_case(violated, law);
   const Vector3<Rational> computed = oracles::impulse_on_a(c, after, oracles::reads_impulse_off_a(c));
-  const Vector3<Rational> right = known->impulse.cast<Rational>();
-  if (!differ(computed, right)) {
+  if (!differ(computed, *right)) {
     return {Step::none, {}};
   }
-  const Vector3<Rational> missed = computed - right;
-  const double right_along = oracles::nearest_double(c.normal.dot(right));
+  const Vector3<Rational> missed = computed - *right;
+  const double right_along = oracles::nearest_double(c.normal.dot(*right));
   const double length = norm(c.normal);
   return {Step::impulse, Shares{oracles::nearest_double(c.normal.dot(computed)) / right_along,
-                                norm(c.normal.cross(missed)) / length / std::max(norm(right), norm(computed)),
+                                norm(c.normal.cross(missed)) / length / std::max(norm(*right), norm(computed)),
                                 violated.one.collision.restitution,
                                 -oracles::nearest_double(c.normal.dot(oracles::relative_velocity<Rational>(c, after)) /
                                                          oracles::normal_velocity_before(c)),
@@ -264,6 +279,9 @@ Fault fault_of(std::span<const ViolatedCase> cases, Law law) {
     case Step::impulse:
       return {impulse_in_words(shares) + share + limits,
               "the computation of the impulse: the relative velocity, K, the law, limits on any of these"};
+    case Step::unknown:
+      return {"The velocities follow from an impulse, and the law permits many impulses" + share + '.' + limits,
+              "the restitution, and the sign of the impulse along the normal"};
     case Step::none:
       break;
   }

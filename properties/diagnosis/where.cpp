@@ -230,6 +230,9 @@ class Sample {
 /// The greatest probability that one search finds a condition by chance. A subject has at most six searches.
 constexpr double greatest_chance = 1e-3;
 
+/// Of the cases that meet the conditions, at least this share must be violated. Otherwise the conditions mislead.
+constexpr double least_share_there = 2.0 / 3;
+
 /// Whether the part is at least nine tenths of the whole.
 bool is_nearly_all(std::uint64_t part, std::uint64_t whole) { return 10 * (whole - part) <= whole; }
 
@@ -254,6 +257,7 @@ Where where_in(const Sample& sample, double left_out) {
       break;
     }
   }
+  const Where without_conditions = where;
   while (where.conditions.size() < most_conditions && !is_nearly_all(where.violated_there, where.cases_there)) {
     const Literal* best = nullptr;
     CaseSet best_here;
@@ -293,7 +297,9 @@ Where where_in(const Sample& sample, double left_out) {
     where.cases_there = best_here.size();
     here = best_here;
   }
-  return where;
+  const bool is_telling =
+      static_cast<double>(where.violated_there) >= least_share_there * static_cast<double>(where.cases_there);
+  return is_telling ? where : without_conditions;
 }
 
 }  // namespace

@@ -40,6 +40,11 @@ double excess_of(const Body& body) {
   return body.principal_inertia[largest] / sum(others);
 }
 
+double ratio_of_moments(const Body& body) {
+  return body.immovable ? 1 : greatest(body.principal_inertia) / least(body.principal_inertia);
+}
+double ratio_of_moments(const Collision& c) { return std::max(ratio_of_moments(c.a), ratio_of_moments(c.b)); }
+
 /// At times, A becomes immovable and only B is chosen.
 std::vector<Body*> chosen_bodies(Stream& stream, Collision& c) {
   switch (stream.integer(0, 3)) {
@@ -63,6 +68,17 @@ double condition_number_at_most(const Collision& c) {
 }
 
 double moment_excess(const Collision& c) { return std::max(excess_of(c.a), excess_of(c.b)); }
+
+bool is_no_further_beyond_domain(const Collision& collision, const Collision& other) {
+  const auto is_no_further = [&](double (*measure)(const Collision&), double ordinary) {
+    return measure(collision) <= std::max(ordinary, measure(other));
+  };
+  constexpr double ordinary_ratio = 8;
+  // If a body is uniform and convex, then K ⪯ 16 λI, so tr(K − λI) / λ is at most 3 · 15.
+  constexpr double ordinary_condition = 1 + 3 * 15;
+  return is_no_further(moment_excess, 1) && is_no_further(ratio_of_moments, ordinary_ratio) &&
+         is_no_further(condition_number_at_most, ordinary_condition);
+}
 
 void set_moment_excess(Stream& stream, Body& body, double excess) {
   const int largest = stream.integer(0, 2);

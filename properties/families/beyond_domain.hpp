@@ -14,6 +14,11 @@ namespace carom::properties {
 /// For a real body it is at most 1. An immovable body counts as 0.
 [[nodiscard]] double moment_excess(const Collision& collision);
 
+/// Whether a collision is no further beyond the domain that solvers claim than `other`. Three measures decide:
+/// `moment_excess`, `condition_number_at_most`, and the ratio of a body's greatest moment to its least. Each must be at
+/// most that of `other`, or at most that of ordinary bodies.
+[[nodiscard]] bool is_no_further_beyond_domain(const Collision& collision, const Collision& other);
+
 /// Sets the moments so that one of them is `excess` times the sum of the others.
 void set_moment_excess(Stream& stream, Body& body, double excess);
 

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <string_view>
 
+#include <carom/properties/families/beyond_domain.hpp>
 #include <carom/properties/gate/witness.hpp>
 #include <carom/properties/search/shrink.hpp>
 #include <carom/properties/trial/answers.hpp>
@@ -104,6 +105,9 @@ Case simplest_violation(const Case& one, const Invariant& invariant, const Verdi
     return one;
   }
   const auto still_fails = [&](const Collision& collision) {
+    if (!is_no_further_beyond_domain(collision, one.collision)) {
+      return false;
+    }
     const Verdict verdict = verdict_on({collision, one.convex_uniform});
     return verdict.status == Status::violated && is_as_bad(verdict, collision, found, one.collision);
   };

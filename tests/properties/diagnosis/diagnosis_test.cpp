@@ -74,5 +74,37 @@ TEST(Diagnosis, OfAWrongFormulaForSomeInertiasDoesNotNameLostDigits) {
   EXPECT_EQ(diagnosis.look_at.find("world axes"), std::string::npos) << diagnosis.look_at;
 }
 
+/// The subject with ε taken as 0.
+Subject inelastic(Subject subject) {
+  subject.open = [sound = subject.open] {
+    return Session([session = sound()](std::span<const Collision> collisions) mutable {
+      std::vector<Collision> without_restitution(collisions.begin(), collisions.end());
+      for (Collision& collision : without_restitution) {
+        collision.restitution = 0;
+      }
+      return session(without_restitution);
+    });
+  };
+  return subject;
+}
+
+/// The law `coulomb` may have several answers. The nearest one tells a wrong impulse from lost digits.
+TEST(Diagnosis, OfAWrongImpulseWithFrictionDoesNotNameLostDigits) {
+  const Subject subject = inelastic(subjects::subject_named("coulomb-double").value());
+  GateOptions options;
+  options.cases = 50;
+  const Diagnosis diagnosis = diagnosis_of(subject, options, {"generic", "sliding"});
+  EXPECT_NE(diagnosis.what.find("it differs from the law's impulse"), std::string::npos) << diagnosis.what;
+}
+
+TEST(Diagnosis, OfAWrongImpulseWithoutALawSaysThatTheLawPermitsMany) {
+  Subject subject = subjects::subject_named("frictionless-double").value();
+  subject.law = Law::any;
+  GateOptions options;
+  options.cases = 50;
+  const Diagnosis diagnosis = diagnosis_of(inelastic(subject), options, {"generic", "sliding"});
+  EXPECT_NE(diagnosis.what.find("the law permits many impulses"), std::string::npos) << diagnosis.what;
+}
+
 }  // namespace
 }  // namespace carom::properties::diagnosis

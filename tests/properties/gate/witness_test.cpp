@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <carom/properties/families/beyond_domain.hpp>
 #include <carom/properties/gate/witness.hpp>
 
 #include "support/cases.hpp"
@@ -89,6 +90,27 @@ TEST(SimplestViolation, SimplifiesWhatIsHarmless) {
   const auto rounding = [](const Case&) { return violated(4e-29, 0); };
   const Case simplest = simplest_violation(found, *invariant_named("restitution"), rounding(found), rounding, 4000);
   EXPECT_TRUE(simplest.collision.b.angular_velocity.isZero(0));
+}
+
+/// The violation needs unequal moments. Without a limit, shrinking would make one moment far too large.
+TEST(SimplestViolation, IsNoFurtherBeyondTheDomainThanTheOneFound) {
+  const auto fails_for_unequal_moments = [](const Case& one) {
+    const auto& moments = one.collision.a.principal_inertia;
+    return moments[0] < moments[1] && moments[1] < moments[2] ? violated(1, 1e-15) : Verdict{};
+  };
+  int shrunk_cases = 0;
+  for (std::uint64_t i = 0; i < 40; ++i) {
+    const Case found = unit::case_of("generic", i);
+    if (found.collision.a.immovable || fails_for_unequal_moments(found).status != Status::violated) {
+      continue;
+    }
+    const Case simplest = simplest_violation(found, *invariant_named("angular_momentum"),
+                                             fails_for_unequal_moments(found), fails_for_unequal_moments, 4000);
+    EXPECT_TRUE(is_no_further_beyond_domain(simplest.collision, found.collision)) << i;
+    EXPECT_LE(moment_excess(simplest.collision), 1) << i;
+    ++shrunk_cases;
+  }
+  EXPECT_GT(shrunk_cases, 2);
 }
 
 }  // namespace
