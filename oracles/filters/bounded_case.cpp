@@ -7,6 +7,7 @@
 #include <carom/oracles/filters/bounded_case_bounds.hpp>
 #include <carom/oracles/filters/moderate.hpp>
 #include <carom/oracles/models/models.hpp>
+#include <carom/oracles/numbers/norm.hpp>
 
 namespace carom::oracles {
 namespace {
@@ -44,11 +45,8 @@ bool is_known_to_six_digits(const Enclosure& x) {
 /// The Frobenius norm of the lower bounds of the entries.
 template <int Columns>
 double norm_below(const Eigen::Matrix<Approximation, 3, Columns>& of) {
-  double squares = 0;
-  for (const Approximation& entry : of.reshaped()) {
-    squares += entry.magnitude_below() * entry.magnitude_below();
-  }
-  return std::sqrt(squares);
+  return root_of_squares(static_cast<std::size_t>(of.size()),
+                         [&](std::size_t i) { return of.data()[i].magnitude_below(); });
 }
 
 }  // namespace
@@ -114,8 +112,7 @@ const Sensitivity& BoundedCase::colliding_sensitivity_below(Law law, Branch bran
         colliding_impulse<Approximation>(approximate(), law, branch, &approximate_response().matrix);
     const Outcome<Approximation> outcome = sum(unchanged(approximate()), approximate_response()(impulse));
     for (const OutcomeVector k : all_outcome_vectors) {
-      const double half = norm_below(*vectors(outcome)[k]) / 2;
-      below[k] += std::isfinite(half) ? half : 0;
+      below[k] += norm_below(*vectors(outcome)[k]) / 2;
     }
     return below;
   });

@@ -152,7 +152,7 @@ std::string restitution_in_words(const std::vector<Shares>& all, bool is_normal_
     computed.push_back(shares.computed_restitution);
   }
   if (are_alike(computed)) {
-    return fmt::format("the bodies separate as if ε were always {:.4g}, ", computed[0]);
+    return fmt::format("the bodies separate as if ε were always {:.4g}, ", computed[0] + 0.0);  // −0 + 0 is 0
   }
   if (are_alike(added)) {
     return fmt::format("the bodies separate as if {:.4g} were added to ε, ", added[0]);

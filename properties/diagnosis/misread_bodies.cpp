@@ -54,6 +54,12 @@ const std::array misreadings{
                  const Quaternion<double> q = b.orientation;
                  b.orientation = {q[3], q[0], q[1], q[2]};
                }},
+    // q v q* without the division by q·q multiplies a vector by q·q. J⁻¹ turns twice: into the body frame and back.
+    Misreading{"the quaternion of {} had length 1", "the orientation: divide the quaternion by its length", true,
+               [](Body& b, const Body&, const Collision&) {
+                 const double squared_length = b.orientation.squaredNorm();
+                 b.principal_inertia /= squared_length * squared_length;
+               }},
     Misreading{"{} could not rotate", "1/I: set to zero, or the rotational part of K is missing", true,
                [](Body& b, const Body&, const Collision&) { b.principal_inertia *= practically_infinite; }},
     Misreading{

@@ -39,6 +39,13 @@ Verdict untouched_body(const Evidence& e, bool a) {
               holds(e, Relation::equal, what, equation::Untouched{angular_velocity}));
 }
 
+/// Whether the number is zero, or its bounds do not tell it from zero.
+bool may_be_zero(const oracles::Enclosure& x) { return x.sign().value_or(0) == 0; }
+template <class T>
+bool may_be_zero(const T& x) {
+  return x == 0;
+}
+
 Verdict check_backward_error(const Evidence& e) {
   const oracles::Accuracy& accuracy = *e.accuracy;
   if (!accuracy.is_decided) {
@@ -59,7 +66,8 @@ Verdict check_backward_error(const Evidence& e) {
     const auto show = [&](const auto& truth) {
       for (int i = 0; i < 3; ++i) {
         verdict.left.push_back((*vectors(e.outcome.rounded())[k])[i]);
-        verdict.right.push_back(oracles::rounded((*vectors(truth.outcome)[k])[i]));
+        const auto& exact = (*vectors(truth.outcome)[k])[i];
+        verdict.right.push_back(may_be_zero(exact) ? 0 : oracles::rounded(exact));
       }
     };
     if (e.yardstick.filtered) {

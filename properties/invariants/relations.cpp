@@ -459,7 +459,7 @@ Verdict check_repeat(const Evidence& e, std::span<const Related> related) {
   const Related& second = related[0];
   // The first outcome may have the permitted error, and the question rounds it to binary64.
   if (second.exact_case.is_grazing(2 * e.allowance() + unit_roundoff(Precision::binary64))) {
-    return outside_domain("the outcome differs from a colliding contact by rounding only");
+    return outside_domain("after the impulse, rounding decides whether the contact collides");
   }
   const auto answer = outcome_of(second);
   if (const auto* verdict = std::get_if<Verdict>(&answer)) {

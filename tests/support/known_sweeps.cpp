@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <carom/oracles/judge/exact_case.hpp>
+#include <carom/oracles/models/models.hpp>
 
 #include "known_collisions.hpp"
 
@@ -22,9 +23,17 @@ double friction_on_surface(Collision c) {
   return inside;
 }
 
+/// A friction coefficient μ for which the divisor ‖N × D‖ − μ N·D of `rough` is 0, rounded.
+double friction_of_zero_divisor(const Collision& c) {
+  const oracles::detail::RoughImpulses<double> of(c, nullptr);
+  const Vector3<double> d = of.difference();
+  return c.normal.cross(d).norm() / c.normal.dot(d);
+}
+
 }  // namespace
 
 std::vector<Sweep> sweeps() {
+  const double zero_divisor = friction_of_zero_divisor(plain_collision());
   const double surface = friction_on_surface(plain_collision());
   const auto sweep = [](std::string name, int count, const std::function<void(Collision&, int)>& change) {
     return Sweep{std::move(name), count, [change](int k) {
@@ -46,7 +55,22 @@ std::vector<Sweep> sweeps() {
       sweep("lever arm of A", 60,
             [](Collision& c, int k) { c.a.position = c.point + std::ldexp(1.0, -k) * Vector3<double>(1, 0.25, -0.5); }),
       sweep("spin along the normal", 60,
-            [](Collision& c, int k) { c.b.angular_velocity = std::ldexp(1.0, k) * c.normal; }),
+            [](Collision& c, int k) {
+              c = known_spheres();
+              c.b.angular_velocity = std::ldexp(1.0, k) * c.normal;
+            }),
+      sweep("rest after the impulse", 60,
+            [](Collision& c, int k) {
+              c.restitution = 0;
+              c.b.immovable = true;
+              c.b.angular_velocity.setZero();
+              c.b.velocity.setZero();
+              c.a.position = c.point + 0.5 * c.normal;
+              c.a.angular_velocity.setZero();
+              c.a.velocity = -c.normal + std::ldexp(1.0, -k) * Vector3<double>(2, -0.25, 0);
+            }),
+      sweep("divisor of the cone", 54,
+            [=](Collision& c, int k) { c.friction = zero_divisor * (1 + std::ldexp(1.0, -k)); }),
       sweep("tangential velocity", 60, [](Collision& c, int k) {
         c.a.angular_velocity.setZero();
         c.b.angular_velocity.setZero();

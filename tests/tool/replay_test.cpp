@@ -253,7 +253,7 @@ TEST(Replay, ShowsEveryAnswerOfCoulomb) {
   };
   const std::string text = replay(several, {});
   for (const char* part : {"coulomb, answer 1 of 3, sticks, exactly", "coulomb, answer 3 of 3, slips, with 36 digits",
-                           " digits, of answer "}) {
+                           "  answer 1 of 3: "}) {
     EXPECT_NE(text.find(part), std::string::npos) << part << '\n' << text;
   }
   const json answers = json::parse(replay(several, {"--format", "json"})).at("answers").at("coulomb");

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <cmath>
 #include <memory>
 
 #include <fmt/format.h>
@@ -6,6 +7,7 @@
 #include <carom/collision/json/json.hpp>
 #include <carom/collision/json/text.hpp>
 #include <carom/oracles/judge/coulomb_answers.hpp>
+#include <carom/oracles/numbers/norm.hpp>
 #include <carom/properties/features/coverage.hpp>
 #include <carom/properties/gate/gate.hpp>
 #include <carom/properties/trial/in_words.hpp>
@@ -72,9 +74,14 @@ std::string contact_steps(const oracles::ExactCase& exact_case) {
   std::string text =
       fmt::format("  r_A = P − X_A = {}\n  r_B = P − X_B = {}\n", in_words<Rational>(oracles::lever_arm(c.a, c.point)),
                   in_words<Rational>(oracles::lever_arm(c.b, c.point)));
-  text +=
-      fmt::format("  V⁻ = {}\n  N·V⁻ = {}: {}\n", in_words<Rational>(oracles::relative_velocity<Rational>(c, before)),
-                  in_words(oracles::normal_velocity_before(c)), name_of(exact_case.approach()));
+  const Rational normal_velocity = oracles::normal_velocity_before(c);
+  const double length = oracles::norm_of(exact_case.collision().normal);
+  text += fmt::format(
+      "  V⁻ = {}\n  N·V⁻ = {}: {}{}\n", in_words<Rational>(oracles::relative_velocity<Rational>(c, before)),
+      in_words(normal_velocity), name_of(exact_case.approach()),
+      length == 1 || normal_velocity == 0 ? ""
+                                          : fmt::format(", at {:.3g} m/s along the normal",
+                                                        std::abs(oracles::nearest_double(normal_velocity)) / length));
   if (exact_case.approach() != Approach::inert) {
     text += fmt::format("  λ = {}\n", in_words(oracles::inverse_mass(c)));
     for (int row = 0; row < 3; ++row) {
@@ -133,6 +140,10 @@ std::string answers_steps(const oracles::ExactCase& exact_case, const std::vecto
   return text;
 }
 
+std::string digits_in_words(double digits) {
+  return std::isfinite(digits) ? fmt::format("{:.1f} digits", digits) : "no digits, because the exact change is zero";
+}
+
 /// The number of correct digits of an outcome, compared with the nearest answer of the law `coulomb`.
 std::string nearest_answer_text(const oracles::ExactCase& exact_case, const Answer& answer,
                                 const std::vector<oracles::CoulombAnswer>& answers) {
@@ -141,7 +152,7 @@ std::string nearest_answer_text(const oracles::ExactCase& exact_case, const Answ
     return {};
   }
   const oracles::NearestAnswer nearest = oracles::nearest_answer(exact_case, answers, *outcome);
-  return fmt::format("  {:.1f} digits, of answer {} of {}\n", nearest.digits, nearest.number + 1, answers.size());
+  return fmt::format("  answer {} of {}: {}\n", nearest.number + 1, answers.size(), digits_in_words(nearest.digits));
 }
 
 std::string judgement_text(const properties::Judgement& judgement, const Answer& answer, double unit_roundoff) {
@@ -157,8 +168,8 @@ std::string judgement_text(const properties::Judgement& judgement, const Answer&
   }
   if (judgement.accuracy) {
     text += judgement.accuracy->is_decided
-                ? fmt::format("  backward error {:.3g} ulps, {:.1f} digits\n",
-                              judgement.accuracy->backward_error(unit_roundoff), judgement.accuracy->digits())
+                ? fmt::format("  backward error {:.3g} ulps, {}\n", judgement.accuracy->backward_error(unit_roundoff),
+                              digits_in_words(judgement.accuracy->digits()))
                 : "  backward error not decided: the scale overflows or underflows\n";
   }
   for (const properties::NamedVerdict& named : judgement.verdicts) {
@@ -249,7 +260,7 @@ void show_judgement(const ReplaySubject& open, const ReplayedCase& replayed, Sho
     record["violated_spellings"] = replayed.violated_spellings;
     record["spelt"] = replayed.spelt;
   }
-  if (replayed.violated_spellings > 0) {
+  if (replayed.violated_spellings > 0 && replayed.violated_spellings < replayed.spellings) {
     shown.text += fmt::format("  violated in {} of {} spellings of the request, first in {}\n",
                               replayed.violated_spellings, replayed.spellings, replayed.spelt);
   }

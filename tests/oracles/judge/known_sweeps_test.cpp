@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <carom/oracles/filters/closeness.hpp>
 #include <carom/oracles/filters/stage.hpp>
 #include <carom/oracles/judge/accuracy.hpp>
 #include <carom/oracles/judge/exact_case.hpp>
@@ -26,8 +27,31 @@ using unit::Sweep;
 
 constexpr double allowance_of_sweeps = 0x1p-40;
 
+Yardstick yardstick_of_sweeps() {
+  Yardstick yardstick;
+  yardstick.unit_roundoff = allowance_of_sweeps / default_limit_ulps;
+  return yardstick;
+}
+
+ReportedOutcome rounded_truth(const ExactCase& exact_case, Law law) {
+  return map_outcome<long double>(exact_case.nearest_truth(law), [](double x) { return static_cast<long double>(x); });
+}
+
+/// Whether closeness shows the restitution and the energy of the rounded truth.
+std::pair<bool, bool> shown_by_closeness(const ExactCase& exact_case) {
+  constexpr Law law = Law::frictionless;
+  const LiftedOutcome outcome(rounded_truth(exact_case, law));
+  if (!exact_case.is_moderate(law) || !outcome.is_moderate()) {
+    return {false, false};
+  }
+  const Accuracy known = accuracy(exact_case, law, outcome, yardstick_of_sweeps());
+  const Closeness closeness(exact_case.bounds(), law, outcome, known.error_above, allowance_of_sweeps);
+  return {closeness.shows(equation::Restitution{}), closeness.shows_energy()};
+}
+
 std::vector<std::pair<std::string_view, bool>> facts_of(const ExactCase& exact_case) {
   const BoundedCase& bounds = exact_case.bounds();
+  const auto [restitution, energy] = shown_by_closeness(exact_case);
   std::vector<std::pair<std::string_view, bool>> facts{
       {"normal_velocity", bounds.normal_velocity().has_value()},
       {"is_inside_cone", bounds.is_inside_cone().has_value()},
@@ -35,6 +59,8 @@ std::vector<std::pair<std::string_view, bool>> facts_of(const ExactCase& exact_c
       {"is_moderate", bounds.is_moderate()},
       {"is_well_conditioned", bounds.is_well_conditioned()},
       {"has_clear_divisor", bounds.is_moderate() && bounds.has_clear_divisor()},
+      {"restitution_by_closeness", restitution},
+      {"energy_by_closeness", energy},
       {"colliding", exact_case.approach() == Approach::colliding},
       {"separating", exact_case.approach() == Approach::separating},
       {"is_grazing", exact_case.is_grazing(allowance_of_sweeps)},
@@ -89,15 +115,12 @@ KnownLine line_of_stages(const Sweep& sweep, Law law) {
   const StageCounts before = decided_by_stage();
   for (int k = 0; k < sweep.count; k += 9) {
     const ExactCase exact_case(sweep.collision(k));
-    Yardstick yardstick;
-    yardstick.unit_roundoff = allowance_of_sweeps / default_limit_ulps;
     for (int j = 30; j < 50; ++j) {
-      ReportedOutcome outcome =
-          map_outcome<long double>(exact_case.nearest_truth(law), [](double x) { return static_cast<long double>(x); });
+      ReportedOutcome outcome = rounded_truth(exact_case, law);
       for (Vector3<long double>* vector : vectors(outcome)) {
         *vector += Vector3<long double>(std::ldexp(1.0L, -j), 0, -std::ldexp(3.0L, -j));
       }
-      (void)accuracy(exact_case, law, LiftedOutcome(outcome), yardstick, default_limit_ulps / 2);
+      (void)accuracy(exact_case, law, LiftedOutcome(outcome), yardstick_of_sweeps(), default_limit_ulps / 2);
     }
   }
   KnownLine line{sweep.name + ", stages of " + std::string(name_of(law)), {}};
