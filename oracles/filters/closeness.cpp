@@ -33,11 +33,7 @@ bool Closeness::shows(const Equation& equation) const {
       return false;
     }
   }
-  if (!std::visit([](const auto& one) { return one.slopes_may_cancel; }, equation)) {
-    return true;
-  }
-  const bool is_of_normal_velocity = name == AffineEquation::restitution || name == AffineEquation::non_penetration;
-  return is_of_normal_velocity && knows_normal_velocity();
+  return !is_of_normal_velocity(*name) || knows_normal_velocity();
 }
 
 /// The slopes of N·V⁺ are ‖N‖ for velocities and ‖r × N‖ for angular velocities. r × N cancels if r is along N.

@@ -69,16 +69,20 @@ enum class AffineEquation {
   untouched_velocity_of_b,
   untouched_angular_velocity_of_b,
 };
+
+/// Whether the equation contains N·V⁺. Its slopes (derivatives with respect to the outcome) contain r × N, a sum that
+/// may cancel, so their computed values may be mostly rounding errors. The slopes of the other equations do not cancel.
+[[nodiscard]] constexpr bool is_of_normal_velocity(AffineEquation equation) {
+  return equation == AffineEquation::restitution || equation == AffineEquation::non_penetration;
+}
+
 /// Each struct maps (collision, outcome) to the two sides of an equation or inequality, in any field T. `name` is set
-/// if the equation is affine in the outcome. `slopes_may_cancel` tells whether the derivatives with respect to the
-/// outcome are sums that may cancel, such as r × N, so that their computed values may be mostly rounding errors.
-/// `read_off_a` selects the body, A or B, whose velocity change gives F. Precondition: this body is movable.
+/// if the equation is affine in the outcome. `read_off_a` selects the body, A or B, whose velocity change gives F.
+/// Precondition: this body is movable.
 namespace equation {
 
 /// m_A Δv_A = −m_B Δv_B. Precondition: both bodies are movable.
 struct LinearMomentum {
-  static constexpr bool slopes_may_cancel = false;
-
   [[nodiscard]] static constexpr std::optional<AffineEquation> name() { return AffineEquation::linear_momentum; }
 
   template <class T>
@@ -90,8 +94,6 @@ struct LinearMomentum {
 /// J Δw = r × m Δv, of A or of B. Precondition: the body is movable.
 struct AngularMomentum {
   bool of_a;
-
-  static constexpr bool slopes_may_cancel = false;
 
   [[nodiscard]] constexpr std::optional<AffineEquation> name() const {
     return of_a ? AffineEquation::angular_momentum_of_a : AffineEquation::angular_momentum_of_b;
@@ -108,8 +110,6 @@ struct AngularMomentum {
 
 /// A gains the angular momentum about the origin that B loses. Precondition: both bodies are movable.
 struct TotalAngularMomentum {
-  static constexpr bool slopes_may_cancel = false;
-
   [[nodiscard]] static constexpr std::optional<AffineEquation> name() { return AffineEquation::total_angular_momentum; }
 
   template <class T>
@@ -121,8 +121,6 @@ struct TotalAngularMomentum {
 /// One velocity or angular velocity is unchanged.
 struct Untouched {
   OutcomeVector vector;
-
-  static constexpr bool slopes_may_cancel = false;
 
   [[nodiscard]] constexpr std::optional<AffineEquation> name() const {
     switch (vector) {
@@ -147,8 +145,6 @@ struct Untouched {
 
 /// N·V⁺ = −ε N·V⁻ (note eq. 17).
 struct Restitution {
-  static constexpr bool slopes_may_cancel = true;
-
   [[nodiscard]] static constexpr std::optional<AffineEquation> name() { return AffineEquation::restitution; }
 
   template <class T>
@@ -160,8 +156,6 @@ struct Restitution {
 
 /// N·V⁺ ≥ 0.
 struct NonPenetration {
-  static constexpr bool slopes_may_cancel = true;
-
   [[nodiscard]] static constexpr std::optional<AffineEquation> name() { return AffineEquation::non_penetration; }
 
   template <class T>
@@ -173,8 +167,6 @@ struct NonPenetration {
 /// N·F ≥ 0: contacts push.
 struct Push {
   bool read_off_a;
-
-  static constexpr bool slopes_may_cancel = false;
 
   [[nodiscard]] constexpr std::optional<AffineEquation> name() const {
     return read_off_a ? AffineEquation::push_read_off_a : AffineEquation::push_read_off_b;
@@ -190,8 +182,6 @@ struct Push {
 struct FrictionlessDirection {
   bool read_off_a;
 
-  static constexpr bool slopes_may_cancel = false;
-
   [[nodiscard]] constexpr std::optional<AffineEquation> name() const {
     return read_off_a ? AffineEquation::frictionless_direction_read_off_a
                       : AffineEquation::frictionless_direction_read_off_b;
@@ -205,8 +195,6 @@ struct FrictionlessDirection {
 
 /// N × V⁺ = N × V⁻ (note eq. 20 and 21, without the note's basis).
 struct ReflectionPlane {
-  static constexpr bool slopes_may_cancel = false;
-
   [[nodiscard]] static constexpr std::optional<AffineEquation> name() { return AffineEquation::reflection_plane; }
 
   template <class T>
@@ -217,8 +205,6 @@ struct ReflectionPlane {
 
 /// N × V⁺ = 0, for contacts that collide.
 struct Sticks {
-  static constexpr bool slopes_may_cancel = false;
-
   [[nodiscard]] static constexpr std::optional<AffineEquation> name() { return AffineEquation::sticks; }
 
   template <class T>
@@ -231,8 +217,6 @@ struct Sticks {
 struct FrictionCone {
   bool read_off_a;
 
-  static constexpr bool slopes_may_cancel = true;
-
   [[nodiscard]] static constexpr std::optional<AffineEquation> name() { return std::nullopt; }
 
   template <class T>
@@ -244,8 +228,6 @@ struct FrictionCone {
 /// (N × F) × (N × V⁺) = 0: friction is parallel to the slip after the impulse.
 struct FrictionAlongSlip {
   bool read_off_a;
-
-  static constexpr bool slopes_may_cancel = true;
 
   [[nodiscard]] static constexpr std::optional<AffineEquation> name() { return std::nullopt; }
 
@@ -260,8 +242,6 @@ struct FrictionAlongSlip {
 struct FrictionAgainstSlip {
   bool read_off_a;
 
-  static constexpr bool slopes_may_cancel = true;
-
   [[nodiscard]] static constexpr std::optional<AffineEquation> name() { return std::nullopt; }
 
   template <class T>
@@ -275,8 +255,6 @@ struct FrictionAgainstSlip {
 /// body that moves). W is the wall's velocity at the contact point times the impulse on the other body. Convex in the
 /// outcome. Precondition: a body is movable.
 struct Energy {
-  static constexpr bool slopes_may_cancel = true;
-
   [[nodiscard]] static constexpr std::optional<AffineEquation> name() { return std::nullopt; }
 
   template <class T>

@@ -70,11 +70,11 @@ std::vector<CoulombAnswer> coulomb_answers(const BasicCollision<Rational>& c) {
   }
   // N·n(ν) and ‖N × n(ν)‖² − (μ N·n(ν))².
   const std::array<Vector3<Rational>, 3> n = slip.numerator();
-  Coefficients along(3);
-  Coefficients surface(5);
-  for (std::size_t i = 0; i < 3; ++i) {
-    along[i] = c.normal.dot(n[i]);
+  Coefficients along;
+  for (const Vector3<Rational>& of : n) {
+    along.push_back(c.normal.dot(of));
   }
+  Coefficients surface(5);
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
       surface[i + j] += c.normal.cross(n[i]).dot(c.normal.cross(n[j])) - c.friction * c.friction * along[i] * along[j];

@@ -590,6 +590,25 @@ TEST(Compare, AllowsTheFrictionConeAllDigitsOfExtended) {
   }
 }
 
+/// The energies leave the range of binary64. Without rounding, the permitted residual is 0 and needs no scale.
+TEST(Compare, OfExactArithmeticNeedsNoScale) {
+  Collision c;
+  c.b.immovable = true;
+  c.a.mass = 0x1p+1000;
+  c.a.velocity = {0, -0x1p+30, 0};
+  ReportedOutcome outcome =
+      map_outcome<long double>(unchanged(c), [](double x) { return static_cast<long double>(x); });
+  outcome.a.velocity *= -2;
+  for (const double unit_roundoff : {0.0, 0x1p-53}) {
+    Yardstick yardstick;
+    yardstick.unit_roundoff = unit_roundoff;
+    const Comparison result =
+        compare(equation::Energy{}, Relation::at_most, ExactCase(c), LiftedOutcome(outcome), yardstick);
+    EXPECT_EQ(result.is_decided, unit_roundoff == 0);
+    EXPECT_TRUE(unit_roundoff > 0 || !result.holds);
+  }
+}
+
 TEST(Accuracy, IsInfinitelyWrongWhereSomethingHappensThatShouldNot) {
   Collision c;
   c.a.velocity = {0, 1, 0};
