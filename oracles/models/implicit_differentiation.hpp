@@ -21,28 +21,29 @@ using Jacobian = Eigen::Matrix<S, 3, collision_inputs, Eigen::RowMajor>;
 /// The indices of a collision's numbers among the inputs.
 struct InputIndices {
   struct OfBody {
-    Eigen::Index position = 0;  // after mass, principal inertia and orientation, if the body has them
+    Eigen::Index position;  // after mass, principal inertia and orientation, if the body has them
     [[nodiscard]] Eigen::Index velocity() const { return position + 3; }
     [[nodiscard]] Eigen::Index angular_velocity() const { return position + 6; }
+    [[nodiscard]] Eigen::Index next() const { return position + 9; }
   };
   OfBody a;
   OfBody b;
-  Eigen::Index point = 0;
-  Eigen::Index normal = 0;
-  [[nodiscard]] Eigen::Index restitution() const { return normal + 3; }
-  [[nodiscard]] Eigen::Index friction() const { return normal + 4; }
-  [[nodiscard]] Eigen::Index tangential_restitution() const { return normal + 5; }
   std::vector<Quantity> quantities;
 
-  explicit InputIndices(const Collision& collision) {
-    const auto numbers_of = [](const Body& body) { return body.immovable ? 9 : 17; };
-    constexpr Eigen::Index after_position = 9;
-    a.position = numbers_of(collision.a) - after_position;
-    b.position = numbers_of(collision.a) + numbers_of(collision.b) - after_position;
-    point = b.position + after_position;
-    normal = point + 3;
-    quantities = quantities_of(collision);
-  }
+  explicit InputIndices(const Collision& collision)
+      : a{inertia_numbers(collision.a)},
+        b{a.next() + inertia_numbers(collision.b)},
+        quantities(quantities_of(collision)) {}
+
+  [[nodiscard]] Eigen::Index point() const { return b.next(); }
+  [[nodiscard]] Eigen::Index normal() const { return point() + 3; }
+  [[nodiscard]] Eigen::Index restitution() const { return normal() + 3; }
+  [[nodiscard]] Eigen::Index friction() const { return normal() + 4; }
+  [[nodiscard]] Eigen::Index tangential_restitution() const { return normal() + 5; }
+
+ private:
+  /// The mass, three moments and four components of the orientation.
+  static Eigen::Index inertia_numbers(const Body& body) { return body.immovable ? 0 : 8; }
 };
 
 template <std::size_t N, class S>
@@ -132,9 +133,9 @@ struct ImpulseDifferential {
   BodyResponse<S> a;
   BodyResponse<S> b;
   Vector3<S> impulse;
-  Vector3<S> wanted;        // b, the change of relative velocity that the law requires
-  Jacobian<S> left;         // dK F − db
-  Eigen::Index normal = 0;  // index of the normal among the inputs
+  Vector3<S> wanted;    // b, the change of relative velocity that the law requires
+  Jacobian<S> left;     // dK F − db
+  Eigen::Index normal;  // index of the normal among the inputs
 };
 
 /// The derivatives for a law whose impulse satisfies K F = b: dF = K⁻¹ (db − dK F).

@@ -116,7 +116,7 @@ template <class T, class Sign>
   const auto whole = Rough::whole<T>(c, of.stops_approach, of.difference());
   const std::optional<int> along_normal = sign(whole.along_normal);
   const std::optional<int> slack = sign(whole.slack);
-  if (along_normal.value_or(1) < 0 || slack.value_or(1) < 0) {
+  if (along_normal == -1 || slack == -1) {
     return false;
   }
   return along_normal && slack ? std::optional(true) : std::nullopt;
@@ -129,7 +129,7 @@ template <class T, class Sign>
   const auto reach = Rough::reach<T>(c, detail::RoughImpulses<T>(c, matrix).difference());
   const std::optional<int> along_normal = sign(reach.along_normal);
   const std::optional<int> beyond = sign(reach.beyond);
-  if (along_normal.value_or(0) < 0 || beyond.value_or(0) > 0) {
+  if (along_normal == -1 || beyond == 1) {
     return true;
   }
   return along_normal && beyond ? std::optional(false) : std::nullopt;

@@ -55,7 +55,7 @@ Wanted<S> wanted_of(const Differentiable<S>& of, const Dual<S, 7>& restitution) 
     const Vector3<T> at_point =
         point_velocity<T>({inputs<own + 3>(body.velocity, 3), inputs<own + 3>(body.angular_velocity, 6)}, arm);
     d_velocity.template middleCols<own>(index.position) += S(sign) * derivatives<own>(at_point, 0);
-    d_velocity.template middleCols<3>(of.indices.point) += S(sign) * derivatives<3>(at_point, own);
+    d_velocity.template middleCols<3>(of.indices.point()) += S(sign) * derivatives<3>(at_point, own);
   };
   add_body(c.a, of.indices.a, 1);
   add_body(c.b, of.indices.b, -1);
@@ -64,7 +64,7 @@ Wanted<S> wanted_of(const Differentiable<S>& of, const Dual<S, 7>& restitution) 
       LawType::template wanted_change<T>(inputs<7>(c.normal, 0), restitution, inputs<7>(of.velocity, 4));
   result.change = value(wanted);
   result.derivative = derivatives<3>(wanted, 4) * d_velocity;
-  result.derivative.template middleCols<4>(of.indices.normal) += derivatives<4>(wanted, 0);
+  result.derivative.template middleCols<4>(of.indices.normal()) += derivatives<4>(wanted, 0);
   return result;
 }
 
@@ -82,12 +82,12 @@ Differentiated<S> differentiated(const Differentiable<S>& of, const Dual<S, 7>& 
   const InputIndices& indices = of.indices;
   const Wanted<S> wanted = wanted_of<LawType>(of, restitution);
   const Vector3<S> impulse = LawType::template impulse_for<S>(c, wanted.change, nullptr);
-  const BodyResponse<S> a = response_of<S>(c.a, c.point, impulse, indices.a, indices.point);
-  const BodyResponse<S> b = response_of<S>(c.b, c.point, -impulse, indices.b, indices.point);
+  const BodyResponse<S> a = response_of<S>(c.a, c.point, impulse, indices.a, indices.point());
+  const BodyResponse<S> b = response_of<S>(c.b, c.point, -impulse, indices.b, indices.point());
   const Jacobian<S> left = a.d_at_point - b.d_at_point - wanted.derivative;
   return {impulse,
           {a.velocity * impulse, a.angular_velocity * impulse, -b.velocity * impulse, -b.angular_velocity * impulse},
-          LawType::template derivatives<S>(c, {a, b, impulse, wanted.change, left, indices.normal})};
+          LawType::template derivatives<S>(c, {a, b, impulse, wanted.change, left, indices.normal()})};
 }
 
 template <class S>
@@ -122,11 +122,11 @@ Share<S> friction_share(const Differentiable<S>& of, const Differentiated<S>& ap
   const S q = Rough::divisor<S>(c, d);
   // ∂(N·D), and ∂‖N × D‖ = t·(∂N × D + N × ∂D) with t the unit vector along N × D.
   Row<S> d_normal = n.transpose() * d_of_d;
-  d_normal.template segment<3>(indices.normal) += d.transpose();
+  d_normal.template segment<3>(indices.normal()) += d.transpose();
   Row<S> d_tangential = along.cross(n).transpose() * d_of_d;
-  d_tangential.template segment<3>(indices.normal) += d.cross(along).transpose();
+  d_tangential.template segment<3>(indices.normal()) += d.cross(along).transpose();
   Row<S> d_p = n.transpose() * approach.derivatives.of_impulse;
-  d_p.template segment<3>(indices.normal) += approach.impulse.transpose();
+  d_p.template segment<3>(indices.normal()) += approach.impulse.transpose();
   Row<S> numerator = S(c.friction * rebound) * d_p;
   numerator[indices.friction()] += rebound * p;
   numerator[indices.restitution()] += c.friction * p;
@@ -174,8 +174,13 @@ PerVector<Jacobian<S>> outcome_derivatives(const Differentiable<S>& of, Law law,
   return derivatives;
 }
 
+/// The derivatives of a number or of a vector.
+template <class S, int Rows>
+using Derivative = Eigen::Matrix<S, Rows, collision_inputs, Eigen::RowMajor>;
+
 /// Σ_q ‖∂y/∂q‖ ‖q‖. NaN if squares may have left the range of binary64.
-double weighted_norm(const Jacobian<double>& jacobian, const std::vector<Quantity>& quantities) {
+template <int Rows>
+double weighted_norm(const Derivative<double, Rows>& jacobian, const std::vector<Quantity>& quantities) {
   double sum = 0;
   bool is_zero = true;
   for (const Quantity& q : quantities) {
@@ -191,10 +196,10 @@ double weighted_norm(const Jacobian<double>& jacobian, const std::vector<Quantit
 }
 
 /// Σ_q ‖∂y/∂q‖ ‖q‖ with number(derivative) in place of each derivative.
-template <class Number>
-double enclosed_norm(const Jacobian<Enclosure>& jacobian, const std::vector<Quantity>& quantities,
+template <int Rows, class Number>
+double enclosed_norm(const Derivative<Enclosure, Rows>& jacobian, const std::vector<Quantity>& quantities,
                      const Number& number) {
-  return sum_over_quantities(quantities, 3, [&](std::size_t i, std::size_t j) {
+  return sum_over_quantities(quantities, Rows, [&](std::size_t i, std::size_t j) {
     return number(jacobian(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
   });
 }
@@ -332,10 +337,10 @@ double distance_from_cone(const BasicCollision<Enclosure>& c) {
          Enclosure(c.friction * c.normal.dot(scaled) - sqrt(Enclosure(tangential.dot(tangential)))).magnitude_below();
 }
 
-/// ∂(μ N·F), in the first row, and ∂(N × F), for F with κ = 1 + e_t.
+/// ∂(μ N·F) and ∂(N × F), for F with κ = 1 + e_t.
 template <class S>
 struct ConeDerivatives {
-  Jacobian<S> limit = Jacobian<S>::Constant(S(0));
+  Row<S> limit;
   Jacobian<S> tangential = Jacobian<S>::Constant(S(0));
 };
 
@@ -355,17 +360,15 @@ ConeDerivatives<S> cone_derivatives(const Differentiable<S>& of) {
   d_whole.col(indices.restitution()) += approach.impulse;
   d_whole.col(indices.tangential_restitution()) += d;
   const Vector3<S>& n = c.normal;
-  ConeDerivatives<S> result;
-  Row<S> d_limit = c.friction * (n.transpose() * d_whole);
-  d_limit.template segment<3>(indices.normal) += c.friction * whole.transpose();
-  d_limit[indices.friction()] += n.dot(whole);
-  result.limit.row(0) = d_limit;
+  ConeDerivatives<S> result{c.friction * (n.transpose() * d_whole)};
+  result.limit.template segment<3>(indices.normal()) += c.friction * whole.transpose();
+  result.limit[indices.friction()] += n.dot(whole);
   for (Eigen::Index j = 0; j < d_whole.cols(); ++j) {
     const Vector3<S> column = d_whole.col(j);
     result.tangential.col(j) = n.cross(column);
   }
   for (Eigen::Index i = 0; i < 3; ++i) {
-    result.tangential.col(indices.normal + i) += Vector3<S>(Vector3<S>::Unit(i)).cross(whole);
+    result.tangential.col(indices.normal() + i) += Vector3<S>(Vector3<S>::Unit(i)).cross(whole);
   }
   return result;
 }
@@ -383,7 +386,7 @@ ConeDistance cone_distance(const Collision& collision) {
 ConeDistance enclosed_cone_distance(const Collision& collision) {
   const Differentiable<Enclosure> of(collision);
   const ConeDerivatives<Enclosure> derivatives = cone_derivatives(of);
-  const auto above = [&](const Jacobian<Enclosure>& jacobian) {
+  const auto above = [&](const auto& jacobian) {
     return enclosed_norm(jacobian, of.indices.quantities, [](const Enclosure& x) { return x.magnitude_above(); });
   };
   return {distance_from_cone(of.c), above(derivatives.limit) + above(derivatives.tangential)};

@@ -148,6 +148,9 @@ void add_bounds(const KnownCollision& known, std::vector<KnownLine>& lines) {
       append(line.numbers, bounds.colliding_sensitivity_below(law, exact_case.branch(law)));
       if (known.name == "plain" || known.name == "much_friction") {  // exact derivatives take long
         append(line.numbers, exact_sensitivity(known.collision, law, exact_case.branch(law)));
+        if (law == Law::rough && exact_case.branch(law) != Branch::on_cone) {
+          append(line.numbers, exact_sensitivity(known.collision, law, Branch::on_cone));
+        }
       }
     }
   }

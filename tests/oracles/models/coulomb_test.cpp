@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <carom/collision/expects.hpp>
 #include <carom/oracles/judge/exact_case.hpp>
 #include <carom/oracles/models/coulomb.hpp>
 
@@ -79,6 +80,16 @@ TEST(CoulombAnswers, ExistAndSatisfyTheLaw) {
   }
   EXPECT_GT(slides, 30);
   RecordProperty("several", several);
+}
+
+TEST(CoulombAnswersDeathTest, NeedAContactThatApproaches) {
+  if constexpr (CAROM_CHECK_PRECONDITIONS == 1) {
+    for (const double separating : {0.0, 0.25}) {
+      Collision c = ball_on_a_plane(0.25);
+      c.a.velocity = {0, separating, 0};
+      EXPECT_DEATH((void)coulomb_answers(lift(c)), "normal_velocity_before");
+    }
+  }
 }
 
 TEST(CoulombAnswers, MayBeThree) {

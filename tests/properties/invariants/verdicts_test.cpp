@@ -96,6 +96,11 @@ TEST(Seriousness, OrdersViolations) {
   verdict.left = {1, -12};
   verdict.right = {5};
   EXPECT_EQ(verdict.relative_residual(), 0.5);
+  verdict.left = {0.25};
+  verdict.right = {};
+  EXPECT_EQ(verdict.relative_residual(), 24);
+  verdict.left = {1, -12};
+  verdict.right = {5};
   // If the permitted residual is 0, the unit is 2⁻⁵³ times the largest number of `left`, `right` and the collision's
   // velocities. If all are zero, the unit is 2⁻⁵³.
   verdict.allowed = 0;
