@@ -124,6 +124,7 @@ TEST(Annotations, OfASubjectThatCannotBeJudgedSayWhy) {
   EXPECT_EQ(escaped[0].title, "exec:/no/such '100 %: a,b' could not be judged");
   EXPECT_NE(escaped[0].message.find("/no/such"), std::string::npos);
   EXPECT_EQ(escaped[1].title, "carom: not judged");
+  EXPECT_NE(escaped[1].message.find("could not be judged at all"), std::string::npos) << escaped[1].message;
 }
 
 TEST(Annotations, AreNeverWhatASubjectWrites) {

@@ -112,9 +112,13 @@ std::string summary_of(const Run& run) {
   } else if (sound == counted) {
     text = counted == 1 ? "The one subject that counts is sound"
                         : fmt::format("All {} subjects that count are sound", counted);
+  } else if (counted == 1 && violated == 1) {
+    text = "The one subject that counts violates an invariant";
   } else if (counted == 1) {
-    text = violated == 1 ? "The one subject that counts violates an invariant"
-                         : "The one subject that counts could not be judged to the end";
+    const bool is_judged = std::any_of(run.subjects.begin(), run.subjects.end(), [](const JudgedSubject& subject) {
+      return subject.counts && subject.result.cases() > 0;
+    });
+    text = fmt::format("The one subject that counts could not be judged {}", is_judged ? "to the end" : "at all");
   } else {
     text = fmt::format("Of {} subjects that count, {} {} sound, {} {} an invariant", counted, sound,
                        sound == 1 ? "is" : "are", violated, violated == 1 ? "violates" : "violate");
