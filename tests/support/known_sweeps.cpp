@@ -2,6 +2,7 @@
 #include "known_sweeps.hpp"
 
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include <carom/oracles/judge/exact_case.hpp>
@@ -23,17 +24,25 @@ double friction_on_surface(Collision c) {
   return inside;
 }
 
-/// A friction coefficient μ for which the divisor ‖N × D‖ − μ N·D of `rough` is 0, rounded.
-double friction_of_zero_divisor(const Collision& c) {
-  const oracles::detail::RoughImpulses<double> of(c, nullptr);
-  const Vector3<double> d = of.difference();
-  return c.normal.cross(d).norm() / c.normal.dot(d);
+/// A collision with N·D > 0, and with the friction for which the divisor ‖N × D‖ − μ N·D of `rough` is 0, rounded. The
+/// sign of N·D depends on the direction of the slip.
+Collision with_zero_divisor() {
+  for (const double sign : {1.0, -1.0}) {
+    Collision c = plain_collision();
+    c.a.velocity += sign * Vector3<double>(16, -2, 0);
+    const Vector3<double> d = oracles::detail::RoughImpulses<double>(c, nullptr).difference();
+    if (c.normal.dot(d) > 0) {
+      c.friction = c.normal.cross(d).norm() / c.normal.dot(d);
+      return c;
+    }
+  }
+  throw std::logic_error("N·D is negative for both directions");
 }
 
 }  // namespace
 
 std::vector<Sweep> sweeps() {
-  const double zero_divisor = friction_of_zero_divisor(plain_collision());
+  const Collision zero_divisor = with_zero_divisor();
   const double surface = friction_on_surface(plain_collision());
   const auto sweep = [](std::string name, int count, const std::function<void(Collision&, int)>& change) {
     return Sweep{std::move(name), count, [change](int k) {
@@ -70,7 +79,10 @@ std::vector<Sweep> sweeps() {
               c.a.velocity = -c.normal + std::ldexp(1.0, -k) * Vector3<double>(2, -0.25, 0);
             }),
       sweep("divisor of the cone", 54,
-            [=](Collision& c, int k) { c.friction = zero_divisor * (1 + std::ldexp(1.0, -k)); }),
+            [=](Collision& c, int k) {
+              c = zero_divisor;
+              c.friction *= 1 + std::ldexp(1.0, -k);
+            }),
       sweep("tangential velocity", 60, [](Collision& c, int k) {
         c.a.angular_velocity.setZero();
         c.b.angular_velocity.setZero();
