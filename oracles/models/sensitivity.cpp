@@ -330,7 +330,7 @@ double distance_from_cone(const BasicCollision<Enclosure>& c) {
                                                               Enclosure(Enclosure(1.0) + c.tangential_restitution));
   // The scaled impulse has a size near 1, so that its square stays in the range of numbers.
   const double size = whole.unaryExpr([](const Enclosure& x) { return x.middle(); }).lpNorm<Eigen::Infinity>();
-  const double unit = std::isfinite(size) && size > 0 ? std::ldexp(1.0, std::ilogb(size)) : 1;
+  const double unit = std::isnormal(size) ? std::ldexp(1.0, std::ilogb(size)) : 1;
   const Vector3<Enclosure> scaled = whole * Enclosure(1 / unit);
   const Vector3<Enclosure> tangential = c.normal.cross(scaled);
   return unit *

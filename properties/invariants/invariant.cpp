@@ -90,7 +90,9 @@ ExactAnswer lift(const Answer& answer) {
 
 void lift(const Answer& answer, ExactAnswer& into) {
   if (const auto* outcome = std::get_if<ReportedOutcome>(&answer)) {
-    if (!into.emplace<oracles::LiftedOutcome>(*outcome).is_moderate() && !oracles::is_finite(*outcome)) {
+    if (oracles::is_finite(*outcome)) {
+      into.emplace<oracles::LiftedOutcome>(*outcome);
+    } else {
       into = NotFinite{};
     }
   } else if (const auto* skipped = std::get_if<Skipped>(&answer)) {

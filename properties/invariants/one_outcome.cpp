@@ -39,11 +39,11 @@ Verdict untouched_body(const Evidence& e, bool a) {
               holds(e, Relation::equal, what, equation::Untouched{angular_velocity}));
 }
 
-/// Whether the number is zero, or its bounds do not tell it from zero.
-bool may_be_zero(const oracles::Enclosure& x) { return x.sign().value_or(0) == 0; }
+/// Zero if the bounds do not tell the number from zero.
+double rounded_for_print(const oracles::Enclosure& x) { return x.sign().has_value() ? oracles::rounded(x) : 0; }
 template <class T>
-bool may_be_zero(const T& x) {
-  return x == 0;
+double rounded_for_print(const T& exact) {
+  return oracles::rounded(exact);
 }
 
 Verdict check_backward_error(const Evidence& e) {
@@ -66,8 +66,7 @@ Verdict check_backward_error(const Evidence& e) {
     const auto show = [&](const auto& truth) {
       for (int i = 0; i < 3; ++i) {
         verdict.left.push_back((*vectors(e.outcome.rounded())[k])[i]);
-        const auto& exact = (*vectors(truth.outcome)[k])[i];
-        verdict.right.push_back(may_be_zero(exact) ? 0 : oracles::rounded(exact));
+        verdict.right.push_back(rounded_for_print((*vectors(truth.outcome)[k])[i]));
       }
     };
     if (e.yardstick.filtered) {

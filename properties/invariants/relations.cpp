@@ -6,6 +6,7 @@
 
 #include <carom/oracles/filters/stage.hpp>
 #include <carom/properties/draws/relative_velocity.hpp>
+#include <carom/properties/draws/rounded_to_bits.hpp>
 #include <carom/properties/draws/vectors.hpp>
 #include <carom/properties/invariants/invariant_groups.hpp>
 #include <carom/properties/invariants/verdicts.hpp>
@@ -223,11 +224,7 @@ int exponent_above(std::initializer_list<const Vector3<double>*> of) {
   for (const auto* vector : of) {
     largest = std::max(largest, vector->cwiseAbs().maxCoeff());
   }
-  int exponent = 1;
-  if (largest > 0) {
-    std::frexp(largest, &exponent);
-  }
-  return exponent;
+  return largest > 0 ? std::ilogb(largest) + 1 : 1;
 }
 
 /// Rounds to multiples of 2^(exponent − 48). Sums of such multiples below 2^(exponent + 1) are exact in binary64.
@@ -243,13 +240,7 @@ Vector3<double> offset(int exponent) { return Vector3<double>{1, -0.5, 0.75} * s
 
 /// Rounds to 50 bits, so that three times each component is exact.
 Vector3<double> to_50_bits(const Vector3<double>& vector) {
-  Vector3<double> result;
-  for (int i = 0; i < 3; ++i) {
-    int exponent = 0;
-    const double mantissa = std::frexp(vector[i], &exponent);
-    result[i] = std::ldexp(std::round(std::ldexp(mantissa, 50)), exponent - 50);
-  }
-  return result;
+  return vector.unaryExpr([](double x) { return rounded_to_bits(x, 50); });
 }
 
 constexpr double velocity_factor = 3;

@@ -7,6 +7,7 @@
 
 #include <carom/collision/expects.hpp>
 #include <carom/collision/validate.hpp>
+#include <carom/properties/draws/rounded_to_bits.hpp>
 #include <carom/properties/search/shrink.hpp>
 
 namespace carom::properties {
@@ -26,12 +27,6 @@ long complexity(double number) {
   const auto mantissa = static_cast<std::uint64_t>(std::ldexp(std::frexp(std::abs(number), &exponent), mantissa_bits));
   const int bits = mantissa_bits - std::countr_zero(mantissa);
   return 3 * bits + std::abs(exponent - 1) + (number < 0 ? 1 : 0);
-}
-
-double rounded_to_bits(double number, int bits) {
-  int exponent = 0;
-  const double mantissa = std::frexp(number, &exponent);
-  return std::ldexp(std::round(std::ldexp(mantissa, bits)), exponent - bits);
 }
 
 template <class F>

@@ -609,6 +609,21 @@ TEST(Compare, OfExactArithmeticNeedsNoScale) {
   }
 }
 
+/// The impulse overflows.
+TEST(Compare, OfAMatrixIsUndecidedBeyondTheRangeOfNumbers) {
+  Collision c;
+  c.b.immovable = true;
+  c.a.mass = 0x1p+1000;
+  c.a.velocity = {0, -0x1p+100, 0};
+  ReportedOutcome outcome =
+      map_outcome<long double>(unchanged(c), [](double x) { return static_cast<long double>(x); });
+  outcome.a.velocity *= -1;
+  Yardstick yardstick;
+  yardstick.unit_roundoff = 0x1p-53;
+  const LiftedMatrix shown(Matrix3<long double>(Matrix3<long double>::Identity()));
+  EXPECT_FALSE(compare_change_by(shown, ExactCase(c), LiftedOutcome(outcome), yardstick).is_decided);
+}
+
 TEST(Accuracy, IsInfinitelyWrongWhereSomethingHappensThatShouldNot) {
   Collision c;
   c.a.velocity = {0, 1, 0};

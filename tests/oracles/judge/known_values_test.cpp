@@ -80,9 +80,10 @@ std::vector<Asked> asked_equations() {
 }
 
 /// The residual and the permitted residual of each equation.
-KnownLine comparisons(const std::string& name, const Collision& collision, double times, const Yardstick& yardstick) {
+KnownLine comparisons(const std::string& name, const Collision& collision, const ReportedOutcome& reported,
+                      const Yardstick& yardstick) {
   const ExactCase exact_case(collision);
-  const LiftedOutcome outcome(moved(collision, times));
+  const LiftedOutcome outcome(reported);
   KnownLine line{name, {}};
   for (const Asked& asked : asked_equations()) {
     if ((asked.needs_a && collision.a.immovable) || (asked.needs_b && collision.b.immovable)) {
@@ -94,19 +95,26 @@ KnownLine comparisons(const std::string& name, const Collision& collision, doubl
   return line;
 }
 
-/// For three outcomes: moved far, far in the opposite direction, and a little.
+/// For four outcomes: moved far, far in the opposite direction, a little, and far with digits beyond binary64.
 void add_comparisons(const KnownCollision& known, double allowance, std::vector<KnownLine>& lines) {
   for (const double times : {1.0, -1.0, 0x1p-12}) {
     lines.push_back(comparisons(name_of_line(known, allowance, "equations by " + std::to_string(times)),
-                                known.collision, times, yardstick_of(allowance)));
+                                known.collision, moved(known.collision, times), yardstick_of(allowance)));
   }
+  ReportedOutcome extended = moved(known.collision, 1);
+  for (Vector3<long double>* vector : vectors(extended)) {
+    *vector *= 1 + 0x1p-60L;
+  }
+  lines.push_back(comparisons(name_of_line(known, allowance, "equations in extended precision"), known.collision,
+                              extended, yardstick_of(allowance)));
 }
 
 /// As if outputs underflowed at a quarter of the unit of velocity.
 void add_underflow(const KnownCollision& known, std::vector<KnownLine>& lines) {
   Yardstick yardstick = yardstick_of(0x1p-19);
   yardstick.least_size = 0.25;
-  lines.push_back(comparisons(known.name + ", equations with underflow", known.collision, 1, yardstick));
+  lines.push_back(
+      comparisons(known.name + ", equations with underflow", known.collision, moved(known.collision, 1), yardstick));
 }
 
 /// Counts the allowances at which each fact holds. A limit that moves by a fifth changes a count.

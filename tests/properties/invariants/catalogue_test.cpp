@@ -30,6 +30,14 @@ TEST(Theorems, ProveInvariantsOfTheLawsThatClaimThem) {
   EXPECT_FALSE(is_proved_of("restitution", Law::coulomb));
 }
 
+TEST(Invariants, OnlyOneOfTheMatrixRestsOnShapes) {
+  for (const Invariant& invariant : all_invariants()) {
+    if (const auto* about = std::get_if<AboutMatrix>(&invariant.about)) {
+      EXPECT_EQ(about->rests_on_shapes, invariant.name == "well_conditioned") << invariant.name;
+    }
+  }
+}
+
 TEST(Invariants, AreRankedAsCausesFromOneWithoutAGap) {
   std::vector<int> ranks;
   for (const Invariant& invariant : all_invariants()) {

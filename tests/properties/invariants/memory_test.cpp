@@ -42,6 +42,16 @@ TEST(Memoryless, ShowsBothAnswers) {
   EXPECT_EQ(verdict.right, (std::vector<double>{1, 0, 6}));
 }
 
+TEST(Memoryless, ComparesEachNumber) {
+  for (const OutcomeVector k : all_outcome_vectors) {
+    for (int i = 0; i < 3; ++i) {
+      ReportedOutcome again = some_outcome();
+      (*vectors(again)[k])[i] = 7;
+      EXPECT_EQ(verdict_of(some_outcome(), again).status, Status::violated) << name_of(k) << ' ' << i;
+    }
+  }
+}
+
 TEST(Memoryless, TakesZerosForTheSameOnlyAsNumbers) {
   ReportedOutcome again = some_outcome();
   again.a.velocity[1] = -0.0L;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <limits>
+
 #include <gtest/gtest.h>
 
 #include <carom/properties/invariants/invariant.hpp>
@@ -18,6 +20,20 @@ TEST(Finite, AsksForAnOutcomeOfNumbers) {
   EXPECT_EQ(status_of("finite", valid, NotFinite{}), Status::violated);
   EXPECT_EQ(status_of("finite", valid, Refused{"no"}), Status::violated);
   EXPECT_EQ(status_of("finite", valid, Failed{"died"}), Status::violated);
+}
+
+TEST(Finite, RepeatsTheReasonOfARefusal) {
+  const Verdict verdict =
+      std::get<AboutAnswer>(invariant_named("finite")->about).check(Collision{}, Refused{"no"}, Law::any);
+  EXPECT_EQ(verdict.detail, "the subject refused a valid collision: no");
+}
+
+TEST(Lift, KeepsHugeOutcomesThatAreFinite) {
+  ReportedOutcome outcome;
+  outcome.a.velocity = {0x1p+200L, 0, 0};
+  EXPECT_TRUE(std::holds_alternative<oracles::LiftedOutcome>(lift(outcome)));
+  outcome.a.velocity[0] = std::numeric_limits<long double>::infinity();
+  EXPECT_TRUE(std::holds_alternative<NotFinite>(lift(outcome)));
 }
 
 /// A field that the law does not read may be invalid.
