@@ -624,6 +624,20 @@ TEST(Compare, OfAMatrixIsUndecidedBeyondTheRangeOfNumbers) {
   EXPECT_FALSE(compare_change_by(shown, ExactCase(c), LiftedOutcome(outcome), yardstick).is_decided);
 }
 
+/// Without spin, no product of a spin and a lever arm can hide the approach, however slow it is.
+TEST(PermittedInputs, AreNotNeededForASlowContactWithoutSpin) {
+  Collision c;
+  c.a.position = {0.25, 1, 0.5};
+  c.b.position = {-0.5, -1, 0.25};
+  c.a.velocity = {0x1p-20, -0x1p-20, 0};
+  EXPECT_EQ(ExactCase(c).permitted_inputs(0x1p-40), nullptr);
+  c.a.angular_velocity = {0.5, 0, 0};
+  EXPECT_EQ(ExactCase(c).permitted_inputs(0x1p-40), nullptr) << "the spin adds to the approach";
+  c.a.angular_velocity = {0, 0x1p+10, 0};
+  c.a.position = {0, 1, 0};
+  EXPECT_NE(ExactCase(c).permitted_inputs(0x1p-40), nullptr) << "the spin is about the lever arm";
+}
+
 TEST(Accuracy, IsInfinitelyWrongWhereSomethingHappensThatShouldNot) {
   Collision c;
   c.a.velocity = {0, 1, 0};
