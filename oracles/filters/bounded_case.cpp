@@ -105,7 +105,7 @@ const Truth<Enclosure>& BoundedCase::colliding_truth(Law law, Branch branch) con
 }
 
 const Sensitivity& BoundedCase::colliding_sensitivity_below(Law law, Branch branch) const {
-  CAROM_EXPECTS(is_moderate());
+  CAROM_EXPECTS(is_moderate() && (branch != Branch::on_cone || has_clear_divisor()), law);
   return of_law_[law].sensitivity_below.get([&] {
     Sensitivity below = norms_before();
     const Vector3<Approximation> impulse =

@@ -60,8 +60,8 @@ class BoundedCase {
 
   /// A cheap lower bound of the sensitivity of y, the answer of `colliding_truth`: ‖y_k⁻‖ + ½ ‖y_k‖. y is homogeneous
   /// of degree one in the velocities q, so Σ_q ‖∂y_k/∂q‖ ‖q‖ over the velocities is at least ‖y_k‖ (Euler). The factor
-  /// ½ covers the rounding of this bound and of the sensitivity. Preconditions: is_moderate(), and those of
-  /// `colliding_truth`.
+  /// ½ covers the rounding of this bound and of the sensitivity. Preconditions: is_moderate(); has_clear_divisor() if
+  /// `branch` is `on_cone`; those of `colliding_truth`.
   [[nodiscard]] const Sensitivity& colliding_sensitivity_below(Law law, Branch branch) const;
 
   /// Whether the impulse F of the law `rough` lies inside the friction cone (models.hpp). No value if the bounds do not

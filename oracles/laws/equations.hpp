@@ -70,8 +70,9 @@ enum class AffineEquation {
   untouched_angular_velocity_of_b,
 };
 
-/// Whether the equation contains N·V⁺. Its slopes (derivatives with respect to the outcome) contain r × N, a sum that
-/// may cancel, so their computed values may be mostly rounding errors. The slopes of the other equations do not cancel.
+/// Whether the equation contains N·V⁺. Its slopes (norms of derivatives with respect to the outcome) contain ‖r × N‖,
+/// which may cancel, so the computed values may be mostly rounding errors. The slopes of the other equations do not
+/// cancel.
 [[nodiscard]] constexpr bool is_of_normal_velocity(AffineEquation equation) {
   return equation == AffineEquation::restitution || equation == AffineEquation::non_penetration;
 }

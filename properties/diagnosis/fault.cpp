@@ -23,12 +23,12 @@ enum class Step {
   spin_of_a,
   spin_of_b,
   impulse,
-  unknown,  // the law permits many impulses
-  none,     // no step is off by more than a thousandth
+  restitution,  // of a law that permits many impulses
+  none,         // no step is off by more than a thousandth
 };
 constexpr std::array all_steps{Step::immovable_moved, Step::moved_apart, Step::left_as_it_was, Step::reaction,
                                Step::spin_of_both,    Step::spin_of_a,   Step::spin_of_b,      Step::impulse,
-                               Step::unknown,         Step::none};
+                               Step::restitution,     Step::none};
 
 using oracles::Rational;
 using Exact = BasicCollision<Rational>;
@@ -118,7 +118,10 @@ Told told_of(const ViolatedCase& violated, Law law) {
   }
   const std::optional<Vector3<Rational>> right = right_impulse(violated, exact_case, law);
   if (!right) {
-    return {Step::unknown, {}};
+    const Rational restitution =
+        -c.normal.dot(oracles::relative_velocity<Rational>(c, after)) / oracles::normal_velocity_before(c);
+    const bool is_right = std::abs(oracles::nearest_double(Rational(restitution - c.restitution))) <= visible;
+    return {is_right ? Step::none : Step::restitution, {}};
   }
   const Vector3<Rational> computed = oracles::impulse_on_a(c, after, oracles::reads_impulse_off_a(c));
   if (!differ(computed, *right)) {
@@ -279,9 +282,9 @@ Fault fault_of(std::span<const ViolatedCase> cases, Law law) {
     case Step::impulse:
       return {impulse_in_words(shares) + share + limits,
               "the computation of the impulse: the relative velocity, K, the law, limits on any of these"};
-    case Step::unknown:
-      return {"The velocities follow from an impulse, and the law permits many impulses" + share + '.' + limits,
-              "the restitution, and the sign of the impulse along the normal"};
+    case Step::restitution:
+      return {"The velocities follow from an impulse, but the normal velocity after it is not −ε N·V⁻" + share + '.',
+              "the restitution, and the part of the impulse along the normal"};
     case Step::none:
       break;
   }

@@ -55,7 +55,7 @@ const std::array misreadings{
                  b.orientation = {q[3], q[0], q[1], q[2]};
                }},
     // q v q* without the division by q·q multiplies a vector by q·q. J⁻¹ turns twice: into the body frame and back.
-    Misreading{"the quaternion of {} had length 1", "the orientation: divide the quaternion by its length", true,
+    Misreading{"the quaternion of {} were not divided by its length", "the orientation: normalise the quaternion", true,
                [](Body& b, const Body&, const Collision&) {
                  const double squared_length = b.orientation.squaredNorm();
                  b.principal_inertia /= squared_length * squared_length;

@@ -230,8 +230,8 @@ class Sample {
 /// The greatest probability that one search finds a condition by chance. A subject has at most six searches.
 constexpr double greatest_chance = 1e-3;
 
-/// A feature or a family is named only if at least this share of the cases there is violated. Otherwise it misleads,
-/// because a defect on a feature shows in nearly every case of it. A size may be far from the limit in the code.
+/// Conditions other than sizes are named only if at least this share of the cases there is violated. With a smaller
+/// share, such a condition may be a coincidence. A size stays, because it may be far from the limit in the code.
 constexpr double least_share_there = 2.0 / 3;
 
 /// Whether the part is at least nine tenths of the whole.
@@ -258,7 +258,7 @@ Where where_in(const Sample& sample, double left_out) {
       break;
     }
   }
-  const Where without_conditions = where;
+  Where telling = where;
   bool has_sizes_alone = true;
   while (where.conditions.size() < most_conditions && !is_nearly_all(where.violated_there, where.cases_there)) {
     const Literal* best = nullptr;
@@ -299,10 +299,12 @@ Where where_in(const Sample& sample, double left_out) {
     where.violated_there = found;
     where.cases_there = best_here.size();
     here = best_here;
+    if (has_sizes_alone ||
+        static_cast<double>(where.violated_there) >= least_share_there * static_cast<double>(where.cases_there)) {
+      telling = where;
+    }
   }
-  const bool is_telling =
-      static_cast<double>(where.violated_there) >= least_share_there * static_cast<double>(where.cases_there);
-  return is_telling || has_sizes_alone ? where : without_conditions;
+  return telling;
 }
 
 }  // namespace

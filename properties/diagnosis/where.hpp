@@ -31,8 +31,8 @@ struct Violations {
 };
 
 /// Finds a few conditions that nearly all violated cases meet, and as few others as possible. A condition is a feature
-/// or its absence, a size, the approach of the contact, or the family. A feature or a
-/// family is no condition if a third of the cases that meet the conditions are not violated.
+/// or its absence, a size, the approach of the contact, or the family. If a condition is no size, at least two thirds
+/// of the cases that meet all conditions are violated.
 [[nodiscard]] Where where_violated(const GateReport& report, const Violations& violations);
 
 /// The result in one sentence. Empty if there are fewer than `least_violated` violated cases (evidence.hpp).

@@ -5,7 +5,7 @@
 
 namespace carom::properties {
 
-/// The number, rounded to this many bits.
+/// The number, rounded to this many bits. Preconditions: the number is finite; `bits` is positive.
 [[nodiscard]] inline double rounded_to_bits(double number, int bits) {
   int exponent = 0;
   const double mantissa = std::frexp(number, &exponent);

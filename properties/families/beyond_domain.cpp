@@ -43,7 +43,6 @@ double excess_of(const Body& body) {
 double ratio_of_moments(const Body& body) {
   return body.immovable ? 1 : greatest(body.principal_inertia) / least(body.principal_inertia);
 }
-double ratio_of_moments(const Collision& c) { return std::max(ratio_of_moments(c.a), ratio_of_moments(c.b)); }
 
 /// At times, A becomes immovable and only B is chosen.
 std::vector<Body*> chosen_bodies(Stream& stream, Collision& c) {
@@ -70,14 +69,15 @@ double condition_number_at_most(const Collision& c) {
 double moment_excess(const Collision& c) { return std::max(excess_of(c.a), excess_of(c.b)); }
 
 bool is_no_further_beyond_domain(const Collision& collision, const Collision& other) {
-  const auto is_no_further = [&](double (*measure)(const Collision&), double ordinary) {
-    return measure(collision) <= std::max(ordinary, measure(other));
+  const auto is_no_further_in_moments = [](const Body& body, const Body& of_other) {
+    constexpr double free_ratio = 8;
+    return excess_of(body) <= std::max(1.0, excess_of(of_other)) &&
+           ratio_of_moments(body) <= std::max(free_ratio, ratio_of_moments(of_other));
   };
-  constexpr double ordinary_ratio = 8;
-  // If a body is uniform and convex, then K ⪯ 16 λI, so tr(K − λI) / λ is at most 3 · 15.
-  constexpr double ordinary_condition = 1 + 3 * 15;
-  return is_no_further(moment_excess, 1) && is_no_further(ratio_of_moments, ordinary_ratio) &&
-         is_no_further(condition_number_at_most, ordinary_condition);
+  // If both bodies are uniform and convex, then K ⪯ 16 λI, so tr(K − λI) / λ is at most 3 · 15.
+  constexpr double free_condition = 1 + 3 * 15;
+  return is_no_further_in_moments(collision.a, other.a) && is_no_further_in_moments(collision.b, other.b) &&
+         condition_number_at_most(collision) <= std::max(free_condition, condition_number_at_most(other));
 }
 
 void set_moment_excess(Stream& stream, Body& body, double excess) {

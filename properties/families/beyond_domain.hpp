@@ -14,9 +14,9 @@ namespace carom::properties {
 /// For a real body it is at most 1. An immovable body counts as 0.
 [[nodiscard]] double moment_excess(const Collision& collision);
 
-/// Whether a collision is no further beyond the domain that solvers claim than `other`. Three measures decide:
-/// `moment_excess`, `condition_number_at_most`, and the ratio of a body's greatest moment to its least. Each must be at
-/// most that of `other`, or at most that of ordinary bodies.
+/// Whether a collision is no further beyond the domain that solvers claim than `other`, by three measures. Each measure
+/// must be at most that of `other`, or at most a free limit. The excess of moments of a body is free up to 1, the ratio
+/// of its greatest moment to its least up to 8, and `condition_number_at_most` up to 46.
 [[nodiscard]] bool is_no_further_beyond_domain(const Collision& collision, const Collision& other);
 
 /// Sets the moments so that one of them is `excess` times the sum of the others.

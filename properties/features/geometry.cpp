@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include <carom/collision/expects.hpp>
+#include <carom/properties/draws/rounded_to_bits.hpp>
 #include <carom/properties/features/geometry.hpp>
 
 namespace carom::properties::features {
@@ -35,13 +36,7 @@ bool has_ties(const Vector3<double>& v) {
 }
 
 Vector3<double> with_few_bits(const Vector3<double>& v) {
-  Vector3<double> result;
-  for (int i = 0; i < 3; ++i) {
-    int exponent = 0;
-    const double mantissa = std::frexp(v[i], &exponent);
-    result[i] = std::ldexp(std::round(std::ldexp(mantissa, 8)), exponent - 8);
-  }
-  return result;
+  return v.unaryExpr([](double x) { return rounded_to_bits(x, 8); });
 }
 
 double size_of(const Vector3<double>& v) {

@@ -9,7 +9,7 @@
 
 namespace carom::unit {
 
-/// Collisions k = 0, 1, …, count − 1 that differ in one number, which grows or shrinks by powers of two.
+/// Collisions k = 0, 1, …, count − 1 that differ in one parameter, which grows or shrinks by powers of two.
 struct Sweep {
   std::string name;
   int count;

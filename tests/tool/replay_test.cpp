@@ -240,6 +240,21 @@ TEST(Replay, StartsNoProgramThatAFileNames) {
   EXPECT_TRUE(std::filesystem::exists(touched)) << "the same words from the user start it";
 }
 
+TEST(Replay, ShowsTheSpeedOfApproachUnlessTheNormalHasLengthOne) {
+  const TemporaryDirectory directory;
+  Collision collision;
+  collision.a.position = {0, 1, 0};
+  collision.b.position = {0, -1, 0};
+  collision.a.velocity = {0, -3, 0};
+  for (const double length : {1.0, 2.0}) {
+    collision.normal = {0, length, 0};
+    const RunResult result = run_carom({"replay", directory.write("one.json", collision_to_json(collision).dump())});
+    const std::string line =
+        length == 1 ? "  N·V⁻ = -3: colliding\n" : "  N·V⁻ = -6: colliding, at 3 m/s along the normal\n";
+    EXPECT_NE(result.output.find(line), std::string::npos) << result.output;
+  }
+}
+
 TEST(Replay, ShowsEveryAnswerOfCoulomb) {
   const TemporaryDirectory directory;
   const Collision several = unit::case_with_three_answers();
@@ -253,7 +268,7 @@ TEST(Replay, ShowsEveryAnswerOfCoulomb) {
   };
   const std::string text = replay(several, {});
   for (const char* part : {"coulomb, answer 1 of 3, sticks, exactly", "coulomb, answer 3 of 3, slips, with 36 digits",
-                           "  answer 1 of 3: "}) {
+                           "  answer 1 of 3: ", " digits\n"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part << '\n' << text;
   }
   const json answers = json::parse(replay(several, {"--format", "json"})).at("answers").at("coulomb");

@@ -141,7 +141,8 @@ std::string answers_steps(const oracles::ExactCase& exact_case, const std::vecto
 }
 
 std::string digits_in_words(double digits) {
-  return std::isfinite(digits) ? fmt::format("{:.1f} digits", digits) : "no digits, because the exact change is zero";
+  return std::isfinite(digits) ? fmt::format("{:.1f} digits", digits)
+                               : "no digits known: the exact change is zero or out of range";
 }
 
 /// The number of correct digits of an outcome, compared with the nearest answer of the law `coulomb`.

@@ -153,7 +153,9 @@ void add_bounds(const KnownCollision& known, std::vector<KnownLine>& lines) {
     line.numbers.insert(line.numbers.end(),
                         {roughly.distance, roughly.sensitivity, bounds.collision_matrix_sensitivity_below()});
     for (const Law law : laws_with_truth) {
-      append(line.numbers, bounds.colliding_sensitivity_below(law, exact_case.branch(law)));
+      if (exact_case.branch(law) != Branch::on_cone || bounds.has_clear_divisor()) {
+        append(line.numbers, bounds.colliding_sensitivity_below(law, exact_case.branch(law)));
+      }
       if (known.name == "plain" || known.name == "much_friction") {  // exact derivatives take long
         append(line.numbers, exact_sensitivity(known.collision, law, exact_case.branch(law)));
         if (law == Law::rough && exact_case.branch(law) != Branch::on_cone) {

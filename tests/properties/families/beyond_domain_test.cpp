@@ -99,5 +99,27 @@ TEST(BeyondDomain, MeasuresTheTraceOfTheCollisionMatrix) {
   }
 }
 
+TEST(BeyondDomain, IsNoFurtherUpToTheFreeLimitsOrTheOtherCollision) {
+  Collision ordinary;
+  Collision slender = ordinary;
+  slender.a.principal_inertia = {0.1, 1, 1};
+  Collision impossible = ordinary;
+  impossible.b.principal_inertia = {1, 1, 2.5};
+  Collision far = ordinary;
+  far.a.position = {0, 8, 0};
+  for (const Collision& beyond : {slender, impossible, far}) {
+    EXPECT_FALSE(is_no_further_beyond_domain(beyond, ordinary));
+    EXPECT_TRUE(is_no_further_beyond_domain(beyond, beyond));
+    EXPECT_TRUE(is_no_further_beyond_domain(ordinary, beyond));
+  }
+  Collision other_body = ordinary;
+  other_body.b.principal_inertia = slender.a.principal_inertia;
+  EXPECT_FALSE(is_no_further_beyond_domain(other_body, slender)) << "each body counts by itself";
+  Collision at_the_limits = ordinary;
+  at_the_limits.a.principal_inertia = {0.125, 1, 1};
+  at_the_limits.b.principal_inertia = {1, 1, 2};
+  EXPECT_TRUE(is_no_further_beyond_domain(at_the_limits, ordinary));
+}
+
 }  // namespace
 }  // namespace carom::properties

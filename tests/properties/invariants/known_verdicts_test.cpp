@@ -179,6 +179,7 @@ TEST(KnownValues, OfVerdictsInSweeps) {
       const oracles::StageCounts before = oracles::decided_by_stage();
       for (int k = 0; k < sweep.count; k += 24) {
         const JudgedCase judged_case({sweep.collision(k), true});
+        ASSERT_TRUE(judged_case.is_valid()) << sweep.name << ' ' << k;
         const auto solve = [&](const Collision& c) { return right_answer(c, law); };
         for (const NamedVerdict& named : try_case(judged_case, whole_claim(law, 0x1p-53), solve).verdicts) {
           ++counts[named.invariant->name][named.verdict.status];
