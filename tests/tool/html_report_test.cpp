@@ -134,7 +134,7 @@ TEST(HtmlReport, ShowsExactVelocitiesThatAreIrrational) {
 
 TEST(HtmlReport, ShowsTheAnswersOfCoulomb) {
   const auto page =
-      page_of({"gate", "coulomb-double", "--families", "sliding", "--cases", "200", "--limit-ulps", "0.001"});
+      page_of({"gate", "coulomb-double", "--families", "chung_ooi", "--cases", "200", "--limit-ulps", "0.001"});
   EXPECT_TRUE(page->document.select_node("//article//th[text()='answer, slips']"));
   expect_sane_drawings(*page);
 }
