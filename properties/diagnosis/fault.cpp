@@ -68,15 +68,21 @@ bool is_spin_wrong(const Exact& c, const Outcome<Rational>& after, bool of_a) {
 struct Shares {
   double along = 0;
   double across = 0;
-  double restitution = 0;           // of the collision
-  double computed_restitution = 0;  // −N·V⁺/N·V⁻
-  double length = 0;                // ‖F‖ as computed
+  double restitution = 0;  // of the collision
+  double computed_restitution = 0;
+  double length = 0;  // ‖F‖ as computed
 };
 
 struct Told {
   Step step = Step::none;
   std::optional<Shares> shares;  // set if the impulse is wrong
 };
+
+/// −N·V⁺ / N·V⁻. Precondition: the contact collides.
+double computed_restitution(const Exact& c, const Outcome<Rational>& after) {
+  return -oracles::nearest_double(c.normal.dot(oracles::relative_velocity<Rational>(c, after)) /
+                                  oracles::normal_velocity_before(c));
+}
 
 /// The law's impulse on A. Of several answers of `coulomb`, the one nearest to the outcome counts. No value if the law
 /// permits any impulse. Precondition: the contact collides.
@@ -118,9 +124,7 @@ Told told_of(const ViolatedCase& violated, Law law) {
   }
   const std::optional<Vector3<Rational>> right = right_impulse(violated, exact_case, law);
   if (!right) {
-    const Rational restitution =
-        -c.normal.dot(oracles::relative_velocity<Rational>(c, after)) / oracles::normal_velocity_before(c);
-    const bool is_right = std::abs(oracles::nearest_double(Rational(restitution - c.restitution))) <= visible;
+    const bool is_right = std::abs(computed_restitution(c, after) - violated.one.collision.restitution) <= visible;
     return {is_right ? Step::none : Step::restitution, {}};
   }
   const Vector3<Rational> computed = oracles::impulse_on_a(c, after, oracles::reads_impulse_off_a(c));
@@ -132,10 +136,7 @@ Told told_of(const ViolatedCase& violated, Law law) {
   const double length = norm(c.normal);
   return {Step::impulse, Shares{oracles::nearest_double(c.normal.dot(computed)) / right_along,
                                 norm(c.normal.cross(missed)) / length / std::max(norm(*right), norm(computed)),
-                                violated.one.collision.restitution,
-                                -oracles::nearest_double(c.normal.dot(oracles::relative_velocity<Rational>(c, after)) /
-                                                         oracles::normal_velocity_before(c)),
-                                norm(computed)}};
+                                violated.one.collision.restitution, computed_restitution(c, after), norm(computed)}};
 }
 
 bool are_alike(const std::vector<double>& numbers) {

@@ -8,6 +8,7 @@
 #include <carom/properties/families/beyond_domain.hpp>
 #include <carom/properties/families/body_pairs.hpp>
 #include <carom/properties/families/friction.hpp>
+#include <carom/properties/features/geometry.hpp>
 
 namespace carom::properties {
 namespace {
@@ -40,10 +41,6 @@ double excess_of(const Body& body) {
   return body.principal_inertia[largest] / sum(others);
 }
 
-double ratio_of_moments(const Body& body) {
-  return body.immovable ? 1 : greatest(body.principal_inertia) / least(body.principal_inertia);
-}
-
 /// At times, A becomes immovable and only B is chosen.
 std::vector<Body*> chosen_bodies(Stream& stream, Collision& c) {
   switch (stream.integer(0, 3)) {
@@ -72,7 +69,7 @@ bool is_no_further_beyond_domain(const Collision& collision, const Collision& ot
   const auto is_no_further_in_moments = [](const Body& body, const Body& of_other) {
     constexpr double free_ratio = 8;
     return excess_of(body) <= std::max(1.0, excess_of(of_other)) &&
-           ratio_of_moments(body) <= std::max(free_ratio, ratio_of_moments(of_other));
+           features::moment_ratio(body) <= std::max(free_ratio, features::moment_ratio(of_other));
   };
   // If both bodies are uniform and convex, then K ⪯ 16 λI, so tr(K − λI) / λ is at most 3 · 15.
   constexpr double free_condition = 1 + 3 * 15;

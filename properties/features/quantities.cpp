@@ -8,6 +8,7 @@
 #include <carom/collision/validate.hpp>
 #include <carom/properties/draws/relative_velocity.hpp>
 #include <carom/properties/draws/vectors.hpp>
+#include <carom/properties/features/geometry.hpp>
 #include <carom/properties/features/quantities.hpp>
 
 namespace carom::properties {
@@ -42,7 +43,6 @@ double product_of_moments(const Body& b) {
   const V& moments = b.principal_inertia;
   return b.immovable ? 0 : moments[0] * moments[1] * moments[2];
 }
-double moment_ratio(const Body& b) { return b.immovable ? 0 : greatest_moment(b) / least_moment(b); }
 double speed(const Body& b) { return length(b.velocity); }
 double spin(const Body& b) { return length(b.angular_velocity); }
 double quaternion_length(const Body& b) { return b.immovable ? 0 : std::sqrt(squared_length(b.orientation)); }
@@ -62,7 +62,7 @@ const std::array quantities{
                      [](const Collision& c) { return greater(c, greatest_moment); }},
     ComparedQuantity{"the smaller product of a body's three moments [kg³ m⁶]",
                      [](const Collision& c) { return lesser(c, product_of_moments); }},
-    ComparedQuantity{ratio_of_moments, [](const Collision& c) { return greater(c, moment_ratio); }},
+    ComparedQuantity{ratio_of_moments, [](const Collision& c) { return greater(c, features::moment_ratio); }},
     ComparedQuantity{"the shorter lever arm [m]",
                      [](const Collision& c) { return lesser(c, [&](const Body& b) { return arm(c, b); }); }},
     ComparedQuantity{"the longer lever arm [m]",

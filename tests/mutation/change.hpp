@@ -102,10 +102,10 @@ struct Between {
     if (is_on<Id, Constexpr>()) {
       if constexpr (requires { Result(applied<Instead>(std::forward<L>(left), std::forward<R>(right))); }) {
         return Result(applied<Instead>(std::forward<L>(left), std::forward<R>(right)));
-      } else if constexpr (requires(Result result) { Result(result + result); }) {
-        // For example, a quotient of two matrices does not exist.
-        const Result written(applied<Written>(std::forward<L>(left), std::forward<R>(right)));
-        return Result(written + written);
+      } else if constexpr (requires {
+                             -applied<Written>(left, right);
+                           }) {  // for example, a quotient of two matrices does not exist
+        return Result(-applied<Written>(std::forward<L>(left), std::forward<R>(right)));
       } else {
         return Result(std::forward<L>(left));
       }

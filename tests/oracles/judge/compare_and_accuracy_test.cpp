@@ -23,8 +23,7 @@ using unit::ratio;
 /// The exact outcome rounded to binary64, with one vector moved by a multiple of its permitted error, so that both
 /// verdicts occur.
 ReportedOutcome perturbed(const ExactCase& exact_case, Law law, double allowance, properties::Stream& stream) {
-  ReportedOutcome outcome =
-      map_outcome<long double>(exact_case.nearest_truth(law), [](double x) { return static_cast<long double>(x); });
+  ReportedOutcome outcome = reported(exact_case.nearest_truth(law));
   const auto k = static_cast<OutcomeVector>(stream.integer(0, 3));
   const double times = std::pow(10.0, stream.between(-2, 3));
   const Vector3<double> step = stream.direction() * (times * allowance * exact_case.sensitivity(law, allowance)[k]);
@@ -225,8 +224,7 @@ void judge_extreme_collisions(int most) {
   properties::Stream stream = properties::stream_from(static_cast<std::uint64_t>(most));
   for (int i = 0; i < unit::effort(60); ++i) {
     const ExactCase exact_case(extreme_collision(stream, most));
-    const LiftedOutcome outcome(map_outcome<long double>(unchanged(exact_case.collision()),
-                                                         [](double x) { return static_cast<long double>(x); }));
+    const LiftedOutcome outcome(reported(unchanged(exact_case.collision())));
     expect_same_verdicts(exact_case, outcome, yardstick, counts);
     for (const Law law : laws_with_truth) {
       // Exact derivatives with square roots and thousands of digits take seconds.
@@ -478,7 +476,7 @@ TEST(Accuracy, TakesEitherOfTwoAnswers) {
     for (const bool filtered : {false, true}) {
       yardstick.filtered = filtered;
       const auto result_for = [&](const Outcome<double>& outcome) {
-        const auto reported = map_outcome<long double>(outcome, [](double x) { return static_cast<long double>(x); });
+        const auto reported = carom::reported(outcome);
         return accuracy(exact_case, Law::sticking, LiftedOutcome(reported), yardstick);
       };
       Outcome<double> stopped = unchanged(c);
@@ -505,7 +503,7 @@ TEST(Accuracy, IsThatOfTheNearerAnswer) {
   const ExactCase exact_case(c);
   ASSERT_EQ(exact_case.approach(), Approach::colliding);
   ASSERT_TRUE(exact_case.has_two_answers(Law::sticking, yardstick.allowance()));
-  const auto unmoved = map_outcome<long double>(unchanged(c), [](double x) { return static_cast<long double>(x); });
+  const auto unmoved = reported(unchanged(c));
   EXPECT_EQ(
       accuracy(exact_case, Law::sticking, LiftedOutcome(unmoved), yardstick).backward_error(yardstick.unit_roundoff),
       0);
@@ -523,8 +521,7 @@ TEST(Compare, AllowsTheEnergyWhatRoundingOfVelocitiesMakes) {
   c.normal = {1, 0, 0};
   c.b.angular_velocity = {0, -0x1p-11, 0};
   c.b.position = {0, 0, 0x1p-14};
-  Outcome<long double> after =
-      map_outcome<long double>(unchanged(c), [](double x) { return static_cast<long double>(x); });
+  Outcome<long double> after = reported(unchanged(c));
   const auto holds = [&] {
     return compare(equation::Energy{}, Relation::at_most, ExactCase(c), LiftedOutcome(after), yardstick).holds;
   };
@@ -551,8 +548,7 @@ TEST(Compare, AllowsTheFrictionConeWhatRoundingOfTheImpulseMakes) {
     c.normal = {0, 0x1p+5, 0};
     c.friction = 7;
     for (const double times : {85.0, 90.0}) {
-      ReportedOutcome outcome =
-          map_outcome<long double>(unchanged(c), [](double x) { return static_cast<long double>(x); });
+      ReportedOutcome outcome = reported(unchanged(c));
       (of_a ? outcome.a : outcome.b).velocity[0] = times * allowance;
       for (const bool filtered : {false, true}) {
         yardstick.filtered = filtered;
@@ -578,8 +574,7 @@ TEST(Compare, AllowsTheFrictionConeAllDigitsOfExtended) {
     c.a.velocity = {0.75, 0.5, -1};
     c.normal = {0, 0, 1};
     c.friction = (d - times * yardstick.allowance()) / 2;
-    ReportedOutcome outcome =
-        map_outcome<long double>(unchanged(c), [](double x) { return static_cast<long double>(x); });
+    ReportedOutcome outcome = reported(unchanged(c));
     outcome.a.velocity += Vector3<long double>(d, 0, 2);
     for (const bool filtered : {false, true}) {
       yardstick.filtered = filtered;
@@ -596,8 +591,7 @@ TEST(Compare, OfExactArithmeticNeedsNoScale) {
   c.b.immovable = true;
   c.a.mass = 0x1p+1000;
   c.a.velocity = {0, -0x1p+30, 0};
-  ReportedOutcome outcome =
-      map_outcome<long double>(unchanged(c), [](double x) { return static_cast<long double>(x); });
+  ReportedOutcome outcome = reported(unchanged(c));
   outcome.a.velocity *= -2;
   for (const double unit_roundoff : {0.0, 0x1p-53}) {
     Yardstick yardstick;
@@ -615,8 +609,7 @@ TEST(Compare, OfAMatrixIsUndecidedBeyondTheRangeOfNumbers) {
   c.b.immovable = true;
   c.a.mass = 0x1p+1000;
   c.a.velocity = {0, -0x1p+100, 0};
-  ReportedOutcome outcome =
-      map_outcome<long double>(unchanged(c), [](double x) { return static_cast<long double>(x); });
+  ReportedOutcome outcome = reported(unchanged(c));
   outcome.a.velocity *= -1;
   Yardstick yardstick;
   yardstick.unit_roundoff = 0x1p-53;

@@ -17,6 +17,7 @@
 #include <carom/oracles/models/sensitivity.hpp>
 
 #include "support/known_values.hpp"
+#include "support/outcome_of_law.hpp"
 
 /// How far each filter and each fact reaches. A line counts the collisions of a sweep for which each filter decides and
 /// each fact holds. A filter that decides less changes no verdict, but slows the judge.
@@ -34,14 +35,10 @@ Yardstick yardstick_of_sweeps() {
   return yardstick;
 }
 
-ReportedOutcome rounded_truth(const ExactCase& exact_case, Law law) {
-  return map_outcome<long double>(exact_case.nearest_truth(law), [](double x) { return static_cast<long double>(x); });
-}
-
 /// Whether closeness shows the restitution and the energy of the rounded truth.
 std::pair<bool, bool> shown_by_closeness(const ExactCase& exact_case) {
   constexpr Law law = Law::frictionless;
-  const LiftedOutcome outcome(rounded_truth(exact_case, law));
+  const LiftedOutcome outcome(unit::reported_outcome(exact_case, law));
   if (!exact_case.is_moderate(law) || !outcome.is_moderate()) {
     return {false, false};
   }
@@ -66,7 +63,7 @@ std::vector<std::pair<std::string_view, bool>> facts_of(const ExactCase& exact_c
       {"separating", exact_case.approach() == Approach::separating},
       {"is_grazing", exact_case.is_grazing(allowance_of_sweeps)},
       {"permitted_inputs", exact_case.permitted_inputs(allowance_of_sweeps) != nullptr},
-      {"is_bounded_by_1", exact_case.is_bounded_by(Rational(1))},
+      {"is_bounded_by_64", exact_case.is_bounded_by(Rational(64))},
       {"is_collinear", exact_case.is_collinear()},
       {"is_head_on", exact_case.is_head_on()}};
   for (const Law law : laws_with_truth) {
@@ -118,7 +115,7 @@ KnownLine line_of_stages(const Sweep& sweep, Law law) {
   for (int k = 0; k < sweep.count; k += 9) {
     const ExactCase exact_case(sweep.collision(k));
     for (int j = 30; j < 50; ++j) {
-      ReportedOutcome outcome = rounded_truth(exact_case, law);
+      ReportedOutcome outcome = unit::reported_outcome(exact_case, law);
       for (Vector3<long double>* vector : vectors(outcome)) {
         *vector += Vector3<long double>(std::ldexp(1.0L, -j), 0, -std::ldexp(3.0L, -j));
       }

@@ -47,7 +47,7 @@ ReportedOutcome moved(const Collision& c, double times) {
   for (Vector3<double>* vector : vectors(outcome)) {
     *vector += times * by[next++];
   }
-  return map_outcome<long double>(outcome, [](double x) { return static_cast<long double>(x); });
+  return reported(outcome);
 }
 
 struct Asked {

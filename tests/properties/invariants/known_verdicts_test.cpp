@@ -36,7 +36,7 @@ ExactAnswer wrong_answer(const Collision& c) {
   outcome.a.angular_velocity += times * Vector3<double>(2, -7, 1);
   outcome.b.velocity += times * Vector3<double>(-6, -11, 4);
   outcome.b.angular_velocity += times * Vector3<double>(8, 3, -1);
-  ReportedOutcome reported = map_outcome<long double>(outcome, [](double x) { return static_cast<long double>(x); });
+  ReportedOutcome reported = carom::reported(outcome);
   Matrix3<long double> matrix;
   matrix << -1, 0.25L, 0.5L, 0.125L, 2, -0.75L, 0.5L, -0.75L, 30;
   reported.collision_matrix = matrix;

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <carom/properties/invariants/verdicts.hpp>
+#include <carom/properties/trial/trial.hpp>
 
 #include "support/exact.hpp"
 
@@ -171,6 +172,27 @@ TEST(SurelyNear, DoesNotTakeANaNForNear) {
   nothing.b.velocity[1] = std::numeric_limits<long double>::quiet_NaN();
   EXPECT_FALSE(surely_near(nothing, {}, 1, scale));
   EXPECT_FALSE(surely_near({}, nothing, 1, scale));
+}
+
+/// The slender rod strikes with its tip, and its exact velocity after the impulse is zero. Enclosures leave a
+/// remainder.
+TEST(BackwardError, PrintsAnExactZeroAsZero) {
+  Collision c;
+  c.a = {false, 1, {0x1p-26, 1.5625, 1.5625}, {2, 0, 0, 1}, {-0.75, -1, 0}, {0, 0, -1}, {0, 0, 0}};
+  c.b.immovable = true;
+  c.normal = {0, 0, 1};
+  c.restitution = 1;
+  const JudgedCase judged_case({c, true});
+  Claim claim;
+  claim.law = Law::frictionless;
+  claim.yardstick.unit_roundoff = 0x1p-53;
+  claim.invariants = {invariant_named("backward_error")};
+  const Judgement judgement =
+      try_case(judged_case, claim, [](const Collision& at) { return oracles::LiftedOutcome(reported(unchanged(at))); });
+  ASSERT_EQ(judgement.verdicts.size(), 1U);
+  const Verdict& verdict = judgement.verdicts[0].verdict;
+  ASSERT_EQ(verdict.status, Status::violated);
+  EXPECT_EQ(verdict.right[2], 0) << "of both velocities";
 }
 
 }  // namespace
