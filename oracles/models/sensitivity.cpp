@@ -362,7 +362,7 @@ ConeDerivatives<S> cone_derivatives(const Differentiable<S>& of) {
   const Vector3<S>& n = c.normal;
   ConeDerivatives<S> result{c.friction * (n.transpose() * d_whole)};
   result.limit.template segment<3>(indices.normal()) += c.friction * whole.transpose();
-  result.limit[indices.friction()] += n.dot(whole);
+  result.limit[indices.friction()] = n.dot(whole);
   for (Eigen::Index j = 0; j < d_whole.cols(); ++j) {
     const Vector3<S> column = d_whole.col(j);
     result.tangential.col(j) = n.cross(column);

@@ -3,12 +3,12 @@
 #include <cmath>
 #include <vector>
 
+#include <carom/properties/draws/moment_ratio.hpp>
 #include <carom/properties/draws/relative_velocity.hpp>
 #include <carom/properties/draws/vectors.hpp>
 #include <carom/properties/families/beyond_domain.hpp>
 #include <carom/properties/families/body_pairs.hpp>
 #include <carom/properties/families/friction.hpp>
-#include <carom/properties/features/geometry.hpp>
 
 namespace carom::properties {
 namespace {
@@ -69,7 +69,7 @@ bool is_no_further_beyond_domain(const Collision& collision, const Collision& ot
   const auto is_no_further_in_moments = [](const Body& body, const Body& of_other) {
     constexpr double free_ratio = 8;
     return excess_of(body) <= std::max(1.0, excess_of(of_other)) &&
-           features::moment_ratio(body) <= std::max(free_ratio, features::moment_ratio(of_other));
+           moment_ratio(body) <= std::max(free_ratio, moment_ratio(of_other));
   };
   // If both bodies are uniform and convex, then K ⪯ 16 λI, so tr(K − λI) / λ is at most 3 · 15.
   constexpr double free_condition = 1 + 3 * 15;

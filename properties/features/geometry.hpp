@@ -17,11 +17,6 @@ inline constexpr double largest_mass = 1e10;
   return collision.point - body.position;
 }
 
-/// The greatest principal moment of a body over its least; 0 if the body is immovable.
-[[nodiscard]] inline double moment_ratio(const Body& body) {
-  return body.immovable ? 0 : greatest(body.principal_inertia) / least(body.principal_inertia);
-}
-
 [[nodiscard]] inline bool is_zero(const Vector3<double>& v) { return (v.array() == 0).all(); }
 
 /// Whether both vectors are nonzero and one is exactly a multiple of the other.

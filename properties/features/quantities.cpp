@@ -6,6 +6,7 @@
 
 #include <carom/collision/expects.hpp>
 #include <carom/collision/validate.hpp>
+#include <carom/properties/draws/moment_ratio.hpp>
 #include <carom/properties/draws/relative_velocity.hpp>
 #include <carom/properties/draws/vectors.hpp>
 #include <carom/properties/features/geometry.hpp>
@@ -62,7 +63,7 @@ const std::array quantities{
                      [](const Collision& c) { return greater(c, greatest_moment); }},
     ComparedQuantity{"the smaller product of a body's three moments [kg³ m⁶]",
                      [](const Collision& c) { return lesser(c, product_of_moments); }},
-    ComparedQuantity{ratio_of_moments, [](const Collision& c) { return greater(c, features::moment_ratio); }},
+    ComparedQuantity{ratio_of_moments, [](const Collision& c) { return greater(c, moment_ratio); }},
     ComparedQuantity{"the shorter lever arm [m]",
                      [](const Collision& c) { return lesser(c, [&](const Body& b) { return arm(c, b); }); }},
     ComparedQuantity{"the longer lever arm [m]",

@@ -293,6 +293,22 @@ TEST(Closeness, ShowsNothingThatTheTruthDoesNotSatisfy) {
   EXPECT_FALSE(reflection.shows_energy());
 }
 
+/// The errors are relative to the lengths before the impulse.
+TEST(Closeness, ShowsVectorsUntouchedUpToTheAllowance) {
+  const ExactCase exact_case(unit::case_of("separating", 0).collision);
+  const Collision& c = exact_case.collision();
+  const LiftedOutcome outcome(reported(unchanged(c)));
+  constexpr double allowance = 0x1p-48;
+  for (const double times : {0.99, 1.01}) {
+    PerVector<double> errors = exact_case.bounds().norms_before();
+    for (double& error : errors) {
+      error *= times * allowance;
+    }
+    const Closeness closeness(exact_case.bounds(), Law::reflection, outcome, errors, allowance);
+    EXPECT_EQ(closeness.shows_untouched(all_outcome_vectors), times < 1) << times;
+  }
+}
+
 /// An equation depends on a vector if the slope for this vector is not always zero.
 TEST(Closeness, KnowsTheVectorsThatAnEquationSpeaksOf) {
   for (const Equation& equation : affine_equations) {

@@ -153,6 +153,12 @@ TEST_F(CertifiedRough, DoesNotStopShortOfItsSurface) {
             "the truth of `rough` does not satisfy its share of friction");
 }
 
+TEST_F(CertifiedRough, HasNoMoreFrictionThanTheWholeOnTheSurface) {
+  exact.tangential_restitution = Rational(-1, 2);
+  EXPECT_EQ(said_of({Rational(3, 4), Rational(6), Rational(0)}),
+            "the truth of `rough` does not satisfy its share of friction");
+}
+
 TEST_F(CertifiedRough, IsMadeOfTheAnswersOfItsLaws) {
   parts.point_stopped.a.velocity[0] += 1;
   EXPECT_EQ(said_of({Rational(3, 4), Rational(6), Rational(0)}),

@@ -7,6 +7,7 @@
 #include <carom/collision/validate.hpp>
 #include <carom/oracles/judge/exact_case.hpp>
 #include <carom/oracles/laws/equations.hpp>
+#include <carom/properties/draws/moment_ratio.hpp>
 #include <carom/properties/families/beyond_domain.hpp>
 
 #include "support/cases.hpp"
@@ -15,16 +16,6 @@ namespace carom::properties {
 namespace {
 
 constexpr std::uint64_t drawn_cases = 400;
-
-/// The greater of the bodies' ratios of largest to smallest moment.
-double moment_ratio(const Collision& c) {
-  double ratio = 1;
-  for (const Body* body : {&c.a, &c.b}) {
-    const Vector3<double>& moments = body->principal_inertia;
-    ratio = body->immovable ? ratio : std::max(ratio, moments.maxCoeff() / moments.minCoeff());
-  }
-  return ratio;
-}
 
 struct Drawn {
   int colliding = 0;
@@ -93,7 +84,9 @@ TEST(BeyondDomain, MeasuresTheTraceOfTheCollisionMatrix) {
           oracles::to_double(oracles::Rational(exact_case.collision_matrix().trace()) / lambda - oracles::Rational(2));
       const double measured = condition_number_at_most(exact_case.collision());
       // The rotated lever arm has a rounding error of u times its length, which a small moment may divide.
-      const double rounding = 64 * 0x1p-53 * exact * std::max(1.0, moment_ratio(exact_case.collision()));
+      const double rounding =
+          64 * 0x1p-53 * exact *
+          std::max({1.0, moment_ratio(exact_case.collision().a), moment_ratio(exact_case.collision().b)});
       EXPECT_NEAR(measured, exact, rounding) << family << ' ' << i;
     }
   }

@@ -166,6 +166,19 @@ TEST(ShownMatrix, IsToBeDefiniteAlsoAcrossTheImpulse) {
       {"definite"});
 }
 
+TEST(ShownMatrix, IsPrintedBesideTheBoundOnTheDiagonal) {
+  const ShownSolve one = shown_solve("generic", 0);
+  const Verdict verdict = verdict_of("definite", one, Matrix(-one.matrix()), false);
+  ASSERT_EQ(verdict.status, Status::violated);
+  ASSERT_EQ(verdict.right.size(), 9U);
+  for (std::size_t i = 0; i < 9; ++i) {
+    EXPECT_EQ(verdict.right[i] > 0, i % 4 == 0) << i;
+    EXPECT_EQ(verdict.left[i],
+              static_cast<double>(-one.matrix()(static_cast<Eigen::Index>(i / 3), static_cast<Eigen::Index>(i % 3))))
+        << i;
+  }
+}
+
 TEST(ShownMatrix, IsNothingWhereItIsNotFinite) {
   for (const long double wrong :
        {std::numeric_limits<long double>::quiet_NaN(), std::numeric_limits<long double>::infinity()}) {
