@@ -7,7 +7,7 @@ namespace carom::oracles {
 
 bool is_positive_definite(const Matrix3<Rational>& matrix) {
   const auto minors = principal_minors(matrix);
-  return minors[0] > 0 && minors[3] > 0 && minors[6] > 0;
+  return std::all_of(minors.begin(), minors.end(), [](const Rational& minor) { return minor > 0; });
 }
 
 bool is_positive_semidefinite(const Matrix3<Rational>& matrix) {

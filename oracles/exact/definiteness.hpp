@@ -17,7 +17,7 @@ template <class T>
   return {m(0, 0), m(1, 1), m(2, 2), minor(0, 1), minor(0, 2), minor(1, 2), determinant};
 }
 
-/// Whether xᵀ M x > 0 for every x ≠ 0, by the leading minors (Sylvester).
+/// Whether xᵀ M x > 0 for every x ≠ 0, by all seven principal minors (Sylvester).
 [[nodiscard]] bool is_positive_definite(const Matrix3<Rational>& matrix);
 
 /// Whether xᵀ M x ≥ 0 for every x, by all seven principal minors. The leading minors do not suffice: those of diag(0,

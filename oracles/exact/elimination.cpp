@@ -102,7 +102,7 @@ Rational velocity_before_along(const BasicCollision<Rational>& c, const Vector3<
 
 /// Two vectors that span the plane normal to N.
 std::array<Vector3<Rational>, 2> tangents(const Vector3<Rational>& n) {
-  Eigen::Index largest = 0;
+  Eigen::Index largest{};
   n.cwiseAbs().maxCoeff(&largest);
   std::array<Vector3<Rational>, 2> result;
   for (int k = 0; k < 2; ++k) {

@@ -116,7 +116,7 @@ std::ostream& operator<<(std::ostream& out, const Rational& number) {
 Rational lift(long double number) {
   CAROM_EXPECTS(std::isfinite(number), number);
   // Splitting the mantissa into doubles works for every format of long double.
-  int exponent = 0;
+  int exponent{};
   Rational result;
   for (long double rest = std::frexp(number, &exponent); rest != 0;) {
     const auto piece = static_cast<double>(rest);
@@ -136,19 +136,16 @@ Outcome<Rational> lift(const Outcome<long double>& outcome) {
 
 double nearest_double(const Rational& number) {
   // mpq_get_d rounds toward zero, so the nearest number is `below` or its neighbour away from zero.
+  // For zero, `above` is NaN.
   const double below = to_double(number);
-  const double away = number < 0 ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity();
-  const double above = std::nextafter(below, away);
+  const double above = std::nextafter(below, sign_of(number) * std::numeric_limits<double>::infinity());
   if (!std::isfinite(above)) {
     return below;
   }
   const Rational to_below = abs(number - Rational(below));
   const Rational to_above = abs(Rational(above) - number);
-  if (to_below != to_above) {
-    return to_below < to_above ? below : above;
-  }
   const bool below_is_even = (std::bit_cast<std::uint64_t>(below) & 1U) == 0;
-  return below_is_even ? below : above;
+  return to_below < to_above || (to_below == to_above && below_is_even) ? below : above;
 }
 
 std::string to_text(const Rational& number) {

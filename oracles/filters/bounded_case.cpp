@@ -155,7 +155,7 @@ const Enclosure& BoundedCase::enclosed_inverse_mass() const {
 double BoundedCase::collision_matrix_sensitivity_below() const {
   CAROM_EXPECTS(is_moderate());
   return collision_matrix_sensitivity_below_.get([this] {
-    double largest_terms = 0;
+    double largest_terms{};
     for (const Body* body : {&collision_.a, &collision_.b}) {
       if (!body->immovable) {
         largest_terms += lever_arm(*body, collision_.point).squaredNorm() / body->principal_inertia.minCoeff();

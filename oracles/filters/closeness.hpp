@@ -42,7 +42,7 @@ class Closeness {
   PerVector<double> error_above_{};
   PerVector<double> sizes_{};  // ‖ŷ_k‖ + ‖y_k⁻‖
   PerVector<bool> is_close_{};
-  double allowance_ = 0;
+  double allowance_{};
 };
 
 }  // namespace carom::oracles

@@ -9,13 +9,8 @@ namespace {
 /// chance.
 Collision general_collision() {
   Collision c;
-  double next = 1;
-  for_each_number(
-      [&](const FieldPath&, double& number) {
-        number = next / 8;
-        next += 1 / next;
-      },
-      c);
+  double last = 1;
+  for_each_number([&](const FieldPath&, double& number) { number = last += 1 / last; }, c);
   return c;
 }
 

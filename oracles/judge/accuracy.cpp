@@ -193,8 +193,7 @@ Accuracy accuracy_as(const ExactCase& exact_case, Law law, Approach as, const Li
   };
   // If a lower bound of the sensitivity permits an error, the sensitivity permits it too, and is finite for moderate
   // numbers. The reported errors depend neither on the sensitivity nor on `known`.
-  if (yardstick.uses_bounds() && known > 0 && as == exact_case.approach() && exact_case.is_moderate(law) &&
-      outcome.is_moderate()) {
+  if (yardstick.uses_bounds() && as == exact_case.approach() && exact_case.is_moderate(law) && outcome.is_moderate()) {
     const Sensitivity& below = exact_case.sensitivity_below(law);
     const auto bounded = by_enclosures(below);
     if (bounded && bounded->is_allowed() && bounded->backward_error(yardstick.unit_roundoff) <= known) {
@@ -225,8 +224,8 @@ Accuracy accuracy_as(const ExactCase& exact_case, Law law, Approach as, const Li
   });
 }
 
-bool passes(const Accuracy& accuracy, const Yardstick& yardstick) {
-  return accuracy.is_decided && (accuracy.is_allowed() || (yardstick.digits && accuracy.has_digits));
+bool passes(const Accuracy& accuracy) {
+  return accuracy.is_decided && (accuracy.is_allowed() || accuracy.has_digits.value_or(false));
 }
 
 }  // namespace
@@ -245,11 +244,11 @@ Accuracy accuracy(const ExactCase& exact_case, Law law, const LiftedOutcome& out
   }
   const Approach other = approach == Approach::colliding ? Approach::separating : Approach::colliding;
   Accuracy result = accuracy_as(exact_case, law, other, outcome, yardstick, known);
-  if (!passes(result, yardstick)) {
+  if (!passes(result)) {
     return own;
   }
   const bool is_nearer = result.backward_error(yardstick.unit_roundoff) < own.backward_error(yardstick.unit_roundoff);
-  if (passes(own, yardstick) && !is_nearer) {
+  if (passes(own) && !is_nearer) {
     return own;
   }
   result.is_of_truth = false;

@@ -310,8 +310,8 @@ Comparison compare_one(const OneEquation& equation, Relation relation, const Exa
   }
   count(Stage::rational);
   const auto sides = equation(exact_case.exact(), outcome.exact());
-  const auto missed = missing(sides, relation, [](const Rational& x, int sign) { return x * sign >= 0; });
-  if (missed.empty() || norm_at_most(missed, 0)) {
+  const auto missed = missing(sides, relation, [](const Rational& x, int sign) { return sign_of(x) != -sign; });
+  if (norm_at_most(missed, 0)) {
     return {};
   }
   const std::optional<double> bound = allowed();

@@ -38,7 +38,7 @@ Sensitivity second_order_scale(const Collision& c) {
     speed += norm_of(body->velocity) + norm_of(body->angular_velocity) * reach(*body);
     lambda += body->immovable ? 0 : 1 / body->mass;
   }
-  const double impulse = lambda > 0 ? 2 * speed / lambda : 0;
+  const double impulse = 2 * speed / lambda;  // not used if both bodies are immovable
   const auto of_velocity = [&](const Body& body) {
     return norm_of(body.velocity) + (body.immovable ? 0 : impulse / body.mass);
   };
@@ -73,6 +73,11 @@ double sensitivity_of_normal_velocity(const Collision& c) {
 }
 
 std::optional<int> known_sign(const Rational& x) { return sign_of(x); }
+
+/// Whether no divisor of the law's formula on this branch may be zero.
+bool has_clear_divisor(const BoundedCase& bounds, Branch branch) {
+  return branch != Branch::on_cone || bounds.has_clear_divisor();
+}
 
 }  // namespace
 
@@ -277,21 +282,20 @@ bool ExactCase::has_two_answers(Law law, double allowance) const {
 const Sensitivity& ExactCase::colliding_first_order(Law law, Branch branch) const {
   // Binary64 if it keeps ten digits, otherwise double-double arithmetic if it keeps three, otherwise exact arithmetic.
   return of_law_[law].colliding_sensitivity[branch].get([&]() -> Sensitivity {
-    std::optional<Sensitivity> known;
-    if (bounds_.is_moderate() && bounds_.is_well_conditioned() &&
-        (branch != Branch::on_cone || bounds_.has_clear_divisor())) {
-      known = colliding_sensitivity(collision(), law, branch);
+    if (bounds_.is_moderate() && bounds_.is_well_conditioned() && has_clear_divisor(bounds_, branch)) {
+      if (const auto known = colliding_sensitivity(collision(), law, branch)) {
+        return *known;
+      }
     }
-    if (!known) {
-      known = enclosed_sensitivity(collision(), law, branch, bounds_.is_moderate());
+    if (const auto known = enclosed_sensitivity(collision(), law, branch, bounds_.is_moderate())) {
+      return *known;
     }
-    return known ? *known : exact_sensitivity(collision(), law, branch);
+    return exact_sensitivity(collision(), law, branch);
   });
 }
 
 bool ExactCase::is_moderate(Law law) const {
-  return bounds_.is_moderate() &&
-         (approach() == Approach::inert || branch(law) != Branch::on_cone || bounds_.has_clear_divisor());
+  return bounds_.is_moderate() && (approach() == Approach::inert || has_clear_divisor(bounds_, branch(law)));
 }
 
 const Sensitivity& ExactCase::sensitivity_below(Law law) const {

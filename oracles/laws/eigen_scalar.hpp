@@ -13,7 +13,7 @@ struct EigenScalar : Eigen::GenericNumTraits<T> {
   using NonInteger = T;
   using Nested = T;
   using Literal = T;
-  static int digits10() { return 0; }  // the number of digits is not fixed
+  static int digits10() { return {}; }  // the number of digits is not fixed
   enum {
     IsInteger = 0,
     IsSigned = 1,

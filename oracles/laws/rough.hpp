@@ -58,7 +58,7 @@ void certify_rough(const BasicCollision<T>& collision, const Outcome<T>& outcome
   const Sides<T, 1> cone = squared_cone(collision, impulse);
   demand(!(collision.normal.dot(impulse) < T(0)) && !(cone.left[0] > cone.right[0]), "the friction cone");
   const T whole = T(1) + collision.tangential_restitution;
-  demand(share == whole || (!(share < T(0)) && !(share > whole) && cone.left[0] == cone.right[0]),
+  demand(!(share < T(0)) && !(share > whole) && (share == whole || cone.left[0] == cone.right[0]),
          "its share of friction");
 }
 

@@ -39,7 +39,7 @@ struct Differentiable {
 template <class S>
 struct Wanted {
   Vector3<S> change;
-  Jacobian<S> derivative = Jacobian<S>::Constant(S(0));
+  Jacobian<S> derivative = Jacobian<S>::Zero();
 };
 
 /// The wanted change, differentiated through V⁻ by the chain rule. `restitution` is ε, with or without a derivative.
@@ -47,7 +47,7 @@ template <class LawType, class S>
 Wanted<S> wanted_of(const Differentiable<S>& of, const Dual<S, 7>& restitution) {
   const BasicCollision<S>& c = of.c;
   Wanted<S> result;
-  Jacobian<S> d_velocity = Jacobian<S>::Constant(S(0));
+  Jacobian<S> d_velocity = Jacobian<S>::Zero();
   const auto add_body = [&](const BasicBody<S>& body, const InputIndices::OfBody& index, int sign) {
     constexpr int own = 9;  // position, velocity, angular velocity; and the contact point
     using T = Dual<S, own + 3>;
@@ -96,8 +96,8 @@ using Row = Eigen::Matrix<S, 1, collision_inputs>;
 /// κ of `rough` (rough.hpp), and its derivatives.
 template <class S>
 struct Share {
-  S value{0};
-  Row<S> derivative = Row<S>::Constant(S(0));
+  S value{};
+  Row<S> derivative = Row<S>::Zero();
 };
 
 template <class S>
@@ -204,14 +204,13 @@ double enclosed_norm(const Derivative<Enclosure, Rows>& jacobian, const std::vec
   });
 }
 
-/// The factor by which rounding errors grow. The terms of K are at most T = λ + Σ ‖r‖² / min I, and K ⪰ λI. So T / λ
-/// bounds the condition number of K, and the cancellation in r × F. On the cone's surface, the terms of the divisor ‖N
-/// × D‖ − μ N·D of `rough` may cancel, too. ‖D‖ is at most Σ (‖v‖ + ‖w‖ ‖r‖) / λ.
+}  // namespace
+
 double growth_of_roundings(const Collision& collision, const BasicCollision<Enclosure>& enclosed, Law law,
                            Branch branch) {
   const double lambda = inverse_mass(collision);
   double terms = lambda;
-  double largest_impulse = 0;
+  double largest_impulse{};
   for (const Body* body : {&collision.a, &collision.b}) {
     const double arm = norm_of(lever_arm<double>(*body, collision.point));
     terms += body->immovable ? 0 : arm * arm / body->principal_inertia.minCoeff();
@@ -224,6 +223,8 @@ double growth_of_roundings(const Collision& collision, const BasicCollision<Encl
   const double divisor = Rough::divisor<Enclosure>(enclosed, d).magnitude_below();
   return terms / lambda * (1 + collision.friction) * norm_of(collision.normal) * largest_impulse / divisor;
 }
+
+namespace {
 
 constexpr double thousandth = 0x1p-10;
 
@@ -341,7 +342,7 @@ double distance_from_cone(const BasicCollision<Enclosure>& c) {
 template <class S>
 struct ConeDerivatives {
   Row<S> limit;
-  Jacobian<S> tangential = Jacobian<S>::Constant(S(0));
+  Jacobian<S> tangential = Jacobian<S>::Zero();
 };
 
 template <class S>

@@ -49,6 +49,13 @@ inline constexpr double ten_digits = 0x1p-34;
 [[nodiscard]] std::optional<Sensitivity> enclosed_sensitivity(const Collision& collision, Law law, Branch branch,
                                                               bool is_moderate);
 
+/// A bound of the growth of rounding errors in the answer's derivatives. The terms of K are at most
+/// T = λ + Σ ‖r‖² / min I, and K ⪰ λI. So T / λ bounds the condition number of K, and the cancellation in r × F. On the
+/// cone's surface, the terms of the divisor ‖N × D‖ − μ N·D of `rough` may cancel, too. ‖D‖ is at most
+/// Σ (‖v‖ + ‖w‖ ‖r‖) / λ. `enclosed` is the same collision. Precondition: a body is movable.
+[[nodiscard]] double growth_of_roundings(const Collision& collision, const BasicCollision<Enclosure>& enclosed, Law law,
+                                         Branch branch);
+
 /// `colliding_sensitivity` by exact differentiation of the whole law.
 [[nodiscard]] Sensitivity exact_sensitivity(const Collision& collision, Law law, Branch branch);
 

@@ -51,7 +51,7 @@ Verdict check_backward_error(const Evidence& e) {
   if (!accuracy.is_decided) {
     return e.exact_case.is_open(e.law, e.allowance()) ? between_two_answers() : beyond_range();
   }
-  const bool enough_digits = e.yardstick.digits && accuracy.has_digits;
+  const bool enough_digits = accuracy.has_digits.value_or(false);
   Verdict worst;
   for (const OutcomeVector k : all_outcome_vectors) {
     if (accuracy.allowed[k] || enough_digits) {

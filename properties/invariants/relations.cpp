@@ -261,12 +261,10 @@ template <class T>
 Outcome<T> plus_added_velocity(const Outcome<T>& y, std::span<const Related> related) {
   const auto& from = collision_in<T>(related[0].exact_case);
   const auto& to = collision_in<T>(related[1].exact_case);
-  const auto added = [](const auto& before, const auto& after) {
-    return Vector3<T>(after.template cast<T>() - before.template cast<T>());
-  };
   const auto shifted = [&](const BodyVelocity<T>& motion, const auto& before, const auto& after) {
-    return BodyVelocity<T>{motion.velocity + added(before.velocity, after.velocity),
-                           motion.angular_velocity + added(before.angular_velocity, after.angular_velocity)};
+    return BodyVelocity<T>{
+        Vector3<T>(motion.velocity + (after.velocity.template cast<T>() - before.velocity.template cast<T>())),
+        motion.angular_velocity};
   };
   return {shifted(y.a, from.a, to.a), shifted(y.b, from.b, to.b)};
 }

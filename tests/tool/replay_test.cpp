@@ -256,6 +256,20 @@ TEST(Replay, ShowsTheSpeedOfApproachUnlessTheNormalHasLengthOne) {
   }
 }
 
+/// The squares of these velocities overflow, so the relative error has no value.
+TEST(Replay, SaysThatTheDigitsAreUnknownIfSquaresOverflow) {
+  const TemporaryDirectory directory;
+  json collision = cube_on_floor();
+  collision["a"]["velocity"] = {-1e200, -1e200, 3e199};
+  collision["a"]["principal_inertia"] = {0.5, 0.4, 0.3};
+  collision["normal"] = {0.1, 1, 0.7};
+  const RunResult result =
+      run_carom({"replay", directory.write("huge.json", collision.dump()), "--subject", "reflection-double"});
+  EXPECT_EQ(result.exit_status, 0) << result.errors;
+  EXPECT_NE(result.output.find(" ulps, no digits known: the exact change is zero or out of range"), std::string::npos)
+      << result.output;
+}
+
 TEST(Replay, ShowsEveryAnswerOfCoulomb) {
   const TemporaryDirectory directory;
   const Collision several = unit::case_with_three_answers();

@@ -30,11 +30,12 @@ Coefficients with_roots(const std::vector<Rational>& roots) {
 
 void expect_positive_roots(const std::vector<Rational>& expected, const Coefficients& polynomial,
                            const Coefficients& side = everywhere) {
-  constexpr int bits = 60;
-  const std::vector<Rational> roots = positive_roots(polynomial, side, bits);
-  ASSERT_EQ(roots.size(), expected.size());
-  for (std::size_t i = 0; i < roots.size(); ++i) {
-    EXPECT_LE(abs(Rational(roots[i] - expected[i])), expected[i].times_power_of_two(-bits)) << expected[i];
+  for (const int bits : {1, 60}) {
+    const std::vector<Rational> roots = positive_roots(polynomial, side, bits);
+    ASSERT_EQ(roots.size(), expected.size());
+    for (std::size_t i = 0; i < roots.size(); ++i) {
+      EXPECT_LE(abs(Rational(roots[i] - expected[i])), expected[i].times_power_of_two(-bits)) << expected[i];
+    }
   }
 }
 

@@ -242,6 +242,22 @@ TEST(Closeness, LeavesANormalVelocityThatCancelsToOthers) {
   EXPECT_FALSE(closeness.shows(equation::NonPenetration{}));
 }
 
+/// N·V⁺ is a difference of spins alone. Its slope must be at least 2⁻²⁵ times the lengths that cancel in it.
+TEST(Closeness, KnowsANormalVelocityByTheSpinOfEitherBody) {
+  for (Body Collision::*spinning : {&Collision::a, &Collision::b}) {
+    for (const double sine : {1.1 * 0x1p-25, 0.9 * 0x1p-25}) {
+      Collision c;
+      c.normal = {0, 0, 2};
+      (c.*spinning).position = {-3 * sine, 0, -3};
+      (c.*spinning).angular_velocity = {0, 5, 0};
+      const ExactCase exact_case(c);
+      const LiftedOutcome outcome(reported(unchanged(c)));
+      const Closeness closeness(exact_case.bounds(), Law::frictionless, outcome, PerVector<double>{}, 0x1p-48);
+      EXPECT_EQ(closeness.shows(equation::NonPenetration{}), sine > 0x1p-25) << sine;
+    }
+  }
+}
+
 /// Whether closeness shows the energy if the impulse leaves the vector k of body A with the length `along_x`.
 bool shows_energy(const Collision& c, OutcomeVector k, double along_x) {
   const ExactCase exact_case(c);
@@ -262,19 +278,31 @@ TEST(Closeness, LeavesAnEnergyWhoseSlopeCancelsToOthers) {
     c.a.principal_inertia.setConstant(unit);
     Collision spins = c;
     spins.a.angular_velocity = {0x1p+10, 0, 0};
-    EXPECT_TRUE(shows_energy(spins, OutcomeVector::angular_velocity_of_a, 0x1p-8)) << unit;
-    EXPECT_FALSE(shows_energy(spins, OutcomeVector::angular_velocity_of_a, 0x1p-10)) << unit;
+    EXPECT_TRUE(shows_energy(spins, OutcomeVector::angular_velocity_of_a, 1.1 * 0x1p-9)) << unit;
+    EXPECT_FALSE(shows_energy(spins, OutcomeVector::angular_velocity_of_a, 0.9 * 0x1p-9)) << unit;
     Collision slides = c;
     slides.a.velocity = {0x1p+10, 0, 0};
-    EXPECT_TRUE(shows_energy(slides, OutcomeVector::velocity_of_a, 0x1p-8)) << unit;
-    EXPECT_FALSE(shows_energy(slides, OutcomeVector::velocity_of_a, 0x1p-10)) << unit;
+    EXPECT_TRUE(shows_energy(slides, OutcomeVector::velocity_of_a, 1.1 * 0x1p-9)) << unit;
+    EXPECT_FALSE(shows_energy(slides, OutcomeVector::velocity_of_a, 0.9 * 0x1p-9)) << unit;
     // The lengths: 2¹⁰ for A before and after, 2¹⁰ for the wall's velocity, and 2⁹ · 2 for its spin about the arm.
     slides.b.immovable = true;
     slides.b.velocity = {0x1p+10, 0, 0};
     slides.b.position = {0, -2, 0};
     slides.b.angular_velocity = {0, 0x1p+9, 0};
-    EXPECT_TRUE(shows_energy(slides, OutcomeVector::velocity_of_a, 0x1p+10 + 0x1p-6)) << unit;
-    EXPECT_FALSE(shows_energy(slides, OutcomeVector::velocity_of_a, 0x1p+10 + 0x1p-8)) << unit;
+    EXPECT_TRUE(shows_energy(slides, OutcomeVector::velocity_of_a, 0x1p+10 + 1.1 * 0x1p-7)) << unit;
+    EXPECT_FALSE(shows_energy(slides, OutcomeVector::velocity_of_a, 0x1p+10 + 0.9 * 0x1p-7)) << unit;
+  }
+}
+
+/// An outcome without error is the truth, so its energy needs no slope.
+TEST(Closeness, ShowsTheEnergyOfAnOutcomeWithoutErrorWhoseSlopeCancels) {
+  Collision c;
+  c.a.velocity = {0x1p+10, 0, 0};
+  const ExactCase exact_case(c);
+  const LiftedOutcome at_rest(ReportedOutcome{});
+  for (const double error : {0.0, 0x1p-60}) {
+    const Closeness closeness(exact_case.bounds(), Law::frictionless, at_rest, {error, 0, 0, 0}, 0x1p-48);
+    EXPECT_EQ(closeness.shows_energy(), error == 0) << error;
   }
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <map>
@@ -315,6 +316,34 @@ TEST(Accuracy, HasDigitsUpToTheLastBit) {
       EXPECT_EQ(result.has_digits, ulps <= 0) << filtered << ' ' << ulps;
     }
   }
+}
+
+/// A known bound may replace the sensitivity by a lower bound of it, so the backward error grows, but not beyond the
+/// known bound.
+TEST(Accuracy, IsOfTheSensitivityUnlessABoundIsKnown) {
+  Yardstick yardstick;
+  yardstick.unit_roundoff = unit_roundoff(Precision::binary64);
+  Yardstick exactly = yardstick;
+  exactly.filtered = false;
+  int larger = 0;
+  for (const auto& [family, one] : unit::sampled_cases(1)) {
+    const ExactCase exact_case(one.collision);
+    const LiftedOutcome outcome(reported(exact_case.nearest_truth(Law::reflection)));
+    const auto error_by = [&](const Yardstick& by, double known) {
+      const Accuracy result = accuracy(exact_case, Law::reflection, outcome, by, known);
+      return result.is_decided ? result.backward_error(by.unit_roundoff) : 0;
+    };
+    const double exact = error_by(exactly, 0);
+    const double filtered = error_by(yardstick, 0);
+    // The sensitivity has three digits. The error is known to a thousandth of itself or of the permitted error.
+    EXPECT_NEAR(filtered, exact, 1e-3 * (2 * exact + default_limit_ulps)) << family;
+    constexpr double known = 1;
+    const double bounded = error_by(yardstick, known);
+    EXPECT_GE(bounded, filtered) << family;
+    EXPECT_LE(bounded, std::max(known, filtered)) << family;
+    larger += static_cast<int>(bounded > filtered);
+  }
+  EXPECT_GT(larger, 0);
 }
 
 TEST(Accuracy, CountsUlpsAndDigits) {

@@ -148,6 +148,9 @@ void add_bounds(const KnownCollision& known, std::vector<KnownLine>& lines) {
   append(line.numbers, bounds.norms_before());
   const ConeDistance enclosed = enclosed_cone_distance(known.collision);
   line.numbers.insert(line.numbers.end(), {enclosed.distance, enclosed.sensitivity});
+  for (const Branch branch : {Branch::only, Branch::on_cone}) {
+    line.numbers.push_back(growth_of_roundings(known.collision, bounds.enclosed(), Law::rough, branch));
+  }
   if (bounds.is_moderate()) {
     const ConeDistance roughly = cone_distance(known.collision);
     line.numbers.insert(line.numbers.end(),

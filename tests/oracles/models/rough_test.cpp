@@ -330,6 +330,11 @@ TEST(Radical, IsAFieldWithAnOrder) {
   EXPECT_EQ(root - root, 0);
   EXPECT_DOUBLE_EQ(to_double(x), 0.1715728752538099);
   EXPECT_EQ(to_text(x), "3 + -2 √(2)");
+  Radical y = x;
+  EXPECT_EQ(y += root, x + root);
+  EXPECT_EQ(y -= root, x);
+  EXPECT_EQ(y *= root, x * root);
+  EXPECT_EQ(y /= root, x);
 }
 
 /// √2 minus its own approximation r is (2 − r²) / (√2 + r).

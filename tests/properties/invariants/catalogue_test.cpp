@@ -30,6 +30,15 @@ TEST(Theorems, ProveInvariantsOfTheLawsThatClaimThem) {
   EXPECT_FALSE(is_proved_of("restitution", Law::coulomb));
 }
 
+TEST(Invariants, AreEachOfOneAnswerOfRelatedOnesOrOfASession) {
+  for (const Invariant& invariant : all_invariants()) {
+    const int kinds = static_cast<int>(invariant.is_of_one_answer()) + static_cast<int>(invariant.asks()) +
+                      static_cast<int>(invariant.is_of_session());
+    EXPECT_EQ(kinds, 1) << invariant.name;
+    EXPECT_EQ(invariant.is_of_invalid(), invariant.name == "invalid_refused") << invariant.name;
+  }
+}
+
 TEST(Invariants, OnlyOneOfTheMatrixRestsOnShapes) {
   for (const Invariant& invariant : all_invariants()) {
     if (const auto* about = std::get_if<AboutMatrix>(&invariant.about)) {

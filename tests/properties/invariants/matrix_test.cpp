@@ -166,6 +166,43 @@ TEST(ShownMatrix, IsToBeDefiniteAlsoAcrossTheImpulse) {
       {"definite"});
 }
 
+/// The long double nearest to a number.
+long double nearest(const oracles::Rational& number) {
+  const double rough = oracles::to_double(number);
+  return static_cast<long double>(rough) +
+         static_cast<long double>(oracles::to_double(oracles::Rational(number - oracles::Rational(rough))));
+}
+
+/// C = x I has the eigenvalue x. The least x that is permitted is λ minus the permitted rounding of C.
+TEST(ShownMatrix, IsDefiniteUpToThePermittedRounding) {
+  const ShownSolve one = shown_solve("generic", 0);
+  const oracles::ExactCase exact_case(one.one.collision);
+  const double allowance = oracles::default_limit_ulps * unit_roundoff(Precision::binary64);
+  const double rounding = allowance * exact_case.collision_matrix_sensitivity(allowance);
+  const long double least = nearest(oracles::inverse_mass(exact_case.exact()) - oracles::Rational(rounding));
+  for (const bool filtered : {true, false}) {
+    const auto status = [&](long double x) {
+      return verdict_of("definite", one, Matrix(Matrix::Identity() * x), filtered).status;
+    };
+    EXPECT_EQ(status(std::nextafter(std::nextafter(least, 0.0L), 0.0L)), Status::violated) << filtered;
+    EXPECT_EQ(status(std::nextafter(std::nextafter(least, 1e9L), 1e9L)), Status::holds) << filtered;
+  }
+}
+
+/// Uniform convex bodies have C ⪯ 16 λI.
+TEST(ShownMatrix, HasNoEigenvalueAboveSixteenTimesTheInverseMass) {
+  const ShownSolve one = shown_solve("physical", 3);
+  ASSERT_TRUE(one.one.convex_uniform);
+  for (const bool filtered : {true, false}) {
+    const auto status = [&](long double times) {
+      return verdict_of("well_conditioned", one, Matrix(Matrix::Identity() * times * inverse_mass_of(one)), filtered)
+          .status;
+    };
+    EXPECT_EQ(status(15.9L), Status::holds) << filtered;
+    EXPECT_EQ(status(16.1L), Status::violated) << filtered;
+  }
+}
+
 TEST(ShownMatrix, IsPrintedBesideTheBoundOnTheDiagonal) {
   const ShownSolve one = shown_solve("generic", 0);
   const Verdict verdict = verdict_of("definite", one, Matrix(-one.matrix()), false);

@@ -28,6 +28,14 @@ TEST(Finite, RepeatsTheReasonOfARefusal) {
   EXPECT_EQ(verdict.detail, "the subject refused a valid collision: no");
 }
 
+TEST(InvalidRefused, RepeatsTheReasonOfAFailure) {
+  Collision invalid;
+  invalid.a.mass = 0;
+  const Verdict verdict = std::get<AboutAnswer>(invariant_named("invalid_refused")->about)
+                              .check(invalid, Failed{"ended with status 1"}, Law::any);
+  EXPECT_EQ(verdict.detail, "the subject did not refuse an invalid collision: it ended with status 1");
+}
+
 TEST(Lift, KeepsHugeOutcomesThatAreFinite) {
   ReportedOutcome outcome;
   outcome.a.velocity = {0x1p+200L, 0, 0};

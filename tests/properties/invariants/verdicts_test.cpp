@@ -116,6 +116,8 @@ TEST(Seriousness, OrdersViolations) {
   c = Collision{};
   c.a.velocity = {0, 0.5, 0};
   EXPECT_EQ(seriousness(verdict, c), 12 * 0x1p+53);
+  verdict.residual = 0.25;
+  EXPECT_EQ(seriousness(verdict, c), 0.5 * 0x1p+53);
 }
 
 TEST(Both, IsTheMoreSevereOfTwoViolations) {
