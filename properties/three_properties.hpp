@@ -12,15 +12,15 @@
 #include <carom/collision/precision.hpp>
 #include <carom/collision/solved_outcome.hpp>
 
-/// Read this first. It declares the properties of every collision response, under every law.
+/// Read this header first. It declares three properties that every collision response has, under every law.
 ///
-/// Two bodies A and B touch at a point P. The normal N points from B to A. V⁻ and V⁺ are the relative velocities of the
-/// two contact points before and after the impulse F. C is the collision matrix: C F = V⁺ − V⁻.
+/// Two bodies A and B touch at a point P. The normal N points from B to A. V⁻ and V⁺ are the velocities of A's contact
+/// point relative to B's, before and after the impulse F on A. C is the collision matrix: C F = V⁺ − V⁻.
 ///
 /// A solver is any callable const Collision& → Outcome<S>, with S float, double or long double. A solver that shows its
 /// collision matrix returns SolvedOutcome<S>. Exact arithmetic checks the answer to a valid collision by the invariants
-/// in `Property::invariants`. The property must hold exactly for some inputs and outputs within 32 units in the last
-/// place (of the solver's precision) of the given ones.
+/// in `Property::invariants`. Rounding is permitted: inputs and outputs may be off by 32 units in the last place of the
+/// solver's precision.
 ///
 ///     RC_GTEST_PROP(MySolver, NeverPenetrates, (const carom::Collision& collision)) {
 ///       RC_ASSERT(carom::properties::non_penetrating_post_velocity(my_solver, collision));
@@ -31,8 +31,8 @@ struct Property {
   std::string_view name;       // a key in lower case, with underscores
   std::string_view title;      // in words
   std::string_view statement;  // one sentence
-  /// The invariants of `all_invariants()` that judge the property. Their theorems prove it (`Proof`,
-  /// invariants/proof.hpp).
+  /// The invariants of `all_invariants()` that judge the property. The theorems of these invariants (`Proof`,
+  /// invariants/proof.hpp) prove it.
   std::vector<std::string_view> invariants;
 };
 
@@ -51,7 +51,7 @@ inline void showValue(const Ruling& ruling, std::ostream& out) { out << (ruling.
 
 namespace detail {
 
-/// Judges an answer by the property of this name. Preconditions: `three_properties()` has this name; the collision is
+/// Judges an answer by the property of this name. Preconditions: `three_properties()` contains it; the collision is
 /// valid.
 [[nodiscard]] Ruling ruling(std::string_view property, const Collision& collision, const ReportedOutcome& answer,
                             Precision precision);
@@ -79,7 +79,7 @@ template <class Solver>
 }
 
 /// The collision matrix C [1/kg, world axes] is symmetric and positive definite, with λI ⪯ C and λ = 1/m_A + 1/m_B > 0.
-/// It also fits the answer: C F = V⁺ − V⁻. The domain is contacts with a movable body for which the solver shows C.
+/// It also fits the answer: C F = V⁺ − V⁻. The domain is contacts with a movable body, if the solver shows C.
 template <class Solver>
 [[nodiscard]] Ruling positive_definiteness(Solver&& solver, const Collision& collision,
                                            std::optional<Precision> precision = std::nullopt) {
@@ -89,9 +89,9 @@ template <class Solver>
   return detail::ruling("positive_definiteness", collision, answer, precision);
 }
 
-/// One body gains the linear momentum that the other loses: m_A Δv_A = −m_B Δv_B. Each movable body turns by the moment
-/// of its impulse, J Δw = r × (m Δv), so the angular momentum about every point is kept. If a body is immovable, only
-/// the second equation applies.
+/// One body gains the linear momentum that the other loses: m_A Δv_A = −m_B Δv_B. The moment of its impulse turns each
+/// movable body: J Δw = r × (m Δv). So the angular momentum about every point is kept. If a body is immovable, only the
+/// second equation applies, to the other body.
 template <class Solver>
 [[nodiscard]] Ruling momentum_conservation(Solver&& solver, const Collision& collision,
                                            std::optional<Precision> precision = std::nullopt) {

@@ -20,8 +20,8 @@ template <class T>
 /// Whether xᵀ M x > 0 for every x ≠ 0, by all seven principal minors (Sylvester).
 [[nodiscard]] bool is_positive_definite(const Matrix3<Rational>& matrix);
 
-/// Whether xᵀ M x ≥ 0 for every x, by all seven principal minors. The leading minors do not suffice: those of diag(0,
-/// 0, −1) are all zero.
+/// Whether xᵀ M x ≥ 0 for every x, by all seven principal minors. The leading minors do not suffice: for
+/// diag(0, 0, −1), they are zero.
 [[nodiscard]] bool is_positive_semidefinite(const Matrix3<Rational>& matrix);
 
 /// M − bound · I.

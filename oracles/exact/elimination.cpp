@@ -52,8 +52,8 @@ Rows3 inertia_tensor(const BasicBody<Rational>& body) {
   return tensor;
 }
 
-/// Newton's and Euler's laws for one body in six rows: m v⁺ ∓ F = m v⁻ and J w⁺ ∓ r × F = J w⁻. The upper sign is for
-/// A.
+/// Newton's and Euler's laws for one body in six rows: m v⁺ − s F = m v⁻ and J w⁺ − s r × F = J w⁻. s is `sign`, 1 for
+/// A and −1 for B.
 void write_body(System& system, std::size_t first, const BasicBody<Rational>& body, const Vector3<Rational>& point,
                 int sign) {
   const Rows3 tensor = body.immovable ? Rows3{} : inertia_tensor(body);
@@ -80,7 +80,7 @@ void write_body(System& system, std::size_t first, const BasicBody<Rational>& bo
   }
 }
 
-/// The row x·V⁺ = right, with V⁺ = v_A + w_A × r_A − v_B − w_B × r_B and x·(w × r) = w·(r × x).
+/// The row x·V⁺ = right. V⁺ is v_A + w_A × r_A − v_B − w_B × r_B, and x·(w × r) = w·(r × x).
 void write_relative_velocity(System& system, std::size_t row, const BasicCollision<Rational>& c,
                              const Vector3<Rational>& x, const Rational& right) {
   const Vector3<Rational> moment_a = (c.point - c.a.position).cross(x);

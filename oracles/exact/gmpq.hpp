@@ -11,7 +11,6 @@
 /// Only files that use CGAL include this header. It is not installed.
 namespace carom::oracles {
 
-/// Reads and makes the CGAL number that a Rational stores in its bytes.
 struct Rational::Number {
   static const CGAL::Gmpq& of(const Rational& number) {
     return *std::launder(reinterpret_cast<const CGAL::Gmpq*>(number.number_.data()));

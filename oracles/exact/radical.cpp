@@ -12,7 +12,7 @@
 namespace carom::oracles {
 namespace {
 
-/// √(from / to), which converts a coefficient of √from into one of √to. Throws std::logic_error if the root is
+/// The factor √(from / to): c √from = c √(from / to) · √to for every c. Throws std::logic_error if the factor is
 /// irrational.
 Rational change_of_root(const Rational& from, const Rational& to) {
   RootBelow ratio = root_below(from / to);
@@ -67,7 +67,7 @@ Rational approximately(const Radical& number) {
   if (sign_of(number.rational_part()) != -sign_of(number.coefficient())) {
     return number.rational_part() + by_root;
   }
-  // This form avoids cancellation: (p² − q² s) / (p − q √s).
+  // p and q √s have opposite signs, so their sum would cancel. (p² − q² s) / (p − q √s) equals the sum.
   const Rational& p = number.rational_part();
   const Rational& q = number.coefficient();
   return (p * p - q * q * number.under_the_root()) / (p - by_root);

@@ -15,8 +15,8 @@ class Radical;
 /// The sign: −1, 0 or 1.
 [[nodiscard]] int sign_of(const Radical& number);
 
-/// The exact number p + q √s with rational p, q and s ≥ 0. If q is not zero, √s is irrational. The exact answer of the
-/// law `rough` (laws/rough.hpp) consists of such numbers, with one root for each collision.
+/// The exact number p + q √s with rational p, q and s ≥ 0. If q is not zero, √s is irrational. The numbers of an exact
+/// answer of the law `rough` (laws/rough.hpp) have this form, all with the same √s.
 class Radical {
  public:
   Radical() = default;
@@ -39,7 +39,7 @@ class Radical {
   Radical& operator*=(const Radical& other) { return *this = *this * other; }
   Radical& operator/=(const Radical& other) { return *this = *this / other; }
 
-  /// The operators throw std::logic_error if the ratio of the two roots √s is irrational.
+  /// These operators throw std::logic_error if the operands contain roots √s and √t with an irrational ratio.
   friend Radical operator+(const Radical& x, const Radical& y);
   friend Radical operator-(const Radical& x, const Radical& y);
   friend Radical operator*(const Radical& x, const Radical& y);
@@ -77,7 +77,8 @@ class Radical {
 /// The number, accurate to one unit in the last place.
 [[nodiscard]] double to_double(const Radical& number);
 
-/// The nearest binary64 number. A number within 2⁻¹⁵⁰ of the middle between two neighbours may round to either.
+/// The nearest binary64 number. A number within a relative 2⁻¹⁵⁰ of the middle between two neighbours may round to
+/// either of them.
 [[nodiscard]] double nearest_double(const Radical& number);
 
 /// "p + q √(s)", or "p" if the number is rational.

@@ -82,7 +82,8 @@ int sign_of(const Rational& number) { return mpq_sgn(Rational::Number::of(number
 
 RootBelow root_below(const Rational& number) {
   CAROM_EXPECTS(number >= 0, number);
-  // √(n/d) = √(n d 4^k) / (d 2^k). The integer root exceeds 2^k and errs by less than 1: a relative error below 2^−k.
+  // For the number n/d, √(n/d) = √(n d 4^k) / (d 2^k). The integer part of √(n d 4^k) is at least 2^k and errs by less
+  // than 1. So its relative error is below 2^−k.
   const CGAL::Gmpq& x = Rational::Number::of(number);
   const CGAL::Gmpz product = x.numerator() * x.denominator();
   const bool is_exact = mpz_perfect_square_p(product.mpz()) != 0;

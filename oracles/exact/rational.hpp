@@ -14,12 +14,12 @@
 
 namespace carom::oracles {
 
-/// An exact rational number, such as any finite floating-point number. It hides a CGAL::Gmpq (gmpq.hpp), because CGAL's
-/// headers take seconds to compile.
+/// An exact rational number. The class hides a CGAL::Gmpq (gmpq.hpp), because CGAL's headers take seconds to compile.
 class Rational {
  public:
   Rational();  // zero
-  /// Implicit for int alone, because formulas contain 0, 1 and 2. A plain int parameter would cut a double's fraction.
+  /// Implicit for int alone, because formulas contain 0, 1 and 2. With a plain int parameter, a double would lose its
+  /// fraction.
   template <std::same_as<int> Int>
   Rational(Int whole) : Rational(whole, 1) {}  // NOLINT(google-explicit-constructor)
   /// Precondition: the denominator is not zero.
@@ -39,7 +39,7 @@ class Rational {
   Rational& operator*=(const Rational& other) { return *this = *this * other; }
   Rational& operator/=(const Rational& other) { return *this = *this / other; }
 
-  /// The number · 2^exponent. The exponent may exceed the exponents of double.
+  /// The number · 2^exponent, for any exponent.
   [[nodiscard]] Rational times_power_of_two(int exponent) const;
 
   friend Rational operator+(const Rational& left, const Rational& right);

@@ -16,7 +16,7 @@ namespace {
 using Kernel = CGAL::Algebraic_kernel_d_1<CGAL::Gmpz>;
 using RationalPolynomial = CGAL::Polynomial<CGAL::Gmpq>;
 
-/// A positive multiple of the polynomial that has coefficients in ℤ.
+/// The polynomial times a positive number, with coefficients in ℤ.
 Kernel::Polynomial_1 multiple_in_integers(const Coefficients& coefficients) {
   std::vector<CGAL::Gmpq> numbers;
   for (const Rational& one : coefficients) {

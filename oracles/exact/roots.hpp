@@ -10,9 +10,8 @@ namespace carom::oracles {
 /// The coefficients of a polynomial over ℚ, from x⁰ up. There is at least one.
 using Coefficients = std::vector<Rational>;
 
-/// The distinct roots x > 0 of `polynomial` with side(x) > 0, in ascending order. Each has a relative error of at most
-/// 2^−bits. CGAL's algebraic kernel finds all of them. Preconditions: `polynomial` is not zero; `side` has a
-/// coefficient; bits > 0.
+/// All distinct roots x > 0 of `polynomial` with side(x) > 0, in ascending order. Each number of the result has a
+/// relative error of at most 2^−bits. Preconditions: `polynomial` is not zero; `side` has a coefficient; bits > 0.
 [[nodiscard]] std::vector<Rational> positive_roots(const Coefficients& polynomial, const Coefficients& side, int bits);
 
 }  // namespace carom::oracles

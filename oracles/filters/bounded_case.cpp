@@ -12,8 +12,8 @@
 namespace carom::oracles {
 namespace {
 
-/// An upper bound of the condition number κ of a symmetric positive definite matrix with eigenvalues e₁ ≥ e₂ ≥ e₃ and
-/// trace t. κ = e₁ / e₃ = e₁ · e₁ e₂ / det ≤ t³ / (4 det), because e₁ ≤ t and e₁ e₂ ≤ (t/2)².
+/// An upper bound of the condition number e₁ / e₃ of a symmetric positive definite matrix with eigenvalues e₁ ≥ e₂ ≥ e₃
+/// and trace t. e₁ ≤ t, and e₁ e₂ ≤ (t/2)². So e₁ / e₃ = e₁ · e₁ e₂ / det ≤ t³ / (4 det).
 double condition_bound(const Matrix3<Approximation>& matrix) {
   const double trace = (matrix(0, 0) + matrix(1, 1) + matrix(2, 2)).magnitude_above();
   const Vector3<Approximation> c0 = matrix.col(0);
@@ -23,7 +23,7 @@ double condition_bound(const Matrix3<Approximation>& matrix) {
 }
 
 /// An upper bound of Σ_q ‖∂(N·V⁻)/∂q‖ ‖q‖, and of Σ|t| over the terms t of N·V⁻. The terms are N·v and N·(w × (P − X))
-/// of each body. ‖x‖₁ ‖y‖₁ bounds |x·y| and ‖x × y‖.
+/// of each body. |x·y| and ‖x × y‖ are at most ‖x‖₁ ‖y‖₁.
 double sum_of_sizes(const Collision& c) {
   const auto size = [](const Vector3<double>& vector) { return vector.lpNorm<1>(); };
   double sum = 0;

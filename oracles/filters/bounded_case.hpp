@@ -15,9 +15,8 @@
 
 namespace carom::oracles {
 
-/// Facts about a valid collision in arithmetic with error bounds, each computed on first use. For one thread. N is the
-/// normal, V⁻ the relative velocity before the impulse. y_k are the vectors of an outcome, y_k⁻ those before the
-/// impulse.
+/// Facts about a valid collision, in arithmetic with error bounds. Each fact is computed on first use. For one thread.
+/// y_k are the vectors of an outcome, and y_k⁻ those before the impulse.
 class BoundedCase {
  public:
   /// Precondition: validate(collision) is empty.
@@ -42,7 +41,7 @@ class BoundedCase {
   /// An upper bound of Σ_q ‖∂(N·V⁻)/∂q‖ ‖q‖ over the quantities q (quantities.hpp).
   [[nodiscard]] double normal_velocity_sensitivity_above() const;
 
-  /// ‖y_k⁻‖. The sensitivity of y_k contains this term, so the term is a lower bound.
+  /// ‖y_k⁻‖, a lower bound of the sensitivity of y_k.
   [[nodiscard]] const Sensitivity& norms_before() const;
 
   /// ‖∂g/∂y_k‖ of an equation g for each k. `differentiate` computes these norms on first use.
@@ -51,17 +50,16 @@ class BoundedCase {
     return slopes_[equation].get(differentiate);
   }
 
-  /// The collision in dual numbers, with its quantities.
   [[nodiscard]] const DualInputs<double, collision_inputs>& differentiated() const;
 
   /// The law's answer to a contact that collides, to about 100 bits, with error bounds. Preconditions: those of the
   /// function `colliding_truth` (models.hpp).
   [[nodiscard]] const Truth<Enclosure>& colliding_truth(Law law, Branch branch) const;
 
-  /// A cheap lower bound of the sensitivity of y, the answer of `colliding_truth`: ‖y_k⁻‖ + ½ ‖y_k‖. y is homogeneous
-  /// of degree one in the velocities q, so Σ_q ‖∂y_k/∂q‖ ‖q‖ over the velocities is at least ‖y_k‖ (Euler). The factor
-  /// ½ covers the rounding of this bound and of the sensitivity. Preconditions: is_moderate(); has_clear_divisor() if
-  /// `branch` is `on_cone`; those of `colliding_truth`.
+  /// ‖y_k⁻‖ + ½ ‖y_k‖, a cheap lower bound of the sensitivity of the answer y of `colliding_truth`. y is homogeneous of
+  /// degree one in the velocities. So the part of Σ_q ‖∂y_k/∂q‖ ‖q‖ by the velocities is at least ‖y_k‖ (Euler). The
+  /// factor ½ covers the rounding of this bound and of the sensitivity. Preconditions: is_moderate();
+  /// has_clear_divisor() if `branch` is `on_cone`; those of `colliding_truth`.
   [[nodiscard]] const Sensitivity& colliding_sensitivity_below(Law law, Branch branch) const;
 
   /// Whether the impulse F of the law `rough` lies inside the friction cone (models.hpp). No value if the bounds do not
@@ -74,18 +72,16 @@ class BoundedCase {
   /// is movable.
   [[nodiscard]] bool has_clear_divisor() const;
 
-  /// Whether bounds show that the condition number κ(K) is below 2²⁰. A sensitivity in binary64, with a relative error
-  /// of about κ(K) u, then keeps ten digits.
+  /// Whether bounds show that the condition number of K is below 2²⁰. A sensitivity in binary64 then keeps ten digits.
   [[nodiscard]] bool is_well_conditioned() const;
 
-  /// The collision matrix K.
   [[nodiscard]] const Matrix3<Approximation>& collision_matrix() const { return approximate_response().matrix; }
   /// λ = 1/m_A + 1/m_B.
   [[nodiscard]] Approximation approximate_inverse_mass() const { return inverse_mass(approximate()); }
   [[nodiscard]] const Enclosure& enclosed_inverse_mass() const;
 
-  /// A lower bound of Σ_q ‖∂K/∂q‖ ‖q‖: the larger of λ/2 and ‖K‖_F/2 if ‖K‖_F exceeds its rounding errors, otherwise
-  /// λ/2 (bounded_case_bounds.hpp). Precondition: is_moderate().
+  /// A lower bound of Σ_q ‖∂K/∂q‖ ‖q‖ (bounded_case_bounds.hpp): λ/2, or ‖K‖_F/2 if this is larger and ‖K‖_F exceeds
+  /// its rounding errors. Precondition: is_moderate().
   [[nodiscard]] double collision_matrix_sensitivity_below() const;
 
   /// The inertia tensor of a body in world axes, rounded; zero if the body is immovable.

@@ -36,7 +36,8 @@ bool Closeness::shows(const Equation& equation) const {
   return !is_of_normal_velocity(*name) || knows_normal_velocity();
 }
 
-/// The slopes of N·V⁺ are ‖N‖ for velocities and ‖r × N‖ for angular velocities. r × N cancels if r is along N.
+/// The slopes of N·V⁺ are ‖N‖ for velocities and ‖r × N‖ for angular velocities. The terms of r × N cancel if r is
+/// along N.
 bool Closeness::knows_normal_velocity() const {
   const Collision& c = bounds_->collision();
   const double normal = c.normal.norm();
@@ -52,9 +53,9 @@ bool Closeness::knows_normal_velocity() const {
   return noise <= closeness_bounds::share_for_noise * scale;
 }
 
-/// For a body, the slopes of E⁺ − W (equation::Energy) are ‖m (v̂ − u)‖ and ‖J ŵ‖. u is the velocity of an immovable
-/// other body at the contact point, or 0. The slopes cancel if the body is nearly at rest after the impulse, or moves
-/// with the other body.
+/// For a movable body with the velocities v̂ and ŵ after the impulse, the slopes of E⁺ − W (equation::Energy) are
+/// ‖m (v̂ − u)‖ and ‖J ŵ‖. If the other body is immovable, u is its velocity at the contact point, otherwise 0. The
+/// slopes cancel if the body is nearly at rest after the impulse, or moves with the other body.
 bool Closeness::shows_energy() const {
   if (bounds_ == nullptr || !creates_no_energy(law_)) {
     return false;
@@ -81,8 +82,8 @@ bool Closeness::shows_energy() const {
     return is_close_[v] && is_close_[w];
   };
   const Outcome<double>& after = outcome_->rounded();
-  // If every error is 0, the outcome is the truth, and the equation holds. Otherwise `compare` needs a large enough
-  // scale.
+  // If every error is 0, the outcome is the truth, and the equation holds. Otherwise the scale must be large enough for
+  // `compare`.
   const bool is_exact = std::all_of(error_above_.begin(), error_above_.end(), [](double above) { return above == 0; });
   return add_body(c.a, after.a, c.b, bounds_->inertia_of_a(), OutcomeVector::velocity_of_a,
                   OutcomeVector::angular_velocity_of_a) &&

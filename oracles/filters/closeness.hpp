@@ -8,12 +8,12 @@
 
 namespace carom::oracles {
 
-/// Shows, without evaluation, that an outcome ŷ satisfies equations because it is close to the truth y.
+/// Shows that an outcome ŷ satisfies equations because ŷ is close to the truth y.
 ///
 /// The truth satisfies each equation exactly: `certify` checks the equations that define the law, and
-/// closeness_test.cpp the others. An equation g is affine in the outcome, or convex (the kinetic energy). So the
-/// residual of g is at most Σ_k ‖∂g/∂ŷ_k‖ ‖ŷ_k − y_k‖. closeness_bounds.hpp shows that this sum, with all rounding, is
-/// permitted.
+/// closeness_test.cpp the others. Each equation g is affine in the outcome, or convex (the kinetic energy). So the
+/// residual of g at ŷ is at most Σ_k ‖∂g/∂ŷ_k‖ ‖ŷ_k − y_k‖ over the vectors k. closeness_bounds.hpp shows that the
+/// permitted residual covers this sum and all rounding.
 class Closeness {
  public:
   /// A closeness that shows nothing.
@@ -29,8 +29,8 @@ class Closeness {
 
   [[nodiscard]] bool shows_energy() const;
 
-  /// Whether closeness shows that each of these vectors differs from its value y_k⁻ before the impulse by at most the
-  /// allowance times ‖y_k⁻‖. Precondition: the truth leaves these vectors unchanged.
+  /// Whether closeness shows ‖ŷ_k − y_k⁻‖ ≤ allowance · ‖y_k⁻‖ for each of these vectors, with y_k⁻ the vector before
+  /// the impulse. Precondition: the truth leaves these vectors unchanged.
   [[nodiscard]] bool shows_untouched(std::span<const OutcomeVector> which) const;
 
  private:

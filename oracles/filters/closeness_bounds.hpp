@@ -13,15 +13,15 @@
 /// The computed sum Σ_k ŝ_k σ_k is a part of the scale of g (yardstick.hpp). So g holds if its residual is at most the
 /// allowance α times this sum.
 ///
-///   (1) g(y) = 0, or g(y) ≤ 0. So the residual of g(ŷ) is at most Σ_k s_k e_k.
+///   (1) The truth has g(y) = 0, or g(y) ≤ 0 for an inequality. So the residual of g at ŷ is at most Σ_k s_k e_k.
 ///   (2) Vector k is close if e_k ≤ (1 − h) α σ_k. The share h = 2⁻²⁰ is set aside for rounding.
-///   (3) Most slopes are lengths of N, m, r, J or of their products. Their error |ŝ_k − s_k| is at most 2⁻⁴⁰ s_k.
-///   (4) Other slopes may cancel. The error of ‖r × N‖ is at most 2⁻⁴⁶ t_k with t_k = ‖r‖ ‖N‖. For the energy, the
-///       error is at most 2⁻⁴⁰ t_k, with t_k = m (σ_k + the wall's speed) for a velocity and t_k = max I σ_k for an
-///       angular velocity. The noise is the sum of these errors times σ_k. It must be at most 2⁻²¹ Σ_k ŝ_k σ_k.
-///   (5) Σ_k s_k e_k ≤ (1 − h) α Σ_k s_k σ_k ≤ α Σ_k ŝ_k σ_k. The computed sums satisfy this too, because
-///       (1 − h) (1 + 2⁻⁴⁰ + 2⁻²¹) times their roundings is at most 1.
-///   (6) `compare` takes a sum Σ_k ŝ_k σ_k of at least 2⁻⁹⁰⁰. If e_k > 0, the sum is that large, because
+///   (3) Most slopes are norms of N, m, r, J or of products of these. For such a slope, |ŝ_k − s_k| ≤ 2⁻⁴⁰ s_k.
+///   (4) In other slopes, terms may cancel. For ‖r × N‖, |ŝ_k − s_k| ≤ 2⁻⁴⁶ t_k with t_k = ‖r‖ ‖N‖. For the energy,
+///       |ŝ_k − s_k| ≤ 2⁻⁴⁰ t_k. There, t_k is m (σ_k + the wall's speed) for a velocity, and max I σ_k for an angular
+///       velocity. The noise, the sum of these bounds times σ_k, must be at most 2⁻²¹ Σ_k ŝ_k σ_k.
+///   (5) By (2) to (4), Σ_k s_k e_k ≤ (1 − h) α Σ_k s_k σ_k ≤ α Σ_k ŝ_k σ_k. The computed sums satisfy this, too,
+///       because (1 − h) (1 + 2⁻⁴⁰ + 2⁻²¹), times the roundings of these sums, is at most 1.
+///   (6) `compare` uses Σ_k ŝ_k σ_k only if this sum is at least 2⁻⁹⁰⁰. If some e_k > 0, the sum is at least
 ///       `least_slope_of_moderate` × `least_size` ≥ 2⁻⁹⁰⁰.
 namespace carom::oracles::closeness_bounds {
 
@@ -39,7 +39,7 @@ inline constexpr double share_for_noise = 0x1p-21;
 /// The least size σ_k of (6).
 inline constexpr double least_size = 0x1p-620;
 
-/// The least Σ_k ŝ_k σ_k that closeness accepts for the energy, because (6) does not apply to its slopes.
+/// The least Σ_k ŝ_k σ_k that closeness accepts for the energy, because (6) does not hold for the slopes of the energy.
 inline constexpr double least_scale_of_energy = 0x1p-899;
 
 }  // namespace carom::oracles::closeness_bounds

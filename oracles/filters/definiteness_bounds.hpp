@@ -16,7 +16,7 @@ namespace carom::oracles {
 /// Whether bound · I ⪯ M, by enclosures if they decide it, otherwise by rationals.
 [[nodiscard]] bool is_at_least_by_enclosures(const Matrix3<Rational>& matrix, const Rational& bound);
 
-/// Whether M ⪯ bound · I, by enclosures if they decide it, otherwise by rationals.
+/// Whether M ⪯ bound · I, in the same way.
 [[nodiscard]] bool is_at_most_by_enclosures(const Matrix3<Rational>& matrix, const Rational& bound);
 
 }  // namespace carom::oracles

@@ -14,7 +14,7 @@ class Lazy {
   Lazy() = default;
   explicit Lazy(T known) : value_(std::move(known)) {}
 
-  /// The value, computed by `make()` on first use. Precondition: `make` does not request the same value.
+  /// Precondition: `make` does not request the same value.
   template <class Make>
   const T& get(const Make& make) const {
     if (!value_) {

@@ -15,14 +15,14 @@
 
 namespace carom::oracles {
 
-/// A collision matrix in several number types, reported by a subject or computed in ℚ. For one thread.
+/// A collision matrix, reported by a subject or computed in ℚ, in several number types. For one thread.
 class LiftedMatrix {
  public:
   explicit LiftedMatrix(const Matrix3<long double>& reported) : reported_(reported) {}
 
   explicit LiftedMatrix(Matrix3<Rational> exact) : exact_(std::move(exact)) {}
 
-  /// The matrix as reported; nullptr if it was given exactly.
+  /// The matrix as the subject reported it; nullptr if it was computed in ℚ.
   [[nodiscard]] const Matrix3<long double>* reported() const { return reported_ ? &*reported_ : nullptr; }
 
   /// Whether every number is finite. If not, only this function and `reported` may be called.
@@ -36,7 +36,7 @@ class LiftedMatrix {
         [this]() -> Matrix3<Rational> { return reported_->unaryExpr([](long double x) { return lift(x); }); });
   }
 
-  /// The matrix in numbers of type T: exact, or with error bounds, or rounded. Precondition for approximations:
+  /// The matrix in numbers of type T: exact, or with error bounds, or rounded. Precondition if T is Approximation:
   /// `reported` is not nullptr.
   template <class T>
   [[nodiscard]] Matrix3<T> in() const {
@@ -52,7 +52,7 @@ class LiftedMatrix {
   }
 
  private:
-  /// A dual number converts from its own scalar type.
+  /// A dual number converts only from its own scalar type.
   template <class T>
   static T rounded(double x) {
     if constexpr (requires(T number) { number.value; }) {

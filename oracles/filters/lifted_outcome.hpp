@@ -17,7 +17,7 @@
 
 namespace carom::oracles {
 
-/// An outcome in the number types in which it is judged, reported by a subject or computed in ℚ. For one thread.
+/// An outcome, reported by a subject or computed in ℚ, in the number types of the judge. For one thread.
 class LiftedOutcome {
  public:
   /// If a number is not finite, only `is_moderate` may be called.
@@ -43,8 +43,8 @@ class LiftedOutcome {
   /// The collision matrix that was reported with the outcome; nullptr if there was none.
   [[nodiscard]] const LiftedMatrix* collision_matrix() const { return collision_matrix_.get(); }
 
-  /// Whether `reported` is set and no number in it exceeds `largest_moderate_outcome`, so that products stay in the
-  /// range of binary64.
+  /// Whether `reported` is not nullptr and no number in it exceeds `largest_moderate_outcome`, so that products stay in
+  /// the range of binary64.
   [[nodiscard]] bool is_moderate() const { return is_moderate_; }
 
   /// Precondition: `reported` is not nullptr.

@@ -21,23 +21,23 @@ inline constexpr double largest_moderate_direction = 0x1p+110;
 /// The upper limit of the components of an outcome. They may be arbitrarily small.
 inline constexpr double largest_moderate_outcome = 0x1p+63;
 
-/// The constants of inequalities (2) to (5) of `is_moderate`. Tests find them by running the laws over the type
-/// Magnitude, which carries logarithms of sizes (docs/internals/bounds.md).
-inline constexpr double largest_scale_of_moderate = 0x1p+245;
+/// The constants of the inequalities (2) to (5) of `is_moderate`. Tests compare them with laws evaluated in logarithms
+/// of sizes (docs/internals/bounds.md).
+inline constexpr double largest_scale_of_moderate = 0x1p+244;
 inline constexpr double largest_scale_of_moderate_friction = 0x1p+569;
-inline constexpr double largest_sensitivity_of_moderate = 0x1p+594;
-inline constexpr double largest_on_the_way_of_moderate = 0x1p+920;
+inline constexpr double largest_sensitivity_of_moderate = 0x1p+592;
+inline constexpr double largest_on_the_way_of_moderate = 0x1p+918;
 inline constexpr double least_slope_of_moderate = 0x1p-280;
 
 /// Whether every number of the collision and the extents of its bodies (quantities.hpp) are moderate. For a valid
 /// moderate collision and a moderate outcome, with K the collision matrix and M the largest moderate mass:
 ///
 ///   (1) λ = 1/m_A + 1/m_B ≥ 1/M, and λI ⪯ K (ExactCase::is_definite), so ‖K⁻¹‖ ≤ M and N·K N ≥ N·N / M.
-///   (2) The scale Σ_q ‖∂g/∂q‖ ‖q‖ + Σ_k ‖∂g/∂ŷ_k‖ (‖ŷ_k‖ + ‖y_k⁻‖) of every equation g is at most 2²⁴⁵. For the
-///       equations of friction it is at most 2⁵⁶⁹, because they are quadratic in the outcome.
-///   (3) Σ_q ‖∂y_k/∂q‖ ‖q‖ + ‖y_k⁻‖ ≤ 2⁵⁹⁴ for the exact answer y of each of `linear_laws`, by (1). Σ_q ‖∂K/∂q‖ ‖q‖ has
+///   (2) The scale Σ_q ‖∂g/∂q‖ ‖q‖ + Σ_k ‖∂g/∂ŷ_k‖ (‖ŷ_k‖ + ‖y_k⁻‖) of an equation g is at most 2²⁴⁴. If g is an
+///       equation of friction, which is quadratic in the outcome, the scale is at most 2⁵⁶⁹.
+///   (3) Σ_q ‖∂y_k/∂q‖ ‖q‖ + ‖y_k⁻‖ ≤ 2⁵⁹² for the exact answer y of each of `linear_laws`, by (1). Σ_q ‖∂K/∂q‖ ‖q‖ has
 ///       the same bound.
-///   (4) No intermediate number exceeds 2⁹²⁰, so nothing overflows.
+///   (4) No intermediate number exceeds 2⁹¹⁸, so nothing overflows.
 ///   (5) A slope ∂g/∂ŷ_k of an affine equation is zero or at least 2⁻²⁸⁰ in size.
 [[nodiscard]] inline bool is_moderate(const Collision& collision) {
   bool moderate = true;

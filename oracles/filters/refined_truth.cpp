@@ -34,8 +34,8 @@ struct Arithmetics {
   const ApproximateResponse& response;
 };
 
-/// The impulse by which a linear law causes the wanted change of relative velocity, and the velocity changes by this
-/// impulse.
+/// The impulse by which a linear law causes the change `wanted` of relative velocity. The outcome contains the velocity
+/// changes by this impulse.
 template <class LawType>
 Truth<Enclosure> refined(const Arithmetics& of, const Vector3<Enclosure>& wanted) {
   const auto middle = [](const auto& x) { return x.middle(); };

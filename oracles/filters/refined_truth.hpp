@@ -11,10 +11,8 @@
 
 namespace carom::oracles {
 
-/// The approximation of x. Its radius includes the error bound of x.
 [[nodiscard]] Approximation approximation_of(const Enclosure& x);
 
-/// The enclosure of x. Its radius is the error bound of x.
 [[nodiscard]] Enclosure enclosure_of(const Approximation& x);
 
 struct ApproximateResponse {
@@ -28,15 +26,16 @@ struct ApproximateResponse {
 };
 
 /// The law's answer to a contact that collides, to about 100 bits, at a fraction of the cost of `colliding_truth` in
-/// enclosures. It takes one step of iterative refinement (J. Wilkinson) with bounds. The law requires a change ΔV of
-/// relative velocity. An impulse F̂ that the law permits leaves the change ΔV − K F̂. F is exactly F̂ plus the impulse
-/// for the remaining change, so F̂ needs no bound. The second impulse is smaller by the precision of binary64, so
-/// approximations suffice for it. Preconditions: a body is movable; the law is one of `laws_with_truth`.
+/// enclosures. The method is one step of iterative refinement (J. Wilkinson) with bounds. The law requires a change ΔV
+/// of relative velocity. A first impulse F̂, computed in binary64, leaves the change ΔV − K F̂ to a second impulse. If
+/// the law permits F̂, the exact F is the sum of the two impulses, so F̂ needs no bound. The second impulse is smaller
+/// by the precision of binary64, so approximations suffice for it. Preconditions: a body is movable; the law is one of
+/// `laws_with_truth`.
 [[nodiscard]] Truth<Enclosure> refined_truth(const Collision& collision, const BasicCollision<Enclosure>& enclosed,
                                              const BasicCollision<Approximation>& approximate, Law law, Branch branch,
                                              const ApproximateResponse& approximate_response);
 
-/// Whether every number has a finite bound.
+/// Whether every number of the outcome has a finite bound.
 [[nodiscard]] bool is_bounded(const Truth<Enclosure>& truth);
 
 }  // namespace carom::oracles

@@ -8,15 +8,15 @@
 /// The derivatives of an equation g(x, y) with respect to the inputs x and the outcome y.
 namespace carom::oracles {
 
-/// ∂g_i/∂x_j, with g = left − right.
+/// ∂g_i/∂x_j with g = left − right, i = `component` and j = `input`.
 template <class S, std::size_t N, int Size>
 [[nodiscard]] S derivative_of(const Sides<Dual<S, N>, Size>& sides, std::size_t component, std::size_t input) {
   const auto row = static_cast<Eigen::Index>(component);
   return sides.left[row].derivative[input] - sides.right[row].derivative[input];
 }
 
-/// ‖∂g/∂ŷ_k‖, in the Frobenius norm, for the four vectors of an outcome with numbers of type R. Precondition: N ≥ 12,
-/// the count of these numbers.
+/// ‖∂g/∂ŷ_k‖, in the Frobenius norm, for each of the four vectors of an outcome ŷ. Precondition: N ≥ 12, the count of
+/// the numbers in ŷ.
 template <class S, std::size_t N, class OneEquation, class R>
 [[nodiscard]] PerVector<S> output_slopes(const OneEquation& equation, const Collision& collision,
                                          const Outcome<R>& outcome) {
@@ -45,7 +45,7 @@ template <class S, class OneEquation, class R>
                              [&](std::size_t i, std::size_t j) -> S { return derivative_of(sides, i, j); });
 }
 
-/// ‖∂g/∂ŷ_k‖ of an equation g that is affine in the outcome. The slopes do not depend on the outcome. Precondition:
+/// ‖∂g/∂ŷ_k‖ of an equation g that is affine in the outcome, so that these norms do not depend on ŷ. Precondition:
 /// name_of(equation) has a value.
 [[nodiscard]] PerVector<double> slopes_of(const Equation& equation, const Collision& collision);
 

@@ -8,15 +8,14 @@
 
 namespace carom::oracles {
 
-/// The stages of the judge's decision on a comparison. The first stage that can decide does so.
+/// The stages of the judge's decision on a comparison. The first stage that can decide decides.
 enum class Stage { same_bits, closeness, approximation, enclosure, rational };
 
 inline constexpr std::array all_stages{Stage::same_bits, Stage::closeness, Stage::approximation, Stage::enclosure,
                                        Stage::rational};
 static_assert(counts_from_zero_to(all_stages, Stage::rational));
 
-/// For each stage, the number of comparisons that it has decided in the calling thread. A verdict takes one or more
-/// comparisons.
+/// For each stage, the number of comparisons that it has decided in the calling thread.
 using StageCounts = EnumArray<Stage, std::uint64_t, all_stages.size()>;
 
 namespace detail {
@@ -27,8 +26,8 @@ inline thread_local StageCounts stage_counts{};
 
 inline void count(Stage stage) { ++detail::stage_counts[stage]; }
 
-/// Below this allowance, approximations seldom decide. Their error bound is at least n u Σ|t| over the terms t of an
-/// equation, with up to n = 30 roundings of a term. The limit is 34 n u.
+/// Below this allowance, approximations seldom decide. A term t of an equation has up to n = 30 roundings, so the error
+/// bound reaches n u Σ|t|. The limit is 34 n u.
 inline constexpr double least_allowance_for_approximations = 0x1p-43;
 
 }  // namespace carom::oracles

@@ -53,8 +53,7 @@ Outcome<T> outcome_in(const LiftedOutcome& outcome) {
   return map_outcome<T>(outcome.exact(), [](const Rational& x) { return T(x); });
 }
 
-/// Whether ‖ŷ − y‖ ≤ bound ‖y − y⁻‖ in the kinetic-energy norm, with ŷ the outcome, y the truth and y⁻ the velocities
-/// before. No value if the arithmetic does not decide it.
+/// Whether ‖ŷ − y‖ ≤ bound ‖y − y⁻‖ in the kinetic-energy norm (accuracy.hpp). No value if T does not decide it.
 template <class T>
 std::optional<bool> relative_error_at_most(double bound, const BasicCollision<T>& collision, const Truth<T>& truth,
                                            const Outcome<T>& outcome) {
@@ -98,7 +97,7 @@ Deviation<T> deviation_of(const ExactCase& exact_case, const BasicCollision<T>& 
     const double norm_of_change = energy_norm(
         map_outcome<double>(minus(truth.outcome, unchanged(collision)), [](const T& x) { return rounded(x); }));
     const double ratio = norm_of_deviation / norm_of_change;
-    // If squares leave the range of numbers, the error counts as infinite.
+    // If the change is zero, or squares leave the range of binary64, the error counts as infinite.
     const bool is_known = norm_of_deviation > 0 && norm_of_change > 0 && std::isfinite(ratio);
     accuracy.relative_error = is_known ? ratio : std::numeric_limits<double>::infinity();
   }
@@ -119,7 +118,8 @@ std::optional<Accuracy> accuracy_by(const Deviation<T>& deviation, const Sensiti
     }
     result.allowed[k] = *allowed;
     if constexpr (!is_exact<T>) {
-      // A component is precise enough for print if its radius is at most a thousandth of it or of the permitted error.
+      // A component is precise enough for print if its radius is at most a thousandth of the component or of the
+      // permitted error.
       constexpr double thousandth = 0x1p-10;
       for (const T& component : deviation.of_vector[k]) {
         if (component.radius() > thousandth * std::max(component.magnitude_below(), allowance)) {
@@ -166,7 +166,7 @@ double digits_of(const BasicCollision<Rational>& collision, const Outcome<Ration
 
 namespace {
 
-/// The accuracy against the law's answer to a contact of approach `as`.
+/// The accuracy of an outcome by the law's answer to a contact of approach `as`.
 Accuracy accuracy_as(const ExactCase& exact_case, Law law, Approach as, const LiftedOutcome& outcome,
                      const Yardstick& yardstick, double known) {
   const bool may_use_bounds = yardstick.filtered && yardstick.allowance() > 0;
@@ -191,8 +191,8 @@ Accuracy accuracy_as(const ExactCase& exact_case, Law law, Approach as, const Li
     }
     return accuracy_by(*enclosed, sensitivity, yardstick);
   };
-  // If a lower bound of the sensitivity permits an error, the sensitivity permits it too, and is finite for moderate
-  // numbers. The reported errors depend neither on the sensitivity nor on `known`.
+  // If a lower bound of the sensitivity permits an error, the sensitivity permits it, too. The sensitivity of moderate
+  // numbers is finite. The reported errors depend neither on the sensitivity nor on `known`.
   if (yardstick.uses_bounds() && as == exact_case.approach() && exact_case.is_moderate(law) && outcome.is_moderate()) {
     const Sensitivity& below = exact_case.sensitivity_below(law);
     const auto bounded = by_enclosures(below);
@@ -252,7 +252,7 @@ Accuracy accuracy(const ExactCase& exact_case, Law law, const LiftedOutcome& out
     return own;
   }
   result.is_of_truth = false;
-  // `error_above` bounds the distance to the truth, but the outcome passes by the other answer.
+  // `result` compares with the other answer, so it bounds no distance to the truth.
   result.error_above = Accuracy{}.error_above;
   return result;
 }

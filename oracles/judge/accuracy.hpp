@@ -23,7 +23,6 @@ struct Accuracy {
   double relative_error = 0;  // ‖Δ − Δ_exact‖ / ‖Δ_exact‖ in the kinetic-energy norm, with Δ the change of the
                               // velocities; infinite if Δ_exact = 0 and Δ ≠ 0
 
-  /// Whether the error of every vector is within the yardstick.
   [[nodiscard]] bool is_allowed() const { return allowed == PerVector<bool>{true, true, true, true}; }
 
   /// η = max_k error_k / (u · sensitivity_k): the number of ulps that the inputs must move to make the outcome exact.
@@ -41,11 +40,11 @@ struct Accuracy {
                                const Outcome<Rational>& computed);
 
 /// The accuracy of an outcome by this law. If the law has two answers (ExactCase::has_two_answers), the accuracy refers
-/// to the answer by which the outcome passes. If the outcome passes by neither, the accuracy refers to the truth.
+/// to the nearest answer by which the outcome passes. If the outcome passes by none, the accuracy refers to the truth.
 ///
-/// `known` [ulps] saves time with a filtered yardstick. If the backward error is certainly at most `known`, a lower
-/// bound of the sensitivity may stand for the sensitivity. The result is then too large, but at most `known`.
-/// Precondition: the law is one of `laws_with_truth`.
+/// `known` [ulps] saves time if the yardstick is filtered. If the backward error is certainly at most `known`,
+/// `accuracy` may use a lower bound of the sensitivity. The backward error of the result is then too large, but at most
+/// `known`. Precondition: the law is one of `laws_with_truth`.
 [[nodiscard]] Accuracy accuracy(const ExactCase& exact_case, Law law, const LiftedOutcome& outcome,
                                 const Yardstick& yardstick, double known = 0);
 

@@ -32,7 +32,7 @@ Components<T> missing(const Sides<T, N>& sides, Relation relation, const IsPermi
   return result;
 }
 
-/// The components that an inequality may not permit, including those of uncertain sign.
+/// `missing`, plus the components of uncertain sign.
 template <class OneEquation, class T>
 Components<T> maybe_missing(const OneEquation& equation, Relation relation, const BasicCollision<T>& collision,
                             const Outcome<T>& outcome) {
@@ -40,9 +40,9 @@ Components<T> maybe_missing(const OneEquation& equation, Relation relation, cons
                  [](const T& x, int sign) { return x.sign().value_or(-sign) != -sign; });
 }
 
-/// The error of the outputs by underflow, divided by u. An operation that underflows has an error of η = u s, the least
-/// positive number. F has the errors of its own underflow and of the approach velocity, from which F is computed: (1 +
-/// m) u s. So r × F has an error of (1 + ‖r‖ + m ‖r‖) u s.
+/// The errors of the outputs by underflow, divided by u. An operation that underflows has an error of η = u s, the
+/// least positive number. F has an error of (1 + m) η: η of its own, and m η by the approach velocity in the formula of
+/// F. So F / m has an error of (1 + 1/m) η, and r × F one of (1 + ‖r‖ + m ‖r‖) η.
 PerVector<double> lost_to_underflow(const Collision& c, double s) {
   PerVector<double> lost{};
   const auto add = [&](const Body& body, OutcomeVector velocity, OutcomeVector spin) {
@@ -59,8 +59,8 @@ PerVector<double> lost_to_underflow(const Collision& c, double s) {
   return lost;
 }
 
-/// ‖ŷ_k‖ + ‖y_k⁻‖ plus the loss by underflow. ŷ_k is y_k⁻ plus a change, so ŷ_k has an error of u times the larger of
-/// these two terms, even if ŷ_k is zero.
+/// ‖ŷ_k‖ + ‖y_k⁻‖ plus the loss by underflow. ŷ_k is the sum of y_k⁻ and a change, so ŷ_k has an error of u times the
+/// larger of these two terms, even if ŷ_k is zero.
 PerVector<double> sizes_of_outputs(const ExactCase& exact_case, const LiftedOutcome& outcome, double least_size) {
   PerVector<double> sizes = lost_to_underflow(exact_case.collision(), least_size);
   const PerVector<double> norms = outcome.norms();
@@ -70,7 +70,7 @@ PerVector<double> sizes_of_outputs(const ExactCase& exact_case, const LiftedOutc
   return sizes;
 }
 
-/// Σ_k ‖∂g/∂ŷ_k‖ times the sizes of the outputs.
+/// The part of the scale by the outputs: Σ_k ‖∂g/∂ŷ_k‖ times the size of output k.
 template <class S>
 S part_by_outputs(const PerVector<S>& slopes, const PerVector<double>& sizes) {
   S part(0);
@@ -86,8 +86,8 @@ bool is_in_range(S scale) {
   return scale >= static_cast<S>(smallest_scale) && scale <= static_cast<S>(largest_scale);
 }
 
-/// Whether the slopes (norms of derivatives) need the digits of the outcome beyond binary64, because the slopes may
-/// cancel. The slopes of an affine equation do not depend on the outcome.
+/// Whether the slopes ‖∂g/∂ŷ_k‖ need the digits of the outcome beyond binary64, because their terms may cancel. The
+/// slopes of an affine equation do not depend on the outcome.
 template <class OneEquation>
 bool needs_all_digits(const OneEquation& equation, const LiftedOutcome& outcome) {
   if constexpr (std::is_convertible_v<const OneEquation&, Equation>) {
@@ -97,7 +97,7 @@ bool needs_all_digits(const OneEquation& equation, const LiftedOutcome& outcome)
   }
 }
 
-/// The part of the scale by outputs, in binary64. The case stores the slopes of an affine equation.
+/// The part of the scale by the outputs, in binary64. The case stores the slopes of an affine equation.
 template <class OneEquation>
 double part_by_outputs(const OneEquation& equation, const ExactCase& exact_case, const LiftedOutcome& outcome,
                        const PerVector<double>& sizes) {
@@ -115,7 +115,7 @@ double part_by_outputs(const OneEquation& equation, const ExactCase& exact_case,
 }
 
 /// The second-order error of an equation that is quadratic in the outcome, divided by the allowance α. The slopes do
-/// not contain it. It is 0 for an affine equation.
+/// not contain this error. It is 0 for an affine equation.
 template <class OneEquation>
 double part_by_curvature(const OneEquation& /*affine*/, const ExactCase& /*exact_case*/,
                          const LiftedOutcome& /*outcome*/, double /*allowance*/) {
@@ -138,8 +138,8 @@ double part_by_curvature(const equation::Energy& /*energy*/, const ExactCase& ex
                       of_body(c.b, OutcomeVector::velocity_of_b, OutcomeVector::angular_velocity_of_b));
 }
 
-/// F has an error of α m (‖ŷ_v‖ + ‖y_v⁻‖), with the mass and velocity of the body whose change of velocity gives F. If
-/// the slopes vanish, ‖N × F‖² and (μ N·F)² have the square of this error.
+/// F has an error of δ = α m (‖v̂‖ + ‖v⁻‖), with the mass and the velocities of the body whose velocity change gives F.
+/// If the slopes vanish, ‖N × F‖² has an error of ‖N‖² δ², and (μ N·F)² one of μ² ‖N‖² δ².
 double part_by_curvature(const equation::FrictionCone& cone, const ExactCase& exact_case, const LiftedOutcome& outcome,
                          double allowance) {
   const Collision& c = exact_case.collision();
@@ -149,8 +149,8 @@ double part_by_curvature(const equation::FrictionCone& cone, const ExactCase& ex
   return allowance * impulse * impulse * (1 + c.friction * c.friction);
 }
 
-/// Friction and slip have errors of α times the velocities from which they are computed. If the slopes vanish, the
-/// product of friction and slip has the product of these errors.
+/// N × F and N × V⁺ have errors of α times the sizes of the terms from which they are computed. If the slopes vanish,
+/// the product of N × F and N × V⁺ has the product of these errors.
 double curvature_of_friction_and_slip(bool read_off_a, const ExactCase& exact_case, const LiftedOutcome& outcome,
                                       double allowance) {
   const Collision& c = exact_case.collision();
@@ -185,8 +185,7 @@ struct ByShownMatrix {
   }
 };
 
-/// The permitted error of C is that of the exact K: E = α Σ_q ‖∂K/∂q‖_F ‖q‖ (Frobenius norm). So C F has a permitted
-/// error of ‖F‖ E.
+/// C may differ from the exact K by E = α Σ_q ‖∂K/∂q‖ ‖q‖ (Frobenius norm). So C F has a permitted error of ‖F‖ E.
 double part_by_curvature(const ByShownMatrix& by_matrix, const ExactCase& exact_case, const LiftedOutcome& outcome,
                          double allowance) {
   const Vector3<double> impulse = impulse_on_a(exact_case.collision(), outcome.rounded(), by_matrix.read_off_a);
@@ -199,8 +198,8 @@ double permitted_residual(const ByShownMatrix& by_matrix, const PermittedInputs&
                                       sizes);
 }
 
-/// Whether the product in part_by_curvature keeps its digits. For a moderate collision, the sensitivity of K is not
-/// extreme.
+/// Whether the product in part_by_curvature keeps its digits. The sensitivity of K is not extreme if the collision is
+/// moderate.
 bool has_part_by_matrix(const ByShownMatrix& by_matrix, const ExactCase& exact_case, const LiftedOutcome& outcome,
                         double allowance) {
   const double impulse = norm_of(impulse_on_a(exact_case.collision(), outcome.rounded(), by_matrix.read_off_a));
@@ -212,7 +211,7 @@ bool is_moderate(const LiftedMatrix& shown) {
   return shown.reported() != nullptr && shown.reported()->cwiseAbs().maxCoeff() <= largest_moderate_outcome;
 }
 
-/// The scale of an equation. No value if it leaves the range of numbers.
+/// The scale of an equation. No value if the scale leaves the range of binary64.
 template <class OneEquation>
 std::optional<double> scale_of(const OneEquation& equation, const ExactCase& exact_case, const LiftedOutcome& outcome,
                                const PerVector<double>& sizes, double allowance) {
@@ -236,7 +235,7 @@ std::optional<double> scale_of(const OneEquation& equation, const ExactCase& exa
   return wide == 0 || is_in_range(wide) ? std::optional<double>(static_cast<double>(wide)) : std::nullopt;
 }
 
-/// A cheap lower bound of the scale: the part by outputs. Precondition: the bounds and the outcome are moderate.
+/// A cheap lower bound of the scale: the part by the outputs. Precondition: the collision and the outcome are moderate.
 template <class OneEquation>
 double part_of_scale(const OneEquation& equation, const ExactCase& exact_case, const LiftedOutcome& outcome,
                      const PerVector<double>& sizes) {
@@ -245,7 +244,6 @@ double part_of_scale(const OneEquation& equation, const ExactCase& exact_case, c
   return is_in_range(part) ? part : 0;
 }
 
-/// Whether approximations show that the equation holds.
 template <class OneEquation>
 bool surely_holds(const OneEquation& equation, Relation relation, const ExactCase& exact_case,
                   const LiftedOutcome& outcome, const PerVector<double>& sizes, double allowance) {
@@ -292,7 +290,7 @@ Comparison compare_one(const OneEquation& equation, Relation relation, const Exa
       return {};
     }
     const auto missed = maybe_missing(equation, relation, exact_case.bounds().enclosed(), outcome.enclosed());
-    // If a number is not moderate, the scale may leave the range of numbers although its lower bound does not.
+    // If a number is not moderate, the scale may leave the range of binary64 although its lower bound does not.
     const bool is_moderate = exact_case.bounds().is_moderate() && outcome.is_moderate();
     if (missed.empty() ||
         (is_moderate &&

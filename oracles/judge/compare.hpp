@@ -15,7 +15,8 @@ inline constexpr double largest_scale = 0x1p+1000;
 
 enum class Relation { equal, at_least, at_most };
 
-/// The comparison of the two sides of an equation at an outcome. The decision is exact. The numbers are for print.
+/// The comparison of the two sides of an equation at an outcome. The decision is exact. The numbers are rounded, for
+/// print.
 struct Comparison {
   bool holds = true;
   bool is_decided = true;  // false if the scale, or the allowance times it, leaves the range of numbers
@@ -26,10 +27,10 @@ struct Comparison {
   std::vector<double> right;
 };
 
-/// Decides exactly whether an equation holds at an outcome: its residual is at most yardstick.allowance() times its
-/// scale. A filtered yardstick uses the first of these that decides: approximations with a lower bound of the scale;
-/// enclosures with this bound; enclosures with the scale; rationals. Precondition: that of the equation
-/// (equations.hpp).
+/// Decides exactly whether an equation holds at an outcome: the residual is at most yardstick.allowance() times the
+/// scale, and more in a hard case (permitted_residual.hpp). With a filtered yardstick, `compare` tries in turn:
+/// approximations with a lower bound of the scale; enclosures with the same bound; enclosures with the scale;
+/// rationals. Precondition: that of the equation (equations.hpp).
 [[nodiscard]] Comparison compare(const Equation& equation, Relation relation, const ExactCase& exact_case,
                                  const LiftedOutcome& outcome, const Yardstick& yardstick);
 

@@ -30,7 +30,7 @@ Vector3<T> torque_arm(const BasicBody<T>& body, const BasicCollision<T>& c) {
 
 /// τ_k of ExactCase::sensitivity, or zero if τ_k is beyond the range of numbers.
 Sensitivity second_order_scale(const Collision& c) {
-  // A lever arm is a difference of two positions, and perturbations of both change it.
+  // A lever arm moves with both positions, so both lengths count, not the length of the difference.
   const auto reach = [&](const Body& body) { return norm_of(c.point) + length_of_position(body); };
   double speed = 0;
   double lambda = 0;
@@ -59,7 +59,7 @@ Sensitivity second_order_scale(const Collision& c) {
 
 /// Σ_q ‖∂(N·V⁻)/∂q‖ ‖q‖, from the derivatives of N·(v + w × r) with r = P − X.
 double sensitivity_of_normal_velocity(const Collision& c) {
-  // A quantity that is zero has no relative perturbation, even if its derivative is infinite.
+  // A quantity that is zero contributes nothing, even if its derivative is infinite.
   const auto weighted = [](const Vector3<double>& derivative, double length) {
     return length == 0 ? 0 : norm_of(derivative) * length;
   };

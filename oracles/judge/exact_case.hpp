@@ -9,8 +9,7 @@
 
 namespace carom::oracles {
 
-/// A valid collision and exact facts about it, each computed on first use. For one thread. N is the normal, V⁻ the
-/// relative velocity before the impulse, F the impulse, K the collision matrix, and λ = 1/m_A + 1/m_B.
+/// A valid collision, and exact facts about it. Each fact is computed on first use. For one thread. λ is 1/m_A + 1/m_B.
 class ExactCase {
  public:
   /// If `filtered`, numbers with error bounds may decide a fact before ℚ. The facts are the same. Precondition: the
@@ -42,10 +41,10 @@ class ExactCase {
   /// that the answer is rational.
   [[nodiscard]] const Truth<Rational>& truth(Law law) const { return truth(law, approach()); }
 
-  /// The answer for a contact with approach `as`, checked in the same way.
+  /// The law's answer as if the contact had the approach `as`. The answer is checked in the same way.
   [[nodiscard]] const Truth<Rational>& truth(Law law, Approach as) const;
 
-  /// The answer in ℚ(√s), checked in the same way. Precondition: `branch` is `on_cone`.
+  /// The answer in numbers p + q √s, checked in the same way. Precondition: `branch` is `on_cone`.
   [[nodiscard]] const Truth<Radical>& truth_on_cone(Law law) const;
 
   template <class Use>
@@ -62,29 +61,30 @@ class ExactCase {
   [[nodiscard]] const Truth<Enclosure>& enclosed_truth(Law law) const { return enclosed_truth(law, approach()); }
   [[nodiscard]] const Truth<Enclosure>& enclosed_truth(Law law, Approach as) const;
 
-  /// The sensitivity of the law's answer, to second order: σ_k + α τ_k with the allowance α. σ_k is Σ_q ‖∂y_k/∂q‖ ‖q‖ +
-  /// ‖y_k⁻‖ (sensitivity.hpp). τ_k is ‖y_k⁻‖ plus the largest change of vector k by an impulse of 2 s / λ, with s ≥
-  /// ‖V⁻‖. α τ_k counts if the derivatives vanish, as for a central contact that grazes.
+  /// The sensitivity of the law's answer y: σ_k + α τ_k for each vector k, with the allowance α. The term σ_k is
+  /// Σ_q ‖∂y_k/∂q‖ ‖q‖ + ‖y_k⁻‖ (sensitivity.hpp). The term τ_k is of second order: ‖y_k⁻‖ plus the largest change of
+  /// vector k by an impulse of length 2 s / λ, with s ≥ ‖V⁻‖. It matters if the derivatives vanish, as for a central
+  /// contact that grazes.
   ///
   /// If the contact grazes (`is_grazing`), the function returns the sensitivity of the colliding answer, unless the law
   /// has two answers (`has_two_answers`). Near the surface of the friction cone, the larger of two sensitivities
-  /// counts: inside the cone and on the cone. If PermittedInputs::first_order_is_blind, the sensitivity of a colliding
-  /// answer is at least PermittedInputs::distance_of_answers divided by the allowance.
+  /// counts: that inside the cone and that on the surface. If PermittedInputs::first_order_is_blind, the sensitivity of
+  /// a colliding answer is at least PermittedInputs::distance_of_answers divided by the allowance.
   [[nodiscard]] Sensitivity sensitivity(Law law, double allowance) const;
 
   /// The sensitivity of the answer for approach `as`, whether or not the contact grazes.
   [[nodiscard]] Sensitivity sensitivity_as(Law law, Approach as, double allowance) const;
 
-  /// Whether permitted inputs have answers that are far from each other. This is so if the contact grazes and the law
-  /// acts at once: its impulse does not tend to 0 with N·V⁻. `rough` acts at once if its D (models/rough.hpp) lies in
-  /// the cone.
+  /// Whether permitted inputs have answers that are far from each other. This holds if the contact grazes and the law
+  /// acts at once: its impulse may differ from 0 in the limit N·V⁻ → 0. `rough` acts at once if D (models/rough.hpp)
+  /// lies in the cone.
   [[nodiscard]] bool has_two_answers(Law law, double allowance) const;
 
   /// Whether the collision is moderate (moderate.hpp) and the law's sensitivity is certainly finite.
   [[nodiscard]] bool is_moderate(Law law) const;
 
-  /// Whether permitted inputs lie on both sides of two limits: N·V⁻ = 0, and the surface of the friction cone for F.
-  /// `accuracy` then decides nothing.
+  /// Whether permitted inputs lie on both sides of N·V⁻ = 0, and their impulses on both sides of the friction cone's
+  /// surface. If so, `accuracy` decides nothing.
   [[nodiscard]] bool is_open(Law law, double allowance) const;
 
   /// A cheap lower bound of `sensitivity`: BoundedCase::colliding_sensitivity_below if the contact collides, otherwise
@@ -93,12 +93,12 @@ class ExactCase {
 
   [[nodiscard]] const Matrix3<Rational>& collision_matrix() const;
 
-  /// Σ_q ‖∂K/∂q‖ ‖q‖. If PermittedInputs::first_order_is_blind, the sum includes the squares of the changes of lever
-  /// arms.
+  /// Σ_q ‖∂K/∂q‖ ‖q‖. If PermittedInputs::first_order_is_blind, the sum includes the effect of the squared changes of
+  /// the lever arms.
   [[nodiscard]] double collision_matrix_sensitivity(double allowance) const;
 
-  /// Whether λI ⪯ K, decided exactly. This always holds, because K − λI is the sum of [r]ᵀ J⁻¹ [r] over the movable
-  /// bodies, with [r] y = r × y. Each term is a congruence of a positive diagonal matrix.
+  /// Whether λI ⪯ K, decided exactly. This always holds, because K − λI is the sum of [r]ᵀ J⁻¹ [r] ⪰ 0 over the movable
+  /// bodies, with [r] y = r × y.
   [[nodiscard]] bool is_definite() const;
 
   /// Whether K ⪯ bound · I, decided exactly.
@@ -122,13 +122,13 @@ class ExactCase {
   [[nodiscard]] const Sensitivity& colliding_first_order(Law law, Branch branch) const;
   [[nodiscard]] bool is_inside_cone() const;
   [[nodiscard]] bool reaches_cone() const;
-  /// Whether the law acts at once (`has_two_answers`) on this branch, or near the cone's surface.
+  /// Whether the law acts at once (`has_two_answers`) on its branch, or the contact is near the cone's surface.
   [[nodiscard]] bool acts_at_once_here(Law law, double allowance) const;
   /// Whether the answers to permitted inputs lie on both sides of the cone's surface.
   [[nodiscard]] bool is_near_cone_surface(Law law, double allowance) const;
   /// The approach whose answer counts for approach `as`: `as` itself, with one exception. If the contact does not
-  /// collide and its colliding answer would lie on the cone, this answer tends to 0 with N·V⁻. Then the contact's own
-  /// approach counts.
+  /// collide and its colliding answer would lie on the cone's surface, the impulse of this answer tends to 0 with N·V⁻.
+  /// Then the contact's own approach counts.
   [[nodiscard]] Approach answered_as(Law law, Approach as) const;
   [[nodiscard]] const Sensitivity& second_order() const;
 

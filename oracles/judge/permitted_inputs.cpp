@@ -28,13 +28,13 @@ PermittedInputs::PermittedInputs(const BoundedCase& bounds, double allowance) : 
   };
   a_ = body_with_arm(c.a);
   b_ = body_with_arm(c.b);
-  // The allowance α moves N by at most α ‖N‖, and so turns N by at most asin(α). The chord of this angle is less than α
-  // / (1 − α).
+  // The allowance α moves N by at most α ‖N‖, and so turns N by at most asin(α). The chord of this angle is less than
+  // α / (1 − α).
   unit_normal_ = {c.normal / norm_of(c.normal), allowance / (1 - allowance)};
   const auto at_point = [&](const OfBody& of) {
     return vector(of.body.velocity) + cross(vector(of.body.angular_velocity), of.arm);
   };
-  // In binary64, cancellation may leave V⁻ without a correct digit.
+  // Enclosures, because cancellation in binary64 may leave V⁻ without a correct digit.
   const Vector3<double> velocity =
       middle(oracles::relative_velocity<Enclosure>(bounds.enclosed(), unchanged(bounds.enclosed())));
   relative_velocity_ = {velocity, (at_point(a_) - at_point(b_)).radius};
@@ -69,7 +69,7 @@ bool PermittedInputs::first_order_is_blind(const Collision& c, double allowance,
 }
 
 bool PermittedInputs::is_finite() const {
-  // The arms and V⁻ enter these radii, so none of them is infinite either.
+  // The radii of the arms and of V⁻ enter these radii. So if these are finite, all are.
   return std::isfinite(normal_velocity_.radius) && std::isfinite(response_at_point(unit_normal_).largest());
 }
 
@@ -100,7 +100,8 @@ VectorBall PermittedInputs::response_at_point(const VectorBall& impulse) const {
   return sum;
 }
 
-/// For the given impulse φ N, φ′ − φ = (N·K F′ − N·K φ N) / (N·K N). The divisor N·K N is at least λ for a unit normal.
+/// For F = φ N and F′ = φ′ N′, φ′ − φ = (N′·K′ F′ − N′·K′ φ N′) / (N′·K′ N′). The divisor is at least λ for a unit
+/// normal N′.
 VectorBall PermittedInputs::along_normal(const Vector3<double>& impulse, double radius) const {
   const double share = unit_normal_.centre.dot(impulse);
   const ScalarBall along{share, 0};
@@ -109,7 +110,7 @@ VectorBall PermittedInputs::along_normal(const Vector3<double>& impulse, double 
   return ScalarBall{share, missed / divisor} * unit_normal_;
 }
 
-/// F′ − F = K⁻¹ (K F′ − K F) is at most ‖K F′ − K F‖ / λ long.
+/// F′ − F = K′⁻¹ (K′ F′ − K′ F) is at most ‖K′ F′ − K′ F‖ / λ long.
 VectorBall PermittedInputs::by_matrix(const Vector3<double>& impulse, double radius) const {
   const double missed = radius + response_at_point({impulse, 0}).radius;
   return {impulse, missed / least_inverse_mass_};
@@ -171,7 +172,8 @@ PerVector<double> PermittedInputs::distance_of_answers(const Vector3<double>& im
   PerVector<double> distance{};
   const auto add_body = [&](const OfBody& of, OutcomeVector velocity, OutcomeVector spin) {
     const Change change = response(of, all);
-    // The perturbation of the velocity before the impulse counts twice: by itself, and in the sum with the change.
+    // The velocity before the impulse counts twice: as a perturbed input, and in the rounding of its sum with the
+    // change.
     distance[velocity] = change.velocity.radius + 2 * allowance_ * norm_of(of.body.velocity);
     distance[spin] = change.angular_velocity.radius + 2 * allowance_ * norm_of(of.body.angular_velocity);
   };

@@ -7,15 +7,14 @@
 namespace carom::oracles {
 
 /// All collisions whose quantities (quantities.hpp) differ from those of a given collision by at most `allowance` times
-/// their lengths. The class encloses the law's answers to these collisions, for the cases in which derivatives do not
-/// describe the answers (`first_order_is_blind`). The enclosure is finite for any lever arms, unless numbers leave the
-/// range of binary64 (docs/reference/yardstick.md#hard-cases).
+/// their lengths. The class encloses a law's answers to these collisions. The judge uses it if derivatives do not
+/// describe these answers (`first_order_is_blind`).
 class PermittedInputs {
  public:
   /// Preconditions: the collision is valid; 0 < allowance < 1/2.
   PermittedInputs(const BoundedCase& bounds, double allowance);
 
-  /// Whether derivatives fail to describe the law's answers to permitted inputs, by conditions (1) to (3) of
+  /// Whether derivatives fail to describe the law's answers to permitted inputs, by conditions 1 to 3 of
   /// docs/reference/yardstick.md#hard-cases. `normal_velocity_sensitivity` is Σ_q ‖∂(N·V⁻)/∂q‖ ‖q‖.
   [[nodiscard]] static bool first_order_is_blind(const Collision& collision, double allowance,
                                                  double normal_velocity_sensitivity);
@@ -23,10 +22,10 @@ class PermittedInputs {
   /// Whether velocities, lever arms, and the bodies' responses to an impulse have finite enclosures.
   [[nodiscard]] bool is_finite() const;
 
-  /// For each vector, an upper bound of a distance to the law's answers to permitted inputs. The distance is from the
-  /// law's answer to a colliding contact, which has the impulse `impulse`, or, if `from_rest`, from the velocities
-  /// before the impulse. Infinite beyond the range of numbers. Preconditions: a body is movable; the law is one of
-  /// `laws_with_truth`.
+  /// For each vector, an upper bound of the distance from y to the law's answers to permitted inputs. The vector y
+  /// belongs to the law's colliding answer, with the impulse `impulse`. If `from_rest`, y is the vector before the
+  /// impulse instead. The bound is infinite if a number leaves the range of binary64. Preconditions: a body is movable;
+  /// the law is one of `laws_with_truth`.
   [[nodiscard]] PerVector<double> distance_of_answers(const Vector3<double>& impulse, Law law, Branch branch,
                                                       bool from_rest) const;
 
@@ -62,7 +61,7 @@ class PermittedInputs {
     VectorBall angular_velocity;
   };
   /// The impulses P_I and D = P_II − P_I of the law `rough` (models/rough.hpp), and the least and the largest κ that
-  /// put F on the cone.
+  /// put F on the cone's surface.
   struct RoughParts {
     VectorBall stops_approach;
     VectorBall difference;
@@ -74,9 +73,10 @@ class PermittedInputs {
   [[nodiscard]] Change response(const OfBody& of, const VectorBall& impulse) const;
   /// K F.
   [[nodiscard]] VectorBall response_at_point(const VectorBall& impulse) const;
-  /// All F′ = φ′ N for which N·K F′ differs from N·K F by at most `radius`. Precondition: the impulse F is along N.
+  /// All impulses F′ = φ′ N′ with |N′·K′ F′ − N·K F| ≤ `radius`, for F = `impulse`. A prime marks the numbers of
+  /// permitted inputs. Precondition: F is along N.
   [[nodiscard]] VectorBall along_normal(const Vector3<double>& impulse, double radius) const;
-  /// All F′ for which K F′ differs from K F by a vector of at most the length `radius`, for the impulse F.
+  /// All impulses F′ with ‖K′ F′ − K F‖ ≤ `radius`, for F = `impulse`.
   [[nodiscard]] VectorBall by_matrix(const Vector3<double>& impulse, double radius) const;
   [[nodiscard]] RoughParts rough_parts() const;
   [[nodiscard]] VectorBall rough(const Vector3<double>& impulse) const;

@@ -6,9 +6,10 @@
 
 namespace carom::oracles {
 
-/// An upper bound of the residual that permitted inputs (permitted_inputs.hpp) and outputs cause through products with
-/// a lever arm. `compare` permits this residual in addition to the first order. Vector k of the outcome `after` moves
-/// by at most the allowance times sizes[k]. Precondition: that of the equation.
+/// An upper bound of the residual that arises through products with a lever arm if inputs and outputs move. The inputs
+/// stay permitted (permitted_inputs.hpp). Vector k of the outcome `after` moves by at most the allowance times
+/// sizes[k]. `compare` permits this residual in addition to the allowance times the scale. Precondition: that of the
+/// equation.
 [[nodiscard]] double permitted_residual(const Equation& equation, const PermittedInputs& inputs,
                                         const Collision& collision, const Outcome<double>& after,
                                         const PerVector<double>& sizes);

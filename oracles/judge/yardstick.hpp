@@ -18,14 +18,15 @@ inline constexpr double largest_allowance_for_bounds = 0x1p+64;
 
 /// The amount of rounding that is allowed (docs/reference/yardstick.md). The residual of an equation g passes if it is
 /// at most `allowance` times the scale Σ_q ‖∂g/∂q‖ ‖q‖ + Σ_k ‖∂g/∂ŷ_k‖ (‖ŷ_k‖ + ‖y_k⁻‖). q are the quantities, ŷ_k the
-/// outputs, and y_k⁻ the vectors before the impulse. In binary32 the outputs are also allowed the loss by underflow.
+/// outputs, and y_k⁻ the vectors before the impulse. In binary32 the scale also contains the loss of the outputs by
+/// underflow.
 struct Yardstick {
   double unit_roundoff = 0;  // u of the subject's precision; 0 judges exact arithmetic, which is allowed no rounding
   double least_size = 0;     // least_size_known_to_a_roundoff of that precision
   double limit_ulps = default_limit_ulps;
   std::optional<int> digits;  // if set, decides instead of ulps
 
-  /// Whether numbers with error bounds may decide before rationals. Without them, the same verdicts take longer.
+  /// Whether numbers with error bounds may decide before rationals.
   bool filtered = true;
 
   /// Whether lower bounds of the allowed error may decide.

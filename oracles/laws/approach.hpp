@@ -3,7 +3,8 @@
 
 namespace carom::oracles {
 
-/// The state of the contact before the impulse. N is the normal from B to A, and V⁻ is V_A − V_B at the contact.
+/// The state of the contact before the impulse. N is the normal from B to A, and V⁻ is V_A⁻ − V_B⁻ at the contact
+/// point.
 enum class Approach {
   colliding,   // N·V⁻ < 0 and a body can move
   resting,     // N·V⁻ = 0

@@ -8,7 +8,7 @@
 
 namespace carom::oracles {
 
-/// The formula by which a law answers a contact that collides.
+/// The formula by which a law answers a contact that collides. Only the law `rough` has more than one.
 enum class Branch {
   only,         // no friction: the law has none, or μ = 0
   inside_cone,  // F lies in the friction cone, so friction acts in full

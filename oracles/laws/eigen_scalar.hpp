@@ -5,8 +5,8 @@
 
 namespace carom::oracles {
 
-/// The base of Eigen::NumTraits<T> for a signed real scalar type T. `Read`, `Add` and `Multiply` are costs in
-/// approximate cycles.
+/// The base of Eigen::NumTraits<T> for a signed real scalar type T. `Read`, `Add` and `Multiply` are approximate costs
+/// in cycles.
 template <class T, int Read, int Add, int Multiply>
 struct EigenScalar : Eigen::GenericNumTraits<T> {
   using Real = T;

@@ -9,7 +9,7 @@
 #include <carom/oracles/laws/mechanics.hpp>
 #include <carom/oracles/laws/truth.hpp>
 
-/// The equations, and the set of equations that defines each law. Every verdict rests on them. "Note" stands for D.
+/// The equations, and the set of equations that defines each law. Every verdict rests on this file. The "note" is D.
 /// Eberly, "Computing Impulse Forces for Colliding Contact" (docs/findings/note.md).
 namespace carom::oracles {
 
@@ -70,16 +70,16 @@ enum class AffineEquation {
   untouched_angular_velocity_of_b,
 };
 
-/// Whether the equation contains N·V⁺. Its slopes (norms of derivatives with respect to the outcome) contain ‖r × N‖,
-/// which may cancel, so the computed values may be mostly rounding errors. The slopes of the other equations do not
-/// cancel.
+/// Whether the equation contains N·V⁺. The derivative of N·V⁺ with respect to an angular velocity is r × N. The terms
+/// of r × N may cancel, so the computed vector may be mostly rounding error. Other affine equations have no such
+/// derivative.
 [[nodiscard]] constexpr bool is_of_normal_velocity(AffineEquation equation) {
   return equation == AffineEquation::restitution || equation == AffineEquation::non_penetration;
 }
 
-/// Each struct maps (collision, outcome) to the two sides of an equation or inequality, in any field T. `name` is set
-/// if the equation is affine in the outcome. `read_off_a` selects the body, A or B, whose velocity change gives F.
-/// Precondition: this body is movable.
+/// Each struct maps (collision, outcome) to the two sides of an equation or inequality, in any field T. `name()` has a
+/// value if the equation is affine in the outcome. F is computed from the velocity change of A if `read_off_a`,
+/// otherwise from that of B. Precondition: this body is movable.
 namespace equation {
 
 /// m_A Δv_A = −m_B Δv_B. Precondition: both bodies are movable.
@@ -253,8 +253,8 @@ struct FrictionAgainstSlip {
 };
 
 /// E⁺ − E⁻ ≤ W: the kinetic energy of the movable bodies grows by at most W, the work of a driven wall (an immovable
-/// body that moves). W is the wall's velocity at the contact point times the impulse on the other body. Convex in the
-/// outcome. Precondition: a body is movable.
+/// body that moves). W is the scalar product of the wall's velocity at the contact point and the impulse on the other
+/// body. E⁺ − W is convex in the outcome. Precondition: a body is movable.
 struct Energy {
   [[nodiscard]] static constexpr std::optional<AffineEquation> name() { return std::nullopt; }
 
@@ -323,8 +323,8 @@ consteval bool stand_in_the_order_of_their_names() {
 }  // namespace detail
 static_assert(detail::stand_in_the_order_of_their_names());
 
-/// Calls visit(name, equation) for each equation that defines the answer of a law to a contact with this approach.
-/// `certify_rough` checks the other conditions of `rough`. Precondition: the law is one of `laws_with_truth`.
+/// Calls visit(name, equation) for each equation that defines the answer of a law to a contact with this approach. The
+/// law `rough` has further conditions, which `certify_rough` checks. Precondition: the law is one of `laws_with_truth`.
 template <class T, class Visit>
 void for_each_defining_equation(const BasicCollision<T>& c, Law law, Approach approach, const Visit& visit) {
   const auto visit_untouched = [&](const char* name, bool a) {

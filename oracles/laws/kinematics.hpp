@@ -14,8 +14,8 @@ template <class T>
   return {q[0], -q[1], -q[2], -q[3]};
 }
 
-/// q v q* / ‖q‖²: v turned by the rotation of the quaternion q = (w, u). With t = w v + u × v, q v = (−u·v, t). The
-/// vector part of (−u·v, t) q* is (u·v) u + w t + u × t.
+/// q v q* / ‖q‖²: v turned by the rotation of the quaternion q = (w, u), with its conjugate q*. Let t = w v + u × v.
+/// Then q v = (−u·v, t), and the vector part of q v q* is (u·v) u + w t + u × t.
 template <class T>
 [[nodiscard]] Vector3<T> turned(const Quaternion<T>& q, const Vector3<T>& v) {
   const T& w = q[0];

@@ -32,15 +32,16 @@ template <class T>
   return body.mass * Vector3<T>(after.velocity - body.velocity);
 }
 
-/// Whether A is the lighter movable body, so that its velocity change gives the impulse most accurately. Precondition:
-/// a body is movable.
+/// Whether A is the lighter movable body. The velocity change of the lighter body gives the impulse most accurately.
+/// Precondition: a body is movable.
 template <class T>
 [[nodiscard]] bool reads_impulse_off_a(const BasicCollision<T>& c) {
   CAROM_EXPECTS(has_movable_body(c));
   return c.b.immovable || (!c.a.immovable && c.a.mass <= c.b.mass);
 }
 
-/// F on A [N s], computed from the velocity change of A or of B. Precondition: the selected body is movable.
+/// F on A [N s], computed from the velocity change of A if `read_off_a`, otherwise from that of B. Precondition: the
+/// selected body is movable.
 template <class T>
 [[nodiscard]] Vector3<T> impulse_on_a(const BasicCollision<T>& c, const Outcome<T>& after, bool read_off_a) {
   return read_off_a ? impulse_on(c.a, after.a) : Vector3<T>(-impulse_on(c.b, after.b));
@@ -53,8 +54,8 @@ template <class T>
          apply_inertia<T>(body, after.angular_velocity - body.angular_velocity);
 }
 
-/// The kinetic energy that a movable body gains [J]: ½ m (v⁺² − v⁻²) + ½ (w⁺ᵀ J w⁺ − w⁻ᵀ J w⁻). It contains v⁺² − v⁻²
-/// as (v⁺ + v⁻)·(v⁺ − v⁻), so that a large common velocity cancels.
+/// The kinetic energy that a movable body gains [kg m²/s²]: ½ m (v⁺² − v⁻²) + ½ (w⁺ᵀ J w⁺ − w⁻ᵀ J w⁻). v⁺² − v⁻² is
+/// computed as (v⁺ + v⁻)·(v⁺ − v⁻), because large squares would cancel.
 template <class T>
 [[nodiscard]] T kinetic_energy_gain(const BasicBody<T>& body, const BodyVelocity<T>& after) {
   const Vector3<T> sum = after.velocity + body.velocity;

@@ -6,8 +6,8 @@
 #include <carom/collision/expects.hpp>
 #include <carom/oracles/laws/certify.hpp>
 
-/// The definition of the law `rough` (A. Chatterjee, A. Ruina, J. Appl. Mech. 65, 1998; its formulas are in
-/// docs/guide/laws.md). The law combines two other laws without restitution, and it obeys the friction cone.
+/// The definition of the law `rough` (A. Chatterjee, A. Ruina, J. Appl. Mech. 65, 1998; docs/guide/laws.md gives its
+/// formulas).
 namespace carom::oracles {
 
 template <class T>
@@ -17,13 +17,14 @@ struct RoughParts {
   T friction_share;             // κ
 };
 
-/// Checks exactly that a truth y and its parts satisfy their definitions. y⁻ are the velocities before the impulse. The
-/// parts have the outcomes y_I and y_II. e_t is the tangential restitution:
+/// Checks exactly that an outcome y satisfies the definition of `rough`. The velocities before the impulse are y⁻, and
+/// y has the impulse F. The part `approach_stopped` has the outcome y_I and the impulse P_I, and `point_stopped` has
+/// y_II and P_II:
 ///
-///   (1) the parts are the answers of their laws;
+///   (1) y_I is the answer of `frictionless` at ε = 0, and y_II the answer of `sticking` at ε = 0;
 ///   (2) y − y⁻ = (1 + ε) (y_I − y⁻) + κ (y_II − y_I), so that F = (1 + ε) P_I + κ (P_II − P_I);
-///   (3) F lies in the cone, N·F ≥ 0 and ‖N × F‖ ≤ μ N·F;
-///   (4) κ = 1 + e_t; or else 0 ≤ κ ≤ 1 + e_t and F lies on the cone's surface.
+///   (3) F lies in the cone: N·F ≥ 0 and ‖N × F‖ ≤ μ N·F;
+///   (4) κ = 1 + e_t, or 0 ≤ κ ≤ 1 + e_t with F on the cone's surface.
 ///
 /// T is an ordered exact field. Throws a std::logic_error that names the condition that fails. Preconditions: the
 /// contact collides; a body is movable.

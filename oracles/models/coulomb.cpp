@@ -9,10 +9,10 @@
 namespace carom::oracles {
 namespace {
 
-/// The number of bits of a slip resistance ν (coulomb.hpp).
+/// The bits of precision of a slip resistance ν (coulomb.hpp).
 constexpr int bits_of_resistance = 120;
 
-/// The linear system M(ν) F = b of one collision (`coulomb_answers`).
+/// The linear system (K + ν P) F = b of one collision (coulomb.hpp).
 struct Slip {
   Matrix3<Rational> response;  // K
   Matrix3<Rational> across;    // P
@@ -32,7 +32,7 @@ struct Slip {
     return cramer<Rational>(matrix(resistance), change);
   }
 
-  /// The coefficients of ν⁰, ν¹ and ν² of n(ν) = adj M(ν) b, from its values at 0, 1 and −1.
+  /// The coefficients of ν⁰, ν¹ and ν² in n(ν) = adj(K + ν P) b, from n(0), n(1) and n(−1).
   [[nodiscard]] std::array<Vector3<Rational>, 3> numerator() const {
     const auto at = [&](int resistance) -> Vector3<Rational> {
       const Matrix3<Rational> m = matrix(Rational(resistance));
@@ -68,7 +68,7 @@ std::vector<CoulombAnswer> coulomb_answers(const BasicCollision<Rational>& c) {
   if (c.normal.dot(sticking) >= 0 && cone.left[0] <= cone.right[0]) {
     answers.push_back({AnswerKind::sticks, truth_by(c, sticking)});
   }
-  // N·n(ν) and ‖N × n(ν)‖² − (μ N·n(ν))².
+  // `along` is N·n(ν), and `surface` is ‖N × n(ν)‖² − (μ N·n(ν))².
   const std::array<Vector3<Rational>, 3> n = slip.numerator();
   Coefficients along;
   for (const Vector3<Rational>& of : n) {

@@ -29,7 +29,6 @@ enum class AnswerKind {
   return "untouched";
 }
 
-/// One of the answers of the law `coulomb` to a collision.
 struct CoulombAnswer {
   AnswerKind kind;
   Truth<Rational> truth;  // exact for each kind except `slips`, which has a slip resistance within 2⁻¹²⁰ of the exact
@@ -38,15 +37,15 @@ struct CoulombAnswer {
   [[nodiscard]] bool is_exact() const { return kind != AnswerKind::slips; }
 };
 
-/// All answers of the law `coulomb` to a contact that collides:
+/// All answers of the law `coulomb` to a contact that collides. An answer is an impulse F with
 ///
 ///   N·V⁺ = −ε N·V⁻,   ‖N × F‖ ≤ μ N·F,   and either N × V⁺ = 0, or ‖N × F‖ = μ N·F and ν F_T = −V_T⁺ with ν > 0.
 ///
-/// ν is the slip resistance, and T marks the part across N. Let P be the projection onto the plane across N, M(ν) = K +
-/// ν P, and b = −(V⁻ + ε (N·V⁻)/(N·N) N). Then F = M(ν)⁻¹ b = n(ν) / det M(ν), with n quadratic and the determinant
-/// positive (Cramer). ν = 0 is sticking. The answers that slip are the positive roots of the quartic ‖N × n‖² − (μ
-/// N·n)² with N·n > 0. There is at least one answer (docs/guide/laws.md). Preconditions: the contact collides; a body
-/// is movable.
+/// F_T and V_T⁺ are the parts of F and V⁺ perpendicular to N, and ν is the slip resistance. Let P be the projection
+/// onto the plane perpendicular to N, and b = −(V⁻ + ε (N·V⁻)/(N·N) N). Then (K + ν P) F = b. ν = 0 is sticking, and
+/// ν > 0 is slip. By Cramer's rule, F = n(ν) / det(K + ν P), with n quadratic in ν and the determinant positive. So the
+/// answers that slip are the roots ν > 0 of the quartic ‖N × n‖² − (μ N·n)² with N·n > 0. There is at least one answer
+/// (docs/guide/laws.md). Preconditions: the contact collides; a body is movable.
 [[nodiscard]] std::vector<CoulombAnswer> coulomb_answers(const BasicCollision<Rational>& collision);
 
 }  // namespace carom::oracles

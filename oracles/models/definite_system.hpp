@@ -5,9 +5,9 @@
 
 namespace carom::oracles {
 
-/// M x = b for a symmetric positive definite M = L D Lᵀ. The solution loses about κ(M) roundings, with the condition
-/// number κ. Cramer's rule loses a higher power of κ(M) (N. Higham, Accuracy and Stability of Numerical Algorithms,
-/// §10.1 and §1.10.1).
+/// The solution of M x = b for a symmetric positive definite M = L D Lᵀ. The relative error is about u times the
+/// condition number of M. Cramer's rule loses a higher power of this number (N. Higham, Accuracy and Stability of
+/// Numerical Algorithms, §10.1 and §1.10.1).
 template <class S>
 class DefiniteSystem {
  public:

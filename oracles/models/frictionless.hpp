@@ -18,7 +18,7 @@ struct Frictionless {
     return change_by_restitution<T>(n, restitution, velocity_before);
   }
 
-  /// `matrix` is K, or nullptr if K is not known. F causes the normal component of `change`, and is linear in `change`.
+  /// The impulse F = φ N with N·K F = N·change. `matrix` is K, or nullptr if K is not known.
   template <class T>
   [[nodiscard]] static Vector3<T> impulse_for(const BasicCollision<T>& collision, const Vector3<T>& change,
                                               const Matrix3<T>* matrix) {
@@ -28,20 +28,19 @@ struct Frictionless {
     return n * T(n.dot(change) / n.dot(answer));
   }
 
-  /// A multiple of N near `impulse`, which the law permits exactly (filters/refined_truth.hpp).
+  /// A multiple of N near `impulse`: the law permits only multiples of N (filters/refined_truth.hpp).
   [[nodiscard]] static Vector3<Enclosure> permitted(const BasicCollision<Enclosure>& collision,
                                                     const Vector3<double>& impulse) {
     const Vector3<double> n = collision.normal.unaryExpr([](const Enclosure& x) { return x.middle(); });
     return collision.normal * Enclosure(n.dot(impulse) / n.squaredNorm());
   }
 
-  /// The normal component of a change, which the law must cause. In refinement it is small, unlike the tangential
-  /// components.
+  /// The normal component of `change`. In refinement, the tangential components are much larger.
   [[nodiscard]] static Vector3<Enclosure> asked_for(const Vector3<Enclosure>& n, const Vector3<Enclosure>& change) {
     return n * Enclosure(n.dot(change) / n.dot(n));
   }
 
-  /// Differentiates N·(K F − b) = 0 and F = φ N, with b the wanted change: dF = φ dN + N dφ. The responses to N are
+  /// The derivatives of F = φ N with N·(K F − b) = 0, for the wanted change b: dF = φ dN + N dφ. The responses to N are
   /// computed directly, because sums over columns of matrices would cancel if a lever arm is along N.
   template <class S>
   [[nodiscard]] static Derivatives<S> derivatives(const BasicCollision<S>& c, const ImpulseDifferential<S>& of) {
@@ -68,14 +67,13 @@ struct Frictionless {
     return {impulse, change};
   }
 
-  /// The equations that the law's answer satisfies, if they apply, in addition to `kept_by_every_law`.
+  /// In addition to `kept_by_every_law` (models.hpp).
   static constexpr std::array keeps{AffineEquation::push_read_off_a, AffineEquation::push_read_off_b,
                                     AffineEquation::frictionless_direction_read_off_a,
                                     AffineEquation::frictionless_direction_read_off_b};
-  /// Whether the law never adds energy, apart from the work of a driven wall: ΔE = −(1 − ε²)(N·V⁻)² / (2 NᵀKN).
+  /// ΔE = −(1 − ε²)(N·V⁻)² / (2 NᵀKN), apart from the work of a driven wall.
   static constexpr bool creates_no_energy = true;
 
-  /// Whether the impulse does not tend to 0 with N·V⁻ (ExactCase::has_two_answers).
   static constexpr bool acts_at_once = false;
 };
 

@@ -10,15 +10,14 @@
 #include <carom/oracles/numbers/inputs.hpp>
 
 /// Implicit differentiation of a law's answer. The impulse F solves K F = b, with b the change of relative velocity
-/// that the law requires. So K dF = db − dK F. Bodies respond linearly to F, so only their response to one fixed
-/// impulse is differentiated. S is double or Enclosure.
+/// that the law requires (`frictionless`: N·K F = N·b). So K dF = db − dK F. The term dK F is the derivative of the
+/// response to a fixed impulse F. S is double or Enclosure.
 namespace carom::oracles {
 
 /// The derivatives of a vector with respect to all numbers of a collision.
 template <class S>
 using Jacobian = Eigen::Matrix<S, 3, collision_inputs, Eigen::RowMajor>;
 
-/// The indices of a collision's numbers among the inputs.
 struct InputIndices {
   struct OfBody {
     Eigen::Index position;  // after mass, principal inertia and orientation, if the body has them
@@ -78,7 +77,7 @@ struct BodyResponse {
   Matrix3<S> velocity = Matrix3<S>::Constant(S(0));
   Matrix3<S> angular_velocity = Matrix3<S>::Constant(S(0));
   Matrix3<S> at_point = Matrix3<S>::Constant(S(0));
-  // The derivatives of the response to a given, constant impulse.
+  // The derivatives of the response to the impulse F, which is fixed.
   Jacobian<S> d_velocity = Jacobian<S>::Constant(S(0));
   Jacobian<S> d_angular_velocity = Jacobian<S>::Constant(S(0));
   Jacobian<S> d_at_point = Jacobian<S>::Constant(S(0));
@@ -120,7 +119,6 @@ template <class S>
   return result;
 }
 
-/// The derivatives of an impulse and of the velocity changes that it causes.
 template <class S>
 struct Derivatives {
   Jacobian<S> of_impulse;

@@ -11,8 +11,7 @@
 #include <carom/oracles/models/rough.hpp>
 #include <carom/oracles/models/sticking.hpp>
 
-/// The laws that determine an outcome, each as a type. `certify` checks each truth, and tests compare the types' other
-/// members with the truth, so these types need no trust.
+/// A type for each law that determines an outcome. docs/internals/adding-a-law.md describes the members of such a type.
 namespace carom::oracles {
 
 /// Calls use(type) with an object of the law's type. Throws std::invalid_argument if the law is not one of
@@ -35,20 +34,21 @@ decltype(auto) with_law(Law law, Use&& use) {
   determines_no_outcome(law);
 }
 
-/// Calls use(type) with the type by which the law answers on this branch: `rough` without friction is frictionless.
+/// Calls use(type) with the type by which the law answers on this branch. On the branch `only`, `rough` answers as
+/// `frictionless`.
 template <class Use>
 decltype(auto) with_law(Law law, Branch branch, Use&& use) {
   return with_law(law == Law::rough && branch == Branch::only ? Law::frictionless : law, std::forward<Use>(use));
 }
 
-/// A type whose impulse is linear in the change of relative velocity that it requires. `rough` combines two such types
-/// by κ, which is not linear.
+/// The type of a law whose impulse is linear in the change of relative velocity that the law requires. `Rough` combines
+/// two such types by a factor κ (rough.hpp) that is not linear.
 template <class LawType>
 concept LinearLaw = requires {
   &LawType::template wanted_change<double>;
 };
 
-/// The laws whose types are linear, so that their truth is rational.
+/// The laws with a linear type. Their truth is rational.
 inline constexpr std::array linear_laws{Law::frictionless, Law::reflection, Law::sticking};
 
 template <class LawType, class T>
@@ -58,13 +58,12 @@ template <class LawType, class T>
 
 namespace detail {
 
-/// The impulses P_I and P_II of the law `rough`, and D = P_II − P_I.
+/// The impulses P_I and P_II of the law `rough` (rough.hpp), and D = P_II − P_I.
 template <class T>
 struct RoughImpulses {
   Vector3<T> stops_approach;
   Vector3<T> stops_point;
 
-  /// `matrix` is K, or nullptr if K is not known.
   RoughImpulses(const BasicCollision<T>& c, const Matrix3<T>* matrix) {
     CAROM_EXPECTS(has_movable_body(c));
     const Vector3<T> stop = -relative_velocity<T>(c, unchanged(c));
@@ -77,8 +76,9 @@ struct RoughImpulses {
 }  // namespace detail
 
 /// The impulse [N s] on A of the law's answer to a contact that collides. `branch` is the branch of the collision, or
-/// the branch on the other side of the cone. `matrix` is K, or nullptr if K is not known. T is a field, with square
-/// roots if `branch` is `on_cone`. The sign of N·V⁻ is not checked. Precondition: a body is movable.
+/// the branch on the other side of the cone's surface. `matrix` is K, or nullptr if K is not known. T is a field, with
+/// square roots if `branch` is `on_cone`. The function does not check the sign of N·V⁻. Precondition: a body is
+/// movable.
 template <class T>
 [[nodiscard]] Vector3<T> colliding_impulse(const BasicCollision<T>& c, Law law, Branch branch,
                                            const Matrix3<T>* matrix = nullptr) {
@@ -95,7 +95,7 @@ template <class T>
   });
 }
 
-/// The law's answer to a contact that collides, by `colliding_impulse`, with its precondition.
+/// The law's answer to a contact that collides. Parameters and precondition are those of `colliding_impulse`.
 template <class T>
 [[nodiscard]] Truth<T> colliding_truth(const BasicCollision<T>& c, Law law, Branch branch) {
   const Vector3<T> impulse = colliding_impulse<T>(c, law, branch);
@@ -107,8 +107,9 @@ template <class T>
   return approach == Approach::colliding ? colliding_truth(c, law, branch) : Truth<T>{{T(0), T(0), T(0)}, unchanged(c)};
 }
 
-/// Whether `rough` answers inside the cone. `sign` maps a number of type T to −1, 0, 1 or no value. No value if the
-/// known signs do not decide it. Precondition: a body is movable.
+/// Whether F of `rough` with κ = 1 + e_t (rough.hpp) lies in the friction cone. No value if `sign` does not decide it.
+/// `sign` maps a number of type T to −1, 0 or 1, or to no value if the sign is not known. Precondition: a body is
+/// movable.
 template <class T, class Sign>
 [[nodiscard]] std::optional<bool> is_inside_cone(const BasicCollision<T>& c, const Matrix3<T>* matrix,
                                                  const Sign& sign) {
@@ -135,7 +136,7 @@ template <class T, class Sign>
   return along_normal && beyond ? std::optional(false) : std::nullopt;
 }
 
-/// The equations that the answer of every law satisfies where they apply. `restitution` applies if the contact
+/// The affine equations that the answer of every law satisfies, if they apply. `restitution` applies if the contact
 /// collides. `untouched` applies to immovable bodies, and to all bodies if the contact does not collide.
 inline constexpr std::array kept_by_every_law{AffineEquation::linear_momentum,
                                               AffineEquation::angular_momentum_of_a,
@@ -171,8 +172,8 @@ inline constexpr PerAffineEquation<bool> kept_equations_of = kept_equations<LawT
   return with_law(law, [&]<class LawType>(LawType) { return detail::kept_equations_of<LawType>[equation]; });
 }
 
-/// Whether the impulse of the law on this branch does not tend to 0 as N·V⁻ does. If so, and if rounding of the inputs
-/// decides whether the contact collides, two answers may be right.
+/// Whether the impulse of the law on this branch may differ from 0 in the limit N·V⁻ → 0. If it does, and rounding of
+/// the inputs decides whether the contact collides, two answers are right.
 [[nodiscard]] inline bool acts_at_once(Law law, Branch branch) {
   return with_law(law, branch,
                   [&]<class LawType>(LawType) { return LawType::acts_at_once && branch != Branch::on_cone; });

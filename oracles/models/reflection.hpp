@@ -18,20 +18,17 @@ struct Reflection {
     return change_by_restitution<T>(n, restitution, velocity_before);
   }
 
-  /// `matrix` is K, or nullptr if K is not known. F causes `change` and is linear in it.
   template <class T>
   [[nodiscard]] static Vector3<T> impulse_for(const BasicCollision<T>& collision, const Vector3<T>& change,
                                               const Matrix3<T>* matrix) {
     return impulse_by_matrix<T>(collision, change, matrix);
   }
 
-  /// `impulse` itself, because the law permits every impulse exactly (filters/refined_truth.hpp).
   [[nodiscard]] static Vector3<Enclosure> permitted(const BasicCollision<Enclosure>& /*collision*/,
                                                     const Vector3<double>& impulse) {
     return impulse.unaryExpr([](double x) { return Enclosure(x); });
   }
 
-  /// The whole change, which the law must cause.
   [[nodiscard]] static Vector3<Enclosure> asked_for(const Vector3<Enclosure>& /*n*/, const Vector3<Enclosure>& change) {
     return change;
   }
@@ -42,13 +39,11 @@ struct Reflection {
     return derivatives_by_matrix<S>(of);
   }
 
-  /// The equations that hold in addition to `kept_by_every_law`.
+  /// In addition to `kept_by_every_law` (models.hpp).
   static constexpr std::array keeps{AffineEquation::push_read_off_a, AffineEquation::push_read_off_b,
                                     AffineEquation::reflection_plane};
-  /// Whether the law never adds energy, apart from the work of a driven wall.
   static constexpr bool creates_no_energy = false;
 
-  /// Whether the impulse does not tend to 0 with N·V⁻ (ExactCase::has_two_answers).
   static constexpr bool acts_at_once = false;
 };
 

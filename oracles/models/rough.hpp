@@ -12,8 +12,8 @@
 namespace carom::oracles {
 
 /// The law `rough` (A. Chatterjee, A. Ruina 1998): F = (1 + ε) P_I + κ D with D = P_II − P_I. P_I stops the approach
-/// (`Frictionless` with ε = 0), and P_II stops the contact point (`Sticking` with ε = 0). κ is 1 + e_t, with the
-/// tangential restitution e_t, if F then lies in the friction cone. Otherwise κ puts F on the cone's surface.
+/// (`Frictionless` with ε = 0), and P_II stops the contact point (`Sticking` with ε = 0). κ, the share of friction, is
+/// 1 + e_t if this share puts F into the friction cone. Otherwise κ puts F on the cone's surface.
 struct Rough {
   using StopsApproach = Frictionless;
   using StopsPoint = Sticking;
@@ -32,7 +32,7 @@ struct Rough {
     return {c.normal.dot(f), cone.right[0] - cone.left[0]};
   }
 
-  /// Some κ > 0 puts F on the surface, unless N·D ≥ 0 and `beyond` is not positive.
+  /// Some κ > 0 puts F on the cone's surface if `along_normal` < 0 or `beyond` > 0.
   template <class T>
   struct Reach {
     T along_normal;  // N·D
@@ -44,7 +44,7 @@ struct Rough {
     return {c.normal.dot(d), cone.left[0] - cone.right[0]};
   }
 
-  /// ‖N × D‖ − μ N·D, the divisor of κ on the cone's surface.
+  /// The divisor ‖N × D‖ − μ N·D in the formula of κ on the cone's surface.
   template <class T>
   [[nodiscard]] static T divisor(const BasicCollision<T>& c, const Vector3<T>& d) {
     const Vector3<T> tangential = c.normal.cross(d);
@@ -52,7 +52,7 @@ struct Rough {
     return sqrt(T(tangential.dot(tangential))) - c.friction * c.normal.dot(d);
   }
 
-  /// κ, which is 0 without friction.
+  /// κ on this branch. Without friction, κ is 0.
   template <class T>
   [[nodiscard]] static T friction_share(const BasicCollision<T>& c, const Vector3<T>& stops_approach,
                                         const Vector3<T>& d, Branch branch) {
@@ -65,20 +65,19 @@ struct Rough {
     return c.friction * (T(1) + c.restitution) * c.normal.dot(stops_approach) / divisor(c, d);
   }
 
-  /// (1 + ε) P_I + κ D, for impulses and for the changes that they cause.
+  /// (1 + ε) P_I + κ D, for the impulses P_I and D or for the velocity changes that they cause. `share` is κ.
   template <class T>
   [[nodiscard]] static Vector3<T> combined(const BasicCollision<T>& c, const Vector3<T>& stops_approach,
                                            const Vector3<T>& d, const T& share) {
     return Vector3<T>(stops_approach * T(T(1) + c.restitution)) + Vector3<T>(d * share);
   }
 
-  /// The equations that hold in addition to `kept_by_every_law`.
+  /// In addition to `kept_by_every_law` (models.hpp).
   static constexpr std::array keeps{AffineEquation::push_read_off_a, AffineEquation::push_read_off_b};
-  /// Whether the law never adds energy, apart from the work of a driven wall (docs/guide/laws.md#rough).
+  /// ΔE ≤ 0 by docs/guide/laws.md#rough.
   static constexpr bool creates_no_energy = true;
 
-  /// Whether the impulse inside the cone does not tend to 0 with N·V⁻ (ExactCase::has_two_answers). The impulse tends
-  /// to κ D, which lies in the cone for large friction.
+  /// Inside the cone, the impulse tends to κ D as N·V⁻ tends to 0. κ D lies in the cone for large μ.
   static constexpr bool acts_at_once = true;
 };
 

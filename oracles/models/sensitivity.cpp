@@ -13,7 +13,7 @@
 namespace carom::oracles {
 namespace {
 
-/// V⁻ from enclosures, because its terms may cancel, and the remainder gives the direction of the slip.
+/// V⁻, computed in enclosures. Its terms may cancel, and the rest must still give the direction of the slip.
 template <class S>
 Vector3<S> velocity_before(const BasicCollision<Enclosure>& c) {
   Vector3<Enclosure> velocity = relative_velocity<Enclosure>(c, unchanged(c));
@@ -42,7 +42,8 @@ struct Wanted {
   Jacobian<S> derivative = Jacobian<S>::Zero();
 };
 
-/// The wanted change, differentiated through V⁻ by the chain rule. `restitution` is ε, with or without a derivative.
+/// The change of relative velocity that the law requires, and its derivatives by the chain rule through V⁻.
+/// `restitution` is ε as an input, or a constant.
 template <class LawType, class S>
 Wanted<S> wanted_of(const Differentiable<S>& of, const Dual<S, 7>& restitution) {
   const BasicCollision<S>& c = of.c;
@@ -68,7 +69,6 @@ Wanted<S> wanted_of(const Differentiable<S>& of, const Dual<S, 7>& restitution) 
   return result;
 }
 
-/// A linear law's impulse and the velocity changes that it causes, with their derivatives.
 template <class S>
 struct Differentiated {
   Vector3<S> impulse;
@@ -120,7 +120,7 @@ Share<S> friction_share(const Differentiable<S>& of, const Differentiated<S>& ap
   const Vector3<S> along = tangential / S(sqrt(S(tangential.dot(tangential))));
   const S p = n.dot(approach.impulse);
   const S q = Rough::divisor<S>(c, d);
-  // ∂(N·D), and ∂‖N × D‖ = t·(∂N × D + N × ∂D) with t the unit vector along N × D.
+  // The derivatives ∂(N·D) and ∂‖N × D‖ = t·(∂N × D + N × ∂D). The unit vector t, `along` in the code, is along N × D.
   Row<S> d_normal = n.transpose() * d_of_d;
   d_normal.template segment<3>(indices.normal()) += d.transpose();
   Row<S> d_tangential = along.cross(n).transpose() * d_of_d;
@@ -158,7 +158,7 @@ PerVector<Jacobian<S>> change_derivatives(const Differentiable<S>& of, Branch br
   }
 }
 
-/// ∂y_k for the law's answer to a contact that collides.
+/// The derivatives ∂y_k of the law's answer to a contact that collides.
 template <class S>
 PerVector<Jacobian<S>> outcome_derivatives(const Differentiable<S>& of, Law law, Branch branch) {
   PerVector<Jacobian<S>> derivatives =
@@ -174,7 +174,6 @@ PerVector<Jacobian<S>> outcome_derivatives(const Differentiable<S>& of, Law law,
   return derivatives;
 }
 
-/// The derivatives of a number or of a vector.
 template <class S, int Rows>
 using Derivative = Eigen::Matrix<S, Rows, collision_inputs, Eigen::RowMajor>;
 
@@ -228,8 +227,8 @@ namespace {
 
 constexpr double thousandth = 0x1p-10;
 
-/// The middle of an enclosure loses fewer than 2⁹ roundings of 2⁻¹⁰² each, times `growth_of_roundings`. Up to this
-/// growth, the middle is correct to a thousandth. The radius is larger, because its bounds do not use K ⪰ λI.
+/// The error of an enclosure's middle is less than 2⁹ roundings of 2⁻¹⁰² each, times `growth_of_roundings`. Up to this
+/// growth, the middle is correct to a thousandth. The radius may be larger, because its bounds do not use K ⪰ λI.
 constexpr double largest_growth = thousandth * 0x1p+102 / 0x1p+9;
 
 }  // namespace
@@ -292,7 +291,8 @@ RadicalDual lifted(const RationalDual& x) {
   return result;
 }
 
-/// The answer of `rough` on the cone. Only the terms that contain the root are computed outside ℚ.
+/// The answer of `rough` on the cone's surface. The root ‖N × D‖ enters only through κ, so ℚ suffices for the
+/// responses.
 Outcome<RadicalDual> answer_on_cone(const BasicCollision<RationalDual>& c) {
   const auto lift = [](const Vector3<RationalDual>& v) {
     return Vector3<RadicalDual>{lifted(v[0]), lifted(v[1]), lifted(v[2])};
@@ -323,8 +323,8 @@ Sensitivity exact_sensitivity(const Collision& collision, Law law, Branch branch
 
 namespace {
 
-/// A lower bound of |μ N·F − ‖N × F‖| for F with κ = 1 + e_t, by enclosures, because it can be as small as a rounding
-/// error.
+/// A lower bound of |μ N·F − ‖N × F‖| for F with κ = 1 + e_t, by enclosures, because the difference can be as small as
+/// a rounding error of binary64.
 double distance_from_cone(const BasicCollision<Enclosure>& c) {
   const detail::RoughImpulses<Enclosure> of(c, nullptr);
   const Vector3<Enclosure> whole = Rough::combined<Enclosure>(c, of.stops_approach, of.difference(),
@@ -338,7 +338,7 @@ double distance_from_cone(const BasicCollision<Enclosure>& c) {
          Enclosure(c.friction * c.normal.dot(scaled) - sqrt(Enclosure(tangential.dot(tangential)))).magnitude_below();
 }
 
-/// ∂(μ N·F) and ∂(N × F), for F with κ = 1 + e_t.
+/// The derivatives ∂(μ N·F) and ∂(N × F), for F with κ = 1 + e_t.
 template <class S>
 struct ConeDerivatives {
   Row<S> limit;

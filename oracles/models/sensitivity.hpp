@@ -17,26 +17,25 @@
 
 namespace carom::oracles {
 
-/// For each vector y_k of an outcome, the sum of ‖∂y_k/∂q‖ ‖q‖ over the quantities q (quantities.hpp), plus ‖y_k⁻‖ of
-/// the vector before the impulse. It is the denominator of the backward error, without the unit roundoff
-/// (docs/reference/yardstick.md). The term ‖y_k⁻‖ makes this a mixed forward-backward error: N. Higham, Accuracy and
-/// Stability of Numerical Algorithms, §1.5.
+/// For each vector y_k of an outcome: Σ_q ‖∂y_k/∂q‖ ‖q‖ + ‖y_k⁻‖. q are the quantities (quantities.hpp), and y_k⁻ is
+/// the vector before the impulse. The backward error is the error of y_k, divided by u times this sum
+/// (docs/reference/yardstick.md). Because of the term ‖y_k⁻‖, this is a mixed forward-backward error (N. Higham,
+/// Accuracy and Stability of Numerical Algorithms, §1.5).
 using Sensitivity = PerVector<double>;
 
-/// Sums Σ_q ‖∂y/∂q‖ ‖q‖ between these limits are computed by squares in binary64. Below them, underflow of the squares
-/// could reach the tenth digit (docs/internals/bounds.md). Above them, squares could overflow.
+/// Between these limits, binary64 computes the sum Σ_q ‖∂y/∂q‖ ‖q‖ by squares. Below the lower limit, the underflow of
+/// squares could reach the tenth digit (docs/internals/bounds.md). Above the upper limit, squares could overflow.
 inline constexpr double least_sum_by_squares = 0x1p-380;
 inline constexpr double largest_sum_by_squares = 0x1p+400;
 
-/// A relative precision of more than ten digits.
 inline constexpr double ten_digits = 0x1p-34;
 
 /// ‖y_k⁻‖.
 [[nodiscard]] Sensitivity norms_before(const Collision& collision);
 
 /// The sensitivity of the law's answer to a contact that collides, by implicit differentiation in binary64
-/// (implicit_differentiation.hpp). If the law inverts K, the relative error is about κ(K) u, with the condition number
-/// κ. No value if a sum is outside the limits above.
+/// (implicit_differentiation.hpp). If the law inverts K, the relative error is about u times the condition number of K.
+/// No value if a sum is outside the limits above.
 ///
 /// Preconditions: the collision is moderate (moderate.hpp); a body is movable; the law is one of `laws_with_truth`;
 /// BoundedCase::is_well_conditioned(), except for the frictionless law. For `on_cone`, also
@@ -44,28 +43,29 @@ inline constexpr double ten_digits = 0x1p-34;
 [[nodiscard]] std::optional<Sensitivity> colliding_sensitivity(const Collision& collision, Law law, Branch branch);
 
 /// `colliding_sensitivity` in double-double arithmetic, for any valid collision with a movable body. No value if the
-/// error radii exceed a thousandth of the sensitivity, unless the collision is moderate and its rounding errors
-/// provably grow little.
+/// error radii exceed a thousandth of the sensitivity, unless the collision is moderate and its rounding errors grow
+/// little (`largest_growth` in sensitivity.cpp).
 [[nodiscard]] std::optional<Sensitivity> enclosed_sensitivity(const Collision& collision, Law law, Branch branch,
                                                               bool is_moderate);
 
-/// A bound of the growth of rounding errors in the answer's derivatives. The terms of K are at most
-/// T = λ + Σ ‖r‖² / min I, and K ⪰ λI. So T / λ bounds the condition number of K, and the cancellation in r × F. On the
-/// cone's surface, the terms of the divisor ‖N × D‖ − μ N·D of `rough` may cancel, too. ‖D‖ is at most
-/// Σ (‖v‖ + ‖w‖ ‖r‖) / λ. `enclosed` is the same collision. Precondition: a body is movable.
+/// A bound of the growth of rounding errors in the derivatives of the law's answer. The terms of K are at most
+/// T = λ + Σ ‖r‖² / min I over the movable bodies, and K ⪰ λI. So T / λ bounds the condition number of K, and the
+/// cancellation in r × F. On the cone's surface, `rough` divides by d = ‖N × D‖ − μ N·D. The two terms of d may cancel,
+/// which adds the factor (1 + μ) ‖N‖ ‖D‖ / d. ‖D‖ is at most Σ (‖v‖ + ‖w‖ ‖r‖) / λ. `enclosed` is the same collision.
+/// Precondition: a body is movable.
 [[nodiscard]] double growth_of_roundings(const Collision& collision, const BasicCollision<Enclosure>& enclosed, Law law,
                                          Branch branch);
 
 /// `colliding_sensitivity` by exact differentiation of the whole law.
 [[nodiscard]] Sensitivity exact_sensitivity(const Collision& collision, Law law, Branch branch);
 
-/// The distance of the answer of `rough` with κ = 1 + e_t from the cone's surface, and the first-order effect of the
-/// inputs on it. Both are rounded, and NaN if unknown.
+/// The distance of an impulse F from the surface of the friction cone, and the first-order effect of the inputs on this
+/// distance. F is the impulse of `rough` with κ = 1 + e_t (rough.hpp). Both numbers are rounded, and NaN if unknown.
 struct ConeDistance {
   double distance;     // a lower bound of |μ N·F − ‖N × F‖|, by enclosures
   double sensitivity;  // Σ_q ‖∂(μ N·F)/∂q‖ ‖q‖ + Σ_q ‖∂(N × F)/∂q‖ ‖q‖
 
-  /// Whether permitted inputs have answers on both sides of the surface. True if unknown.
+  /// Whether permitted inputs have answers on both sides of the surface, to first order. True if unknown.
   [[nodiscard]] bool is_within(double allowance) const { return !(distance > allowance * sensitivity); }
 };
 
@@ -83,7 +83,7 @@ namespace detail {
 
 }  // namespace detail
 
-/// Σ_q ‖∂y/∂q‖ ‖q‖ for the components of y.
+/// Σ_q ‖∂y/∂q‖ ‖q‖ for the vector y with these components.
 template <class S, std::size_t N>
 [[nodiscard]] double sensitivity_of(std::initializer_list<const Dual<S, N>*> components,
                                     const std::vector<Quantity>& quantities) {

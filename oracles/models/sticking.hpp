@@ -19,20 +19,17 @@ struct Sticking {
     return -(velocity_before + n * T(rebound / n.dot(n)));
   }
 
-  /// `matrix` is K, or nullptr if K is not known. F causes `change` and is linear in it.
   template <class T>
   [[nodiscard]] static Vector3<T> impulse_for(const BasicCollision<T>& collision, const Vector3<T>& change,
                                               const Matrix3<T>* matrix) {
     return impulse_by_matrix<T>(collision, change, matrix);
   }
 
-  /// `impulse` itself, because the law permits every impulse exactly (filters/refined_truth.hpp).
   [[nodiscard]] static Vector3<Enclosure> permitted(const BasicCollision<Enclosure>& /*collision*/,
                                                     const Vector3<double>& impulse) {
     return impulse.unaryExpr([](double x) { return Enclosure(x); });
   }
 
-  /// The whole change, which the law must cause.
   [[nodiscard]] static Vector3<Enclosure> asked_for(const Vector3<Enclosure>& /*n*/, const Vector3<Enclosure>& change) {
     return change;
   }
@@ -43,14 +40,12 @@ struct Sticking {
     return derivatives_by_matrix<S>(of);
   }
 
-  /// The equations that hold in addition to `kept_by_every_law`.
+  /// In addition to `kept_by_every_law` (models.hpp).
   static constexpr std::array keeps{AffineEquation::sticks};
-  /// Whether the law never adds energy, apart from the work of a driven wall. If ε > 0 it may, because the tangential
-  /// impulse also changes the normal velocity.
+  /// If ε > 0, the law may add energy, because the tangential impulse also changes the normal velocity.
   static constexpr bool creates_no_energy = false;
 
-  /// Whether the impulse does not tend to 0 with N·V⁻ (ExactCase::has_two_answers). The impulse stops the slip at any
-  /// N·V⁻.
+  /// The impulse stops the slip for any N·V⁻ < 0.
   static constexpr bool acts_at_once = true;
 };
 

@@ -30,7 +30,7 @@ template <class T>
           response<T>(collision.b, collision.point, Vector3<T>(-impulse))};
 }
 
-/// The changes of all velocities by the unit impulse along each axis.
+/// The changes of all velocities by the unit impulse along each world axis.
 template <class T>
 [[nodiscard]] std::array<Outcome<T>, 3> unit_responses(const BasicCollision<T>& collision) {
   std::array<Outcome<T>, 3> responses;

@@ -8,17 +8,18 @@
 
 namespace carom::oracles {
 
-/// The bounds of Approximation, as formulas for any scalar S, so that a test can count their roundings
-/// (docs/internals/bounds.md). With x = x̂ ± r_x, y = ŷ ± r_y, u = 2⁻⁵³, and ẑ the rounded result of an operation on x̂
-/// and ŷ:
+/// The error bounds of Approximation, as formulas for any scalar S, so that a test can count their roundings
+/// (docs/internals/bounds.md). The computed values of x and y are x̂ and ŷ, with |x − x̂| ≤ r_x and |y − ŷ| ≤ r_y. The
+/// rounded result of an operation on x̂ and ŷ is ẑ, and u is 2⁻⁵³:
 ///
-///   (1) |x̂ + ŷ − ẑ|, |x̂ ŷ − ẑ|, |x̂ / ŷ − ẑ| ≤ u |ẑ|, or half the least number if a product or quotient underflows;
+///   (1) |x̂ + ŷ − ẑ|, |x̂ ŷ − ẑ| and |x̂ / ŷ − ẑ| are at most u |ẑ|, or half the least positive number if a product or
+///       quotient underflows;
 ///   (2) |x + y − (x̂ + ŷ)| ≤ r_x + r_y;
 ///   (3) |x y − x̂ ŷ| ≤ |x̂| r_y + (|ŷ| + r_y) r_x;
 ///   (4) |x / y − x̂ / ŷ| ≤ (r_x + |x̂ / ŷ| r_y) / (|ŷ| − r_y);
 ///   (5) |√x − √x̂| ≤ r_x / √x̂, and |√x̂ − ẑ| ≤ u |ẑ|.
 ///
-/// The evaluation of (1) to (5) takes fewer than (up − 1) / u roundings, and loses less than `least` to underflow.
+/// The factor `up` covers the roundings of each formula, and `least` the underflow.
 namespace approximation {
 
 inline constexpr double unit_roundoff = 0x1p-53;
@@ -26,7 +27,7 @@ inline constexpr double up = 1 + 0x1p-45;
 inline constexpr double down = 1 - 0x1p-45;
 inline constexpr double least = 0x1p-1000;
 
-/// The most that the product in `radius_of_quotient` loses to underflow.
+/// An upper bound of the loss by underflow of the product in `radius_of_quotient`.
 inline constexpr double least_number = 0x1p-1074;
 
 /// An upper bound of |x| for x = ±size ± radius.
@@ -51,13 +52,13 @@ template <class S>
                                   const S& size) {
   return (size_x * radius_y + (size_y + radius_y) * radius_x + size * S(unit_roundoff)) * S(up) + S(least);
 }
-/// The radius of x / y by (1) and (4). `below_y` is at most |ŷ| − r_y.
+/// The radius of x / y by (1) and (4). `below_y` is a lower bound of |ŷ| − r_y.
 template <class S>
 [[nodiscard]] S radius_of_quotient(const S& radius_x, const S& radius_y, const S& below_y, const S& size) {
   return ((radius_x + size * radius_y + S(least_number)) / below_y + size * S(unit_roundoff)) * S(up) + S(least);
 }
 
-/// The radius of √x by (5). `root` is ẑ, which is at most (1 + u) √x̂.
+/// The radius of √x by (5). `root` is ẑ, so that 1 / √x̂ ≤ (1 + u) / root.
 template <class S>
 [[nodiscard]] S radius_of_root(const S& radius_x, const S& root) {
   return (radius_x / root + root * S(unit_roundoff)) * S(up) + S(least);
@@ -65,15 +66,15 @@ template <class S>
 
 }  // namespace approximation
 
-/// A real number x with an error bound: |x − middle| ≤ radius. It is running error analysis in binary64 (J. Wilkinson;
-/// N. Higham, Accuracy and Stability of Numerical Algorithms, §3.3). A bound that overflows is infinite or NaN, and
-/// decides nothing.
+/// A real number x with an error bound: |x − middle| ≤ radius. The operators do running error analysis in binary64 (J.
+/// Wilkinson; N. Higham, Accuracy and Stability of Numerical Algorithms, §3.3). A bound that overflows is infinite or
+/// NaN, and decides nothing.
 class Approximation {
  public:
   Approximation() = default;
   Approximation(int exact) : middle_(exact) {}  // NOLINT(google-explicit-constructor)
   explicit Approximation(double exact) : middle_(exact) {}
-  /// The bits beyond binary64 become part of the radius.
+  /// The radius covers the bits that binary64 does not hold.
   explicit Approximation(long double exact) : middle_(static_cast<double>(exact)) {
     const long double rest = exact - static_cast<long double>(middle_);
     radius_ = rest == 0 ? 0 : std::abs(static_cast<double>(rest)) * approximation::up + approximation::least;

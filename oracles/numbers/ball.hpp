@@ -7,7 +7,7 @@
 #include <carom/oracles/numbers/norm.hpp>
 
 /// Numbers and vectors with an error radius. Vectors lie in Euclidean balls, so the results do not depend on the axes.
-/// The functions do not bound their own rounding, because a ball only tells how much error is permitted
+/// The functions do not bound their own rounding, because a ball only tells how much error the judge permits
 /// (permitted_inputs.hpp).
 namespace carom::oracles {
 
@@ -47,7 +47,7 @@ struct VectorBall {
 
 namespace detail {
 
-/// The radius of a product v ∘ w of two vectors. Precondition: ‖v ∘ w‖ ≤ ‖v‖ ‖w‖.
+/// The radius of a bilinear product v ∘ w of two vectors. Precondition: ‖v ∘ w‖ ≤ ‖v‖ ‖w‖.
 [[nodiscard]] inline double radius_of_product(const VectorBall& v, const VectorBall& w) {
   return norm_of(v.centre) * w.radius + v.radius * w.largest();
 }

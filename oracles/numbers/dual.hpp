@@ -11,8 +11,8 @@
 
 namespace carom::oracles {
 
-/// A number and its first derivatives with respect to N inputs (forward differentiation), exact except for the rounding
-/// of the field S.
+/// A number and its first derivatives with respect to N inputs (forward differentiation). The derivatives are exact,
+/// except for the rounding of the field S.
 template <class S, std::size_t N>
 struct Dual {
   S value{0};

@@ -11,18 +11,17 @@
 
 namespace carom::oracles {
 
-/// The bounds of Enclosure, as formulas for any scalar S, so that a test can count their roundings
-/// (docs/internals/bounds.md). With u = 2⁻⁵³, x = x̂ ± r_x, y = ŷ ± r_y, and z the result of double-double arithmetic
-/// on x̂ and ŷ, if no number leaves the range of binary64:
+/// The error bounds of Enclosure, as formulas for any scalar S, so that a test can count their roundings
+/// (docs/internals/bounds.md). The computed values of x and y are x̂ and ŷ, with |x − x̂| ≤ r_x and |y − ŷ| ≤ r_y. The
+/// result of double-double arithmetic on x̂ and ŷ is z, and u is 2⁻⁵³. If no number leaves the range of binary64:
 ///
-///   (1) |x̂ + ŷ − z| ≤ 3u² / (1 − 4u) |x̂ + ŷ|, |x̂ ŷ − z| ≤ 7u² |x̂ ŷ| (M. Joldes, J.-M. Muller, V. Popescu, ACM Trans.
-///       Math. Softw. 44 (2017), algorithms 6 and 10), and both are at most 16u² |z|;
+///   (1) |x̂ + ŷ − z| ≤ 3u² / (1 − 4u) |x̂ + ŷ| and |x̂ ŷ − z| ≤ 7u² |x̂ ŷ| (M. Joldes, J.-M. Muller, V. Popescu, ACM
+///       Trans. Math. Softw. 44 (2017), algorithms 6 and 10). Both errors are at most 16u² |z|;
 ///   (2) |x y − x̂ ŷ| ≤ |x| r_y + |y| r_x;
 ///   (3) |x / y − q| ≤ (|x̂ − q ŷ| + r_x + |q| r_y) / (|ŷ| − r_y) for every q;
 ///   (4) |√x − q| ≤ (|x̂ − q²| + r_x) / q for every q > 0.
 ///
-/// The evaluation of these bounds takes fewer than (up − 1) / u roundings. Products and quotients below `least` may
-/// lose all of their error terms, which together are less than `least`.
+/// The factor `up` covers the roundings of each formula. A product or quotient loses less than `least` to underflow.
 namespace enclosure {
 
 inline constexpr double rounding = 0x1p-102;  // 16 u²
@@ -41,24 +40,25 @@ template <class S>
   return high * S(down) - low - radius * S(up);
 }
 
-/// The radius of z = ±high ± low: the error of the operands, the rounding (1), and the underflow `absolute`.
+/// The radius of z = ±high ± low: the error `of_operands`, the rounding by (1), and the underflow `absolute`.
 template <class S>
 [[nodiscard]] S radius_of_result(const S& of_operands, const S& high, const S& low, double absolute) {
   return of_operands * S(up) + (high + low) * S(rounding) + S(absolute);
 }
-/// The error of the operands of x y, by (2).
+/// The error of x y that comes from the errors of x and y, by (2).
 template <class S>
 [[nodiscard]] S radius_of_product(const S& above_x, const S& radius_x, const S& above_y, const S& radius_y) {
   return above_x * radius_y + above_y * radius_x;
 }
-/// The radius of q by (3). `rest` is at least |x̂ − q ŷ|, and `above_q` is at least |q|.
+/// The radius of a quotient q, by (3). `rest` is an upper bound of |x̂ − q ŷ|, and `above_q` of |q|. `below_y` is a
+/// lower bound of |ŷ| − r_y.
 template <class S>
 [[nodiscard]] S radius_of_quotient(const S& rest, const S& radius_x, const S& above_q, const S& radius_y,
                                    const S& below_y) {
   return (rest + radius_x + above_q * radius_y) / below_y * S(up);
 }
 
-/// The radius of q by (4). `rest` is at least |x̂ − q²|.
+/// The radius of a root q, by (4). `rest` is an upper bound of |x̂ − q²|, and `below_q` a lower bound of q.
 template <class S>
 [[nodiscard]] S radius_of_root(const S& rest, const S& radius_x, const S& below_q) {
   return (rest + radius_x) / below_q * S(up);
@@ -66,8 +66,8 @@ template <class S>
 
 }  // namespace enclosure
 
-/// A real number x with an error bound: |x − (high + low)| ≤ radius. It is double-double arithmetic of about 100 bits.
-/// Outside the range of binary64 the radius is infinite and decides nothing.
+/// A real number x with an error bound: |x − (high + low)| ≤ radius. The operators do double-double arithmetic, to
+/// about 100 bits. If a number leaves the range of binary64, the radius is infinite, and the enclosure decides nothing.
 class Enclosure {
  public:
   Enclosure() = default;
@@ -75,8 +75,8 @@ class Enclosure {
   explicit Enclosure(double exact) : high_(exact) {}
   explicit Enclosure(long double exact)
       : high_(static_cast<double>(exact)), low_(static_cast<double>(exact - static_cast<long double>(high_))) {
-    // A long double may have a wider range or more bits than two doubles. Rationals handle a number that two doubles do
-    // not hold.
+    // A long double may have a wider range or more bits than two doubles. If the number does not fit into two doubles,
+    // the radius is infinite, so that rationals decide.
     const bool is_held = std::isfinite(high_) && std::abs(high_) >= enclosure::least &&
                          exact - static_cast<long double>(high_) == static_cast<long double>(low_);
     radius_ = is_held || exact == 0 ? 0 : infinity;
@@ -87,7 +87,7 @@ class Enclosure {
       return;
     }
     low_ = to_double(exact - Rational(high_));
-    // The remainder beyond `low_` is at most an ulp of `low_`, or lies below the range of binary64.
+    // The remainder exact − high − low is at most an ulp of low, or lies below the range of binary64.
     const bool is_exact = exact == Rational(high_) + Rational(low_);
     const Pair normalised = fast_two_sum(high_, low_);
     *this = {normalised.high, normalised.low, is_exact ? 0 : std::abs(low_) * part_of_lower + enclosure::least};
@@ -211,7 +211,8 @@ class Enclosure {
     return {high, a - high};
   }
 
-  /// Dekker's product, without fused multiply-add. An overflow makes it NaN, which with_rounding catches.
+  /// Dekker's product, without fused multiply-add. An overflow gives NaN, which with_rounding turns into an infinite
+  /// radius.
   static Pair two_product(double a, double b) {
     const double p = a * b;
     const Pair x = split(a);
@@ -219,9 +220,9 @@ class Enclosure {
     return {p, ((x.high * y.high - p) + x.high * y.low + x.low * y.high) + x.low * y.low};
   }
 
-  /// z with its error bound: `radius`, plus the rounding of double-double arithmetic and of the radius itself.
+  /// z with its error bound: `radius`, plus the roundings of z and of the bound, plus the underflow `absolute`.
   static Enclosure with_rounding(const Pair& z, double radius, double absolute) {
-    // `bound` includes the lower part, so that an infinity or NaN in any part makes it infinite or NaN.
+    // `bound` includes the lower part, so that an infinity or NaN in any part makes `bound` infinite or NaN.
     const double bound = enclosure::radius_of_result(radius, std::abs(z.high), std::abs(z.low), absolute);
     if (!(bound < infinity)) {
       return {0, 0, infinity};
@@ -231,8 +232,8 @@ class Enclosure {
 
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr double splitter = 134217729;  // 2²⁷ + 1
-  // A bound of the part of a rational beyond `low_`, relative to `low_`. to_double is within an ulp, at most 2⁻⁵² of
-  // its result.
+  // An upper bound of |exact − high − low| / |low| for a rational. to_double errs by less than an ulp, which is at most
+  // 2⁻⁵² of its result.
   static constexpr double part_of_lower = 0x1p-50;
 
   double high_ = 0;

@@ -10,7 +10,8 @@
 /// The stored numbers of a collision and of an outcome, as the inputs of forward differentiation.
 namespace carom::oracles {
 
-/// Capacities for the 43 numbers of a collision and the 12 numbers of an outcome, as multiples of four.
+/// The lengths of derivative arrays. A collision has up to 43 numbers and an outcome 12; the lengths are multiples of
+/// four.
 inline constexpr std::size_t collision_inputs = 44;
 inline constexpr std::size_t outcome_inputs = 12;
 
@@ -20,7 +21,7 @@ struct DualInputs {
   std::vector<Quantity> quantities;
 };
 
-/// The collision, with its j-th number as input j. `convert` maps a double to S.
+/// The collision in dual numbers, with its j-th number as input j. `convert` maps a double to S.
 template <class S, std::size_t N, class Convert>
 [[nodiscard]] DualInputs<S, N> dual_inputs(const Collision& collision, Convert&& convert) {
   DualInputs<S, N> inputs;

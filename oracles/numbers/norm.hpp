@@ -8,8 +8,8 @@
 
 namespace carom::oracles {
 
-/// Sums of squares between these limits keep their digits. A square loses at most 2⁻¹⁰⁷⁵ to underflow, which is
-/// negligible at the smaller limit, and the larger limit is far from overflow.
+/// Sums of squares between these limits keep their digits. A square loses at most 2⁻¹⁰⁷⁵ to underflow, a negligible
+/// part of the smaller limit. The larger limit is far from overflow.
 inline constexpr double smallest_sum_of_squares = 0x1p-900;
 inline constexpr double largest_sum_of_squares = 0x1p+900;
 

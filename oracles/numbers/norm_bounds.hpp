@@ -11,19 +11,19 @@ namespace carom::oracles {
 
 namespace norm_bounds {
 
-/// A bound of the relative rounding of a sum of six squares, or of six hypotenuses (an ulp each), and of one
-/// comparison.
+/// An upper bound of the relative rounding error of a sum of six squares, or of six calls of hypot (an ulp each), and
+/// of one comparison.
 inline constexpr double rounding = 0x1p-45;
 
-/// Bounds between these limits are compared by squares. Underflow of squares is negligible at the smaller limit, and
-/// the square of the larger limit is far from overflow.
+/// If `bound` of `norm_at_most_by_bounds` is between these limits, the function compares squares. The underflow of
+/// squares is negligible at the smaller limit. The square of the larger limit is far from overflow.
 inline constexpr double least_by_squares = 0x1p-400;
 inline constexpr double largest_by_squares = 0x1p+400;
 
-/// More than the square root of the underflow of squares.
+/// An upper bound of √e, with e the loss of a sum of squares by underflow.
 inline constexpr double lost_by_root = 0x1p-500;
 
-/// More than the underflow of hypotenuses.
+/// An upper bound of the loss of hypotenuses by underflow.
 inline constexpr double lost_by_hypotenuses = 0x1p-1070;
 
 template <class S, class T, class Size>
@@ -38,7 +38,7 @@ template <class S, class T, class Size>
 
 }  // namespace norm_bounds
 
-/// At least ‖v‖. It is zero only if v is zero.
+/// An upper bound of ‖v‖. It is zero only if v is zero.
 template <class T>
 [[nodiscard]] double norm_above(std::span<const T> vector) {
   bool is_zero = true;
@@ -50,12 +50,13 @@ template <class T>
   return is_zero ? 0 : std::sqrt(squares) * (1 + norm_bounds::rounding) + norm_bounds::lost_by_root;
 }
 
-/// Whether ‖v‖ ≤ bound, or nullopt if the errors do not decide it. A ≥ ‖v‖ and B ≤ ‖v‖ are computed with a relative
-/// error below `rounding`. Underflow changes A and B by less than lost = `lost_by_hypotenuses`.
+/// Whether ‖v‖ ≤ bound, or nullopt if the errors do not decide it. A is the computed norm of the upper bounds of |v_i|,
+/// and B that of the lower bounds. Each has a relative rounding error below ρ = `rounding`, and loses less than
+/// δ = `lost_by_hypotenuses` to underflow.
 ///
-///   (1) true if A (1 + rounding) + lost ≤ bound, or A = 0;
-///   (2) false if B (1 − rounding) − lost > bound;
-///   (3) for a bound between `least_by_squares` and `largest_by_squares`, both tests compare squares without `lost`.
+///   (1) true if A (1 + ρ) + δ ≤ bound, or A = 0;
+///   (2) false if B (1 − ρ) − δ > bound;
+///   (3) if `bound` is between `least_by_squares` and `largest_by_squares`, (1) and (2) compare squares, without δ.
 ///
 /// Precondition: the bound is finite and not negative.
 template <class T>

@@ -7,30 +7,28 @@
 #include <carom/collision/collision.hpp>
 #include <carom/oracles/numbers/norm.hpp>
 
-/// The quantities of a collision. The backward error moves a quantity as a whole, in any direction. So the backward
-/// error does not depend on the axes of the world.
+/// The quantities of a collision (docs/reference/yardstick.md).
 namespace carom::oracles {
 
-/// A scalar or a vector among the numbers of a collision, in the order of `for_each_number`
-/// (docs/reference/yardstick.md).
+/// A scalar or a vector among the numbers of a collision. `for_each_number` defines the order of the numbers.
 struct Quantity {
   std::size_t first;  // index of its first number
   std::size_t count;  // number of its components: 1, 3 or 4
   double length;      // its absolute value or Euclidean norm; ‖X‖ + s for the position of a movable body
 };
 
-/// The extent s of a body [m]: s² = min_i (J_j + J_k − J_i) / (2m), with the mass m and the principal moments J. The
-/// extent is 0 if the minimum is negative or the body is immovable.
+/// The extent s of a body [m]: s² = min_i (J_j + J_k − J_i) / (2m) with the principal moments J. The extent is 0 if the
+/// minimum is negative or the body is immovable.
 [[nodiscard]] double extent_of(const Body& body);
 
-/// The length by which the position of a body is perturbed: ‖X‖ + s (docs/reference/yardstick.md).
+/// The length ‖q‖ of the position q = X of a body: ‖X‖ + s, with the extent s.
 [[nodiscard]] inline double length_of_position(const Body& body) { return norm_of(body.position) + extent_of(body); }
 
 [[nodiscard]] std::vector<Quantity> quantities_of(const Collision& collision);
 
-/// Σ_q ‖∂y/∂q‖ ‖q‖ over the quantities q, with Frobenius norms, for y of `components` components. `derivative(i, j)` is
-/// ∂y_i/∂x_j, with x_j the j-th number. A quantity that is zero contributes nothing, even if its derivative is
-/// infinite.
+/// Σ_q ‖∂y/∂q‖ ‖q‖ over the quantities q, with Frobenius norms, for a vector y with `components` components.
+/// `derivative(i, j)` is ∂y_i/∂x_j, with x_j the j-th number of the collision. A quantity that is zero contributes
+/// nothing, even if its derivative is infinite.
 template <class Derivative>
 [[nodiscard]] auto sum_over_quantities(const std::vector<Quantity>& quantities, std::size_t components,
                                        const Derivative& derivative) {

@@ -9,7 +9,8 @@
 
 namespace carom::conformance {
 
-/// Forwards to another printer, but writes its own last lines: it counts skipped tests, and lists failed tests last.
+/// Forwards to another printer, but writes the last lines itself. These lines count skipped tests, and list failed
+/// tests last.
 class ClosingLines : public testing::TestEventListener {
  public:
   explicit ClosingLines(testing::TestEventListener* printer) : printer_(printer) {}
@@ -73,8 +74,8 @@ class ClosingLines : public testing::TestEventListener {
   std::unique_ptr<testing::TestEventListener> printer_;
 };
 
-/// Replaces GoogleTest's printer by ClosingLines, after the flags have chosen the printer. Does nothing without a
-/// printer or with `brief`.
+/// Replaces GoogleTest's printer by ClosingLines, after the flags have chosen the printer. Does nothing if there is no
+/// printer, or with the flag `brief`.
 class ClosingLinesInPlace : public testing::Environment {
  public:
   void SetUp() override {

@@ -4,14 +4,15 @@
 #include <carom/properties/conformance/subject.hpp>
 #include <carom/properties/conformance/suite.hpp>
 
-/// Instantiates the GoogleTest suite NAME/Conformance of a subject. It has a test Holds/INVARIANT_in_FAMILY for each
-/// family and each invariant that the subject claims (subject.hpp). RapidCheck draws the cases; its RC_PARAMS sets the
-/// seed and the number of cases.
+/// Instantiates the GoogleTest suite NAME/Conformance of a subject (subject.hpp). The suite has a test
+/// Holds/INVARIANT_in_FAMILY for each family and each invariant that the subject claims. RapidCheck draws the cases;
+/// RC_PARAMS sets the seed and the number of cases.
 ///
 ///     CAROM_CONFORMANCE(MySolver, carom::conformance::subject("my solver", carom::Law::frictionless, my_callable));
 ///
 /// A further argument gives carom::conformance::Options. If an option, or CAROM_EXACT in the environment, is wrong, the
-/// suite is one test that fails and gives the reason. A test is skipped if no case is in its invariant's domain.
+/// suite has only one test, which fails and gives the reason. A test is skipped if no case is in the domain of its
+/// invariant.
 #define CAROM_CONFORMANCE(NAME, ...)                                                                               \
   using ::carom::conformance::Conformance;                                                                         \
   INSTANTIATE_TEST_SUITE_P(NAME, Conformance,                                                                      \

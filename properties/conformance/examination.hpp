@@ -15,9 +15,9 @@ class Examination {
   /// Preconditions: `absent` of the subject is empty; the statement outlives the examination.
   explicit Examination(const Statement& statement);
 
-  /// Whether the statement holds on the case. A subject that throws violates every invariant. After a violation, a much
-  /// less serious violation does not count, so the shrunk case shows the fault plainly. After the session has failed,
-  /// every case counts as holding.
+  /// Whether the statement holds on the case. A subject that throws violates every invariant. After the first
+  /// violation, a much less serious violation counts as holding, so that shrinking ends at a plain fault. After the
+  /// session has failed, every case counts as holding.
   [[nodiscard]] bool holds(const properties::Case& one);
 
   [[nodiscard]] bool was_in_domain() const { return was_in_domain_; }

@@ -10,11 +10,10 @@
 
 namespace carom::conformance {
 
-/// Whether RapidCheck falsifies the property of this name. Discards RapidCheck's text on the property. At the end of
-/// the program, RapidCheck prints how to reproduce all failures.
+/// Whether RapidCheck falsifies `property`. Discards RapidCheck's text about this property.
 template <class Property>
 [[nodiscard]] bool falsified(const std::string& name, Property&& property) {
-  // RapidCheck reads RC_PARAMS once and prints the seed. It ends the program if RC_PARAMS is wrong.
+  // The first check makes RapidCheck read RC_PARAMS and print the seed, or end the program if RC_PARAMS is wrong.
   static const bool has_read_parameters = rc::check([] {});
   std::ostringstream kept_back;
   struct Usual {

@@ -11,7 +11,7 @@ namespace carom::conformance {
 
 struct Finding {
   properties::Status status;  // skipped if no case was in the domain, or the subject is absent
-  std::string text;           // what was violated, or why it was skipped; empty if it holds
+  std::string text;           // the violation, or the reason for the skip; empty if the statement holds
 };
 
 /// Tests a statement on cases that RapidCheck draws. `name` is the property's name for RapidCheck.

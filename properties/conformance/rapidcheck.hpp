@@ -15,8 +15,8 @@
 #include <carom/properties/search/simpler_cases.hpp>
 
 /// Collisions for RapidCheck: rc::Arbitrary<carom::Collision>, and a generator for each family. Small sizes give simple
-/// collisions; from size 50 on, a generator gives the family's whole distribution. A collision shrinks to numbers with
-/// few binary digits, through collisions that its generator could draw.
+/// collisions; from size 50 on, a generator gives the family's whole distribution. Collisions shrink to numbers with
+/// few binary digits. Each step of shrinking is a collision that the generator can draw.
 namespace carom {
 
 namespace properties {
@@ -30,14 +30,14 @@ inline void showValue(const Collision& collision, std::ostream& out) {
 
 namespace gen {
 
-/// The cases of a draw function. RapidCheck shrinks the choices from which `draw` makes a case.
+/// The cases that `draw` makes from random choices. RapidCheck shrinks the choices.
 [[nodiscard]] inline rc::Gen<properties::Case> cases(properties::Draw draw) {
   struct Shrinks {
     static rc::Shrinkable<properties::Case> of(const properties::Draw& draw, properties::ChosenCase chosen,
                                                std::size_t first) {
       auto one = [case_of_it = chosen.one] { return case_of_it; };
       return rc::shrinkable::lambda(std::move(one), [=] {
-        // Begins at the place of the last success, because the candidates before it failed, and seldom succeed later.
+        // Begins at the change that succeeded last, because the changes before it failed, and seldom succeed later.
         return rc::Seq<rc::Shrinkable<properties::Case>>(
             [draw, simpler = properties::SimplerCases(draw, chosen,
                                                       first)]() mutable -> rc::Maybe<rc::Shrinkable<properties::Case>> {
@@ -62,7 +62,8 @@ namespace gen {
   return rc::gen::map(cases(std::move(draw)), [](const properties::Case& one) { return one.collision; });
 }
 
-/// The collisions of the family with this name (`carom families`). Throws std::invalid_argument if there is none.
+/// The collisions of the family with this name (`carom families` lists the names). Throws std::invalid_argument if no
+/// family has this name.
 [[nodiscard]] inline rc::Gen<Collision> family(std::string_view name) {
   const properties::Family* const found = properties::family_named(name);
   if (found == nullptr) {
@@ -71,10 +72,10 @@ namespace gen {
   return collisions(found->generate);
 }
 
-/// Valid collisions of all families of the claimed domain, by their weights.
+/// Valid collisions of random families (`case_of_any_family`).
 [[nodiscard]] inline rc::Gen<Collision> any_family() { return collisions(properties::case_of_any_family); }
 
-// For example carom::gen::near_head_on().
+// Defines a generator for each family, such as carom::gen::near_head_on().
 #define CAROM_GEN_FAMILIES(F)       \
   F(structured)                     \
   F(generic)                        \
@@ -121,7 +122,7 @@ CAROM_GEN_FAMILIES(CAROM_GEN_FAMILY)
 /// Two balls that touch. The centres and the contact are exactly on one line along the normal.
 [[nodiscard]] inline rc::Gen<Collision> between_spheres() { return collisions(properties::touching_spheres); }
 
-/// The generator's collisions whose rounded N·V⁻ is negative. If the bodies separate, all motion is reversed.
+/// The generator's collisions with a negative rounded N·V⁻. If the bodies separate, all motion is reversed first.
 [[nodiscard]] inline rc::Gen<Collision> approaching(rc::Gen<Collision> generator) {
   auto reversed = rc::gen::map(std::move(generator), [](Collision collision) {
     properties::reverse_if_separating(collision);
@@ -140,7 +141,8 @@ CAROM_GEN_FAMILIES(CAROM_GEN_FAMILY)
 
 [[nodiscard]] inline rc::Gen<Body> wall() { return rc::gen::just(Body{.immovable = true}); }
 
-/// The generator's collisions with these bodies, whose positions are relative to the contact point.
+/// The generator's collisions, with the bodies replaced by `a` and `b`. The positions of `a` and `b` are relative to
+/// the contact point.
 [[nodiscard]] inline rc::Gen<Collision> with_bodies(rc::Gen<Collision> generator, rc::Gen<Body> a, rc::Gen<Body> b) {
   return rc::gen::apply(
       [](Collision collision, const Body& of_a, const Body& of_b) {
@@ -153,8 +155,8 @@ CAROM_GEN_FAMILIES(CAROM_GEN_FAMILY)
       std::move(generator), std::move(a), std::move(b));
 }
 
-/// The generator's collisions with this feature added (`carom features`), without collisions that cannot have the
-/// feature. Throws std::invalid_argument if there is no such feature.
+/// The generator's collisions, changed to have this feature (`carom features` lists the names). Drops collisions that
+/// cannot have the feature. Throws std::invalid_argument if no feature has this name.
 [[nodiscard]] inline rc::Gen<Collision> with_feature(std::string_view name, rc::Gen<Collision> generator = generic()) {
   const properties::Feature* const feature = properties::feature_named(name);
   if (feature == nullptr) {

@@ -26,14 +26,14 @@ struct Statement {
   oracles::Yardstick yardstick;
   const char* file = "";  // of the suite
   int line = 0;
-  std::string error = {};  // why there is no suite; if not empty, only `file` and `line` have a meaning
+  std::string error = {};  // why there is no suite; if set, the other fields except `file` and `line` have no meaning
 
   [[nodiscard]] properties::Claim claim() const;
 };
 
-/// All statements of a suite: each claimed invariant in each family. Leaves out invalid collisions if `invalid_refused`
-/// is not claimed. Throws std::invalid_argument if an option names an unknown family, invariant or deviation, or if
-/// CAROM_EXACT is neither 0 nor 1.
+/// All statements of a suite: each claimed invariant in each family. Leaves out the family `invalid` if the subject
+/// does not claim `invalid_refused`. Throws std::invalid_argument if an option names an unknown family, invariant or
+/// deviation, or if CAROM_EXACT is neither 0 nor 1.
 [[nodiscard]] std::vector<Statement> statements(const Subject& subject, const Options& options = {});
 
 /// For example "restitution_in_near_head_on"; "options" if the statement has an error.

@@ -15,7 +15,7 @@
 
 namespace carom::conformance {
 
-/// Contact<S> → Outcome<S> or SolvedOutcome<S>.
+/// A callable const impulse::Contact<S>& → Outcome<S> or SolvedOutcome<S>.
 template <class Solver, class S>
 concept SolvesContacts = std::is_invocable_r_v<Outcome<S>, Solver&, const impulse::Contact<S>&>;
 
@@ -74,12 +74,12 @@ template <class Solver, class S>
 
 }  // namespace detail
 
-/// A callable as a subject. It solves contacts, const impulse::Contact<S>& → Outcome<S>, or collisions, const
-/// Collision& → Outcome<S>. S is float, double or long double. Give S explicitly if the callable takes contacts of any
-/// scalar type. Every session has a copy of the callable. The default precision is that of S.
+/// Makes a subject of a callable. The callable solves contacts (const impulse::Contact<S>& → Outcome<S>) or collisions
+/// (const Collision& → Outcome<S>). S is float, double or long double. Give S explicitly if the callable takes contacts
+/// of any scalar type. Every session has a copy of the callable. The default precision is that of S.
 ///
-/// If the callable returns SolvedOutcome<S>, its collision matrix is judged too. The kit refuses invalid collisions
-/// itself, so `invalid_refused` is not claimed.
+/// If the callable returns SolvedOutcome<S>, its collision matrix is judged too. The kit itself refuses invalid
+/// collisions, so the subject does not claim `invalid_refused`.
 template <class S = void, class Solver>
 [[nodiscard]] Subject subject(std::string name, Law law, Solver solver,
                               std::optional<Precision> precision = std::nullopt) {

@@ -11,11 +11,11 @@
 
 namespace carom::conformance {
 
-/// The test of one statement. Every test program compiles its definition, suite.cpp, once.
+/// The test of one statement. suite.cpp defines the test; every test program compiles suite.cpp once.
 class Conformance : public testing::TestWithParam<Statement> {};
 
-/// The statements of the suite at this place in the source. If `make` throws, the suite is one test, `options`, which
-/// fails and gives the reason.
+/// The statements that `make` returns, for the suite at this place in the source. If `make` throws, the suite has only
+/// the test `options`, which fails and gives the reason.
 [[nodiscard]] std::vector<Statement> suite(const char* file, int line,
                                            const std::function<std::vector<Statement>()>& make);
 

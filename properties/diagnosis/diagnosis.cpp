@@ -39,7 +39,7 @@ std::vector<std::vector<std::uint64_t>> violated_cases(const SubjectResult& resu
   return all;
 }
 
-/// For each family, the number of judged sampled cases, which come first.
+/// For each family, the number of judged sampled cases, the first of its sample.
 std::vector<std::uint64_t> judged_of(const SubjectResult& result) {
   std::vector<std::uint64_t> judged;
   for (const FamilyResult& family : result.families) {
@@ -110,7 +110,7 @@ struct Explanation {
 
 Explanation best_explanation(const std::vector<KnownCase>& cases) {
   constexpr std::size_t most_looked_at = 40;
-  constexpr std::size_t most_missed_at_first = 8;  // a hypothesis that is right for half misses the first 8 once in 256
+  constexpr std::size_t most_missed_at_first = 8;  // a hypothesis that is right for half misses all 8 once in 256
   const std::span<const KnownCase> looked_at(cases.data(), std::min(cases.size(), most_looked_at));
   Explanation best;
   for (const Hypothesis& hypothesis : all_hypotheses()) {

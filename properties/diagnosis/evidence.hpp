@@ -4,17 +4,16 @@
 #include <cmath>
 #include <cstdint>
 
-/// The evidence that a hint needs.
 namespace carom::properties::diagnosis {
 
-/// The number of violated cases that a hint needs. If at most half of all violated cases have a property, five of them
-/// all have it with a probability of at most 2⁻⁵ < 1/20. For four, the bound is 1/16.
+/// The number of violated cases that a hint needs. If at most half of all violated cases have a property, five random
+/// ones all have it with a probability of at most 2⁻⁵ < 1/20. For four, the bound is 1/16.
 inline constexpr std::uint64_t least_violated = 5;
 
-/// Bounds the probability that at least `found` of `drawn` cases lie in a part of a set. The cases are drawn by chance
-/// from the set, and the part is the fraction `share` of the set: W. Hoeffding, "Probability inequalities for sums of
-/// bounded random variables", J. Amer. Statist. Assoc. 58, 1963, theorem 1, and section 6 for draws without
-/// replacement. Preconditions: 0 < found ≤ drawn; 0 < share ≤ 1.
+/// An upper bound of the probability that at least `found` of `drawn` cases lie in a part of a set. The cases are drawn
+/// by chance from the set, and the part is the fraction `share` of the set. Source: W. Hoeffding, "Probability
+/// inequalities for sums of bounded random variables", J. Amer. Statist. Assoc. 58, 1963, theorem 1, and section 6 for
+/// draws without replacement. Preconditions: 0 < found ≤ drawn; 0 < share ≤ 1.
 [[nodiscard]] inline double chance_bound(std::uint64_t found, std::uint64_t drawn, double share) {
   const double fraction = static_cast<double>(found) / static_cast<double>(drawn);
   if (fraction <= share) {

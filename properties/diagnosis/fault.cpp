@@ -64,7 +64,7 @@ bool is_spin_wrong(const Exact& c, const Outcome<Rational>& after, bool of_a) {
 }
 
 /// A computed impulse compared with the right one. `along` is the ratio of the components along the normal. `across` is
-/// the error across the normal, divided by the length of the impulse.
+/// the error across the normal, divided by the length of the longer impulse.
 struct Shares {
   double along = 0;
   double across = 0;
@@ -164,7 +164,7 @@ std::string restitution_in_words(const std::vector<Shares>& all, bool is_normal_
   return {};
 }
 
-/// Empty unless many impulses have the same size.
+/// The size that many impulses share, in words. Empty if there is none.
 std::string limit_in_words(const std::vector<Shares>& all) {
   constexpr std::size_t least = 5;
   for (const Shares& one : all) {
@@ -205,7 +205,7 @@ std::string impulse_in_words(const std::vector<Shares>& all) {
 
 }  // namespace
 
-/// Empty unless many wrong outcomes share a speed or an angular speed that the law does not give.
+/// Speeds that many wrong outcomes share and the law does not give, in words. Empty if there are none.
 std::string limits_in_words(std::span<const ViolatedCase> cases, Law law) {
   struct Size {
     OutcomeVector vector;

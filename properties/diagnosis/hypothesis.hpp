@@ -13,7 +13,7 @@ namespace carom::properties::diagnosis {
 /// A possible fault of a solver: it applies the law to another collision, or misuses the right impulse.
 struct Hypothesis {
   std::string as_if;    // "the lever arms of both bodies began at the world's origin"
-  std::string look_at;  // the place in a solver that does this
+  std::string look_at;  // the place in a solver to check
   /// The outcome of a solver with this fault. No value if the hypothesis does not apply.
   std::function<std::optional<Outcome<double>>(const KnownCase&)> answer;
 };

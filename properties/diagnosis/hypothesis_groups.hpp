@@ -16,7 +16,8 @@ namespace carom::properties::diagnosis {
 /// changed collision is invalid.
 [[nodiscard]] std::optional<Outcome<double>> answer_to(const Collision& changed, const KnownCase& one);
 
-/// The law's impulse for the changed collision, applied to the unchanged bodies. No value as in `answer_to`.
+/// The law's impulse for the changed collision, applied to the unchanged bodies. No value if the changed collision is
+/// invalid.
 [[nodiscard]] std::optional<Outcome<double>> impulse_of(const Collision& changed, const KnownCase& one);
 
 }  // namespace carom::properties::diagnosis

@@ -17,7 +17,7 @@ struct LawAnswer {
 /// collision is valid; the law determines an outcome.
 [[nodiscard]] LawAnswer law_answer(const Collision& collision, Law law, std::optional<oracles::Approach> approach = {});
 
-/// A case answered by an outcome, with the law's answer.
+/// A case that the subject answered by an outcome, and the law's answer.
 struct KnownCase {
   Collision collision;
   Law law = Law::any;
@@ -32,14 +32,14 @@ struct KnownCase {
 /// outcome.
 [[nodiscard]] std::optional<KnownCase> known_case(const ViolatedCase& violated, Law law);
 
-/// √(Σ m ‖δv‖² + δwᵀ J δw) [√J] over the movable bodies, for the difference of two outcomes. It makes velocities and
-/// angular velocities comparable.
+/// √(Σ m ‖δv‖² + δwᵀ J δw) over the movable bodies, with the differences δv and δw of the velocities. It makes
+/// velocities and angular velocities comparable.
 [[nodiscard]] double energy_distance(const Collision& collision, const Outcome<double>& x, const Outcome<double>& y);
 
 /// Whether the outcome is so far off that rounding with this unit roundoff cannot be the cause.
 [[nodiscard]] bool is_visibly_off(const KnownCase& one, double unit_roundoff);
 
-/// The velocities that the impulse gives to the movable bodies: v ± F/m, w ± J⁻¹(r × F).
+/// The velocities after the impulse F on A and −F on B: v ± F/m, w ± J⁻¹(r × F) for movable bodies.
 [[nodiscard]] Outcome<double> pushed(const Collision& collision, const Vector3<double>& impulse);
 
 }  // namespace carom::properties::diagnosis

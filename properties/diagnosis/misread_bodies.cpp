@@ -9,7 +9,7 @@
 namespace carom::properties::diagnosis {
 namespace {
 
-/// A way to misread a body, in the computation of the impulse, in its application, or in both steps.
+/// A way to misread a body in the computation of the impulse, in the application of the impulse, or in both steps.
 struct Misreading {
   const char* as_if;  // `{}` stands for one or both bodies
   const char* look_at;
@@ -54,7 +54,7 @@ const std::array misreadings{
                  const Quaternion<double> q = b.orientation;
                  b.orientation = {q[3], q[0], q[1], q[2]};
                }},
-    // q v q* without the division by q·q multiplies a vector by q·q. J⁻¹ turns twice: into the body frame and back.
+    // Without the division by q·q, q v q* multiplies a vector by q·q. J⁻¹ turns twice: into the body frame and back.
     Misreading{"the quaternion of {} were not divided by its length", "the orientation: normalise the quaternion", true,
                [](Body& b, const Body&, const Collision&) {
                  const double squared_length = b.orientation.squaredNorm();
@@ -193,7 +193,7 @@ Collision misread(const Collision& collision, const Misreading& misreading, cons
   return changed;
 }
 
-/// The law's impulse, applied to misread bodies. No value as in `answer_to`.
+/// The law's impulse, applied to misread bodies. No value if the changed collision is invalid.
 std::optional<Outcome<double>> misapplied(const Collision& changed, const KnownCase& one) {
   if (!validate(changed).empty()) {
     return std::nullopt;
@@ -222,7 +222,6 @@ std::vector<Hypothesis> misread_bodies() {
     bool of_mechanics_alone;
     std::optional<Outcome<double>> (*answer)(const Collision& changed, const KnownCase& one);
   };
-  // Both steps, or one step alone.
   constexpr std::array steps{
       Step{"", false, answer_to},
       Step{" in the computation of the impulse; the impulse is applied correctly", true, impulse_of},

@@ -4,7 +4,7 @@
 namespace carom::properties::diagnosis {
 namespace {
 
-/// The factors of the law's changes of the four vectors.
+/// Factors of the law's changes of the four velocities.
 struct Factors {
   double velocity_of_a = 1;
   double spin_of_a = 1;

@@ -66,7 +66,7 @@ struct Literal {
 /// applies if the first finds no condition.
 constexpr std::array most_left_out{0.05, 0.2};
 
-/// A condition must exclude this fraction of the other cases.
+/// A condition must exclude this fraction of the cases that are not violated.
 constexpr double least_taken_away = 0.3;
 
 /// The usual cause of violations if the quantity is at least `limit`; empty if none is known. With moments of the ratio
@@ -79,7 +79,6 @@ const char* usual_cause_from(double limit, const ComparedQuantity& quantity) {
          "the torque by each moment in the body's axes";
 }
 
-/// The sample, and every possible condition on it.
 class Sample {
  public:
   Sample(const GateReport& report, const Violations& violations, double left_out)
@@ -230,8 +229,8 @@ class Sample {
 /// The greatest probability that one search finds a condition by chance. A subject has at most six searches.
 constexpr double greatest_chance = 1e-3;
 
-/// Conditions other than sizes are named only if at least this share of the cases there is violated. With a smaller
-/// share, such a condition may be a coincidence. A size stays, because it may be far from the limit in the code.
+/// A condition other than a size needs this share of violations among the cases that meet the conditions. With a
+/// smaller share, it may be a coincidence. A size stays, because it may be far from the limit in the code.
 constexpr double least_share_there = 2.0 / 3;
 
 /// Whether the part is at least nine tenths of the whole.

@@ -11,10 +11,10 @@ namespace carom::properties::diagnosis {
 
 struct Condition {
   std::string words;        // "for A or B the orientation is exactly 1, 0, 0, 0"
-  std::string usual_cause;  // of violations that meet it, as a place in a solver to check; empty if none is known
+  std::string usual_cause;  // of such violations, as a place in a solver to check; empty if none is known
 };
 
-/// The conditions that the violated cases meet and the others do not.
+/// The conditions that nearly all violated cases meet, and few others.
 struct Where {
   std::string of;  // the kind of nearly all violated cases, such as "contacts that approach"; empty: all kinds
   std::vector<Condition> conditions;  // all hold together; empty if no feature separates the violated cases
@@ -24,7 +24,7 @@ struct Where {
 };
 
 /// The violated cases of a run. For each family, `violated` lists the numbers of violated sampled cases, ascending.
-/// `judged` counts the judged sampled cases, which come first.
+/// `judged` counts the judged sampled cases, the first of each family's sample.
 struct Violations {
   std::vector<std::vector<std::uint64_t>> violated;
   std::vector<std::uint64_t> judged;

@@ -14,7 +14,7 @@ enum class Adjustment {
   moments_enlarged,  // enlarged until the contact lies within twice the radius of gyration
   moved_to_origin,   // the contact is at the origin, so that parallel vectors are exactly parallel
   reversed,          // because the bodies separated
-  drawn_again,       // masses, sizes or speeds left the domain
+  drawn_again,       // because masses, sizes or speeds left the domain
 };
 inline constexpr std::array all_adjustments{Adjustment::moments_enlarged, Adjustment::moved_to_origin,
                                             Adjustment::reversed, Adjustment::drawn_again};

@@ -4,7 +4,6 @@
 #include <carom/properties/draws/relative_velocity.hpp>
 #include <carom/properties/draws/stream.hpp>
 
-/// Draws bodies of any inertia, in SI units.
 namespace carom::properties {
 
 /// The restitution ε: 0, 1, or a number between them.
@@ -13,13 +12,13 @@ namespace carom::properties {
 /// From 2⁻⁶ kg to 2⁷ kg.
 [[nodiscard]] double drawn_mass(Stream& stream);
 
-/// For a body of this size [m]. Rotation moves the surface about as fast as the centre.
+/// Draws velocities for a body of this size [m]. Rotation moves the surface about as fast as the centre moves.
 void set_velocities(Stream& stream, Body& body, double size);
 
 /// Principal moments of a body with these second moments per mass: I_x = m (S_y + S_z), and so on.
 [[nodiscard]] Vector3<double> principal_moments(double mass, const Vector3<double>& second_moments);
 
-/// Two approaching bodies by `make_body(stream, contact point)`, with any normal.
+/// Two approaching bodies with any normal. `make_body(stream, contact point)` makes each body.
 template <class MakeBody>
 [[nodiscard]] Collision two_bodies(Stream& stream, MakeBody make_body) {
   Collision collision;
@@ -33,7 +32,7 @@ template <class MakeBody>
   return collision;
 }
 
-/// Two approaching bodies of general inertia. The contact is at most about one body size from each body.
+/// Two approaching bodies of general inertia. The contact is at most about one body size from each centre of mass.
 [[nodiscard]] Collision general_collision(Stream& stream);
 
 }  // namespace carom::properties

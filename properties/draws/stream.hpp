@@ -22,9 +22,9 @@ struct StreamQuestion {
 /// The number of fractions k 2⁻⁵³ in [0, 1).
 inline constexpr std::uint64_t fractions = std::uint64_t{1} << 53U;
 
-/// A stream of integers that decides everything that a family draws. The gate and the fuzzers supply 64-bit words;
-/// RapidCheck answers questions. Numbers come from the integers by + − × ÷ alone, so they are the same on every
-/// machine.
+/// A stream of integers that decides everything that a family draws. The integers are 64-bit words in the gate and the
+/// fuzzers, and answers to questions with RapidCheck. Numbers come from the integers by + − × ÷ alone, so they are the
+/// same on every machine.
 class Stream {
  public:
   explicit Stream(std::function<std::uint64_t()> next) : next_(std::move(next)) {}
@@ -39,15 +39,15 @@ class Stream {
     return answer_ ? answer_({count, simplest, false}) : next_() % count;
   }
 
-  /// Uniform in low … high, both included. The simplest answer is the closest to 0, or `simplest` if given.
+  /// Uniform in low … high, both included. The simplest answer is `simplest`, or without it the number closest to 0.
   [[nodiscard]] int integer(int low, int high) { return integer(low, high, std::clamp(0, low, high)); }
   [[nodiscard]] int integer(int low, int high, int simplest);
 
   /// True once in `one_in` times. The simplest answer is false.
   [[nodiscard]] bool chance(int one_in) { return integer(1, one_in, one_in == 1 ? 1 : 2) == 1; }
 
-  /// Whether to use a plain number, such as 1, in place of the drawn number. A stream of words answers false, and
-  /// spends no word on the question.
+  /// Whether to use a plain number, such as 1, in place of the drawn number. A stream of words answers false, and takes
+  /// no word for the answer.
   [[nodiscard]] bool plainly() { return answer_ && answer_({2, 1, true}) == 1; }
 
   /// In [0, 1): mostly with all 53 bits; one in eight is a multiple of 1/8.
@@ -75,7 +75,7 @@ class Stream {
   [[nodiscard]] Quaternion<double> quaternion();
 
   void note(Adjustment adjustment) { adjusted_[adjustment] = true; }
-  /// Records that the collision is drawn again, without the changes of the previous draw.
+  /// Records that the collision is drawn again, and forgets the adjustments of the previous draw.
   void note_drawn_again() {
     adjusted_ = {};
     note(Adjustment::drawn_again);
@@ -88,7 +88,7 @@ class Stream {
   PerAdjustment<bool> adjusted_;
 };
 
-/// 10^k, |k| ≤ 30: the nearest double, or 1 divided by the nearest double of 10^−k if k < 0.
+/// The double nearest to 10^k; if k < 0, 1 divided by the double nearest to 10^−k. Precondition: |k| ≤ 30.
 [[nodiscard]] double power_of_ten(int k);
 
 /// The stream of one case: SplitMix64 (G. Steele, D. Lea, C. Flood, OOPSLA 2014). Its initial state depends only on the

@@ -62,7 +62,8 @@ Vector3<double> plus(const Vector3<double>& v, const Vector3<double>& u, double 
 }
 
 Vector3<double> turned(const Quaternion<double>& q, const Vector3<double>& v) {
-  // q v = (−u·v, t) with t = w v + u × v. The result is the vector part of q v q*, with q* = (w, −u), divided by ‖q‖².
+  // Let q = (w, u). Then q v = (−u·v, t) with t = w v + u × v. The result is the vector part of q v q* divided by ‖q‖²,
+  // with q* = (w, −u).
   const double w = q[0];
   const Vector3<double> u{q[1], q[2], q[3]};
   const Vector3<double> t = plus(cross(u, v), v, w);

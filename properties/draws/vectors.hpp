@@ -14,7 +14,7 @@ namespace carom::properties {
 /// u₁ v₂ − u₂ v₁ and its cyclic permutations. Each product is rounded.
 [[nodiscard]] Vector3<double> cross(const Vector3<double>& u, const Vector3<double>& v);
 
-/// Changes each sign, also of zero. With wide packets, Eigen's −v is 0 − v, and 0 − 0 is not −0.
+/// Changes each sign, also that of zero. Eigen's −v may compute 0 − v (with wide packets), and 0 − 0 is not −0.
 [[nodiscard]] Vector3<double> negated(const Vector3<double>& v);
 [[nodiscard]] Quaternion<double> negated(const Quaternion<double>& q);
 
@@ -55,7 +55,8 @@ struct Columns {
 /// the result has components that are not finite.
 [[nodiscard]] Vector3<double> solution(const Columns& m, const Vector3<double>& v);
 
-/// Exactly orthogonal to this vector: two components are exchanged and one is negated. Zero only for zero.
+/// A vector exactly orthogonal to this one: two components are exchanged, and one of these is negated. Zero only for
+/// zero.
 [[nodiscard]] Vector3<double> orthogonal(const Vector3<double>& vector);
 
 }  // namespace carom::properties

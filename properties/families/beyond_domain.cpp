@@ -103,7 +103,7 @@ Case far_contacts(Stream& stream) {
     if (stream.chance(2)) {
       const Vector3<double> lever_arm = c.point - body->position;
       body->position = plus(c.point, lever_arm, -times);
-      // Otherwise w × r would always dominate the approach velocity.
+      // Without this, w × r would always dominate the approach velocity.
       body->angular_velocity /= stream.chance(2) ? times : 1;
     } else {
       body->principal_inertia /= times * times;

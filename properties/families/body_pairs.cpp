@@ -23,7 +23,7 @@ struct SizedShape {
   double size;
 };
 
-/// Factors of the axes. At times, one axis is shorter (a plate), or two are (a rod).
+/// Random factors of a body's axes. At times, one axis is shorter (a plate), or two are (a rod).
 Vector3<double> slenderness(Stream& stream) {
   Vector3<double> stretch{1, 1, 1};
   if (stream.chance(2)) {
@@ -105,7 +105,7 @@ Case touching_spheres(Stream& stream) {
   }
   c.restitution = drawn_restitution(stream);
   if (dot(c.normal, relative_velocity(c)) > 0) {
-    // A reversed normal would point away from A.
+    // Reverses the motion, because a reversed normal would point away from A.
     c.a.velocity = negated(c.a.velocity);
     c.b.velocity = negated(c.b.velocity);
   }

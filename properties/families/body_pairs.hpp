@@ -5,13 +5,14 @@
 
 namespace carom::properties {
 
-/// Two approaching bodies of general inertia. The contact is at most about one body size from each body.
+/// Two approaching bodies of general inertia. The contact is at most about one body size from each centre of mass.
 [[nodiscard]] Case general_bodies(Stream& stream);
 
-/// `general_bodies` with friction. One case in four has a few features (features/compose.hpp).
+/// `general_bodies` with friction. One case in four also gets a few features (`sprinkle`, features/compose.hpp).
 [[nodiscard]] Case sprinkled_bodies(Stream& stream);
 
-/// Two approaching convex bodies of uniform density, ellipsoids or polyhedra. The contact is in or on both.
+/// Two approaching convex bodies of uniform density, ellipsoids or polyhedra. The contact is inside or on the surface
+/// of both.
 [[nodiscard]] Case convex_bodies(Stream& stream);
 
 /// Two approaching spheres that touch, with lever arms r exactly parallel to N.

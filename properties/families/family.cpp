@@ -27,7 +27,7 @@ Case generic(Stream& stream) {
   return result;
 }
 
-/// V = −s N, exactly if the bodies do not spin, otherwise up to rounding.
+/// V is −N times a power of two: exactly if the bodies do not spin, otherwise up to rounding.
 Case head_on(Stream& stream) {
   Case result = sprinkled_bodies(stream);
   Collision& c = result.collision;
@@ -56,7 +56,8 @@ Case near_head_on(Stream& stream) {
   return result;
 }
 
-/// At times, one sphere is a wall, or the spheres meet head-on without spin. With both and ε = 0, the outcome is zero.
+/// At times, one sphere is a wall, or the spheres meet head-on without spin. If both happen and ε = 0, the outcome is
+/// zero.
 Case collinear_spheres(Stream& stream) {
   Case result = touching_spheres(stream);
   Collision& c = result.collision;

@@ -13,8 +13,8 @@ namespace carom::properties {
 
 struct Case {
   Collision collision;
-  /// Whether each movable body is convex with uniform density, with the contact in or on it. Then C ⪯ 16 λI, with the
-  /// collision matrix C and λ = 1/m_A + 1/m_B.
+  /// Whether each movable body is convex and uniform, with the contact inside or on its surface. If so, C ⪯ 16 λI, with
+  /// the collision matrix C and λ = 1/m_A + 1/m_B.
   bool convex_uniform = false;
   PerAdjustment<bool> adjusted = {};
 };
@@ -33,16 +33,15 @@ struct Family {
   std::string_view name;
   std::string_view summary;
   Case (*generate)(Stream&);
-  /// Families take turns in this order, from 1 (gate/schedule.hpp), so the first cases find most defects.
-  /// `first_violation --families` (tests/benchmarks) counts the planted defects (tests/mutants) that the first two
-  /// cases of a family find, for eight seeds. Each of families 1 to 10 finds the most defects among those that the
-  /// families before it miss, and the ten together miss no defect. The other families follow by the number of defects
-  /// that each finds alone, except the last two, which are not ranked.
+  /// The place of the family in the gate's order of turns, from 1 (gate/schedule.hpp). `first_violation --families`
+  /// (tests/benchmarks) counts the planted defects (tests/mutants) that the first two cases of a family find, for eight
+  /// seeds. Each of families 1 to 10 finds the most of the defects that the families before it miss. The ten together
+  /// find all. The others follow by the number of defects that each finds alone; the last two are not ranked.
   int turn = last_turn;
   int weight = 1;        // factor of the number of cases that the gate draws
   bool is_valid = true;  // false if a subject must refuse its collisions
-  /// For a family beyond the claimed domain. A subject's limit is the least quantity at which the subject violates an
-  /// invariant. The family decides no verdict unless the user names it.
+  /// Set for a family beyond the claimed domain. A subject's limit is the least quantity at which the subject violates
+  /// an invariant. The family decides no verdict unless the user names it.
   MeasuredQuantity beyond = {};
 
   [[nodiscard]] bool is_beyond_domain() const { return beyond.of != nullptr; }

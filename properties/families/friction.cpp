@@ -10,8 +10,8 @@
 namespace carom::properties {
 namespace {
 
-/// The velocity that a unit impulse along this axis at the contact point gives to this point of the body: a column of
-/// I/m + [r]ᵀ J⁻¹ [r].
+/// The velocity that a unit impulse along this axis at the contact point gives to the body there: a column of I/m +
+/// [r]ᵀ J⁻¹ [r], with the identity I.
 Vector3<double> mobility(const Body& body, const Vector3<double>& point, const Vector3<double>& axis) {
   if (body.immovable) {
     return Vector3<double>::Zero();

@@ -8,12 +8,11 @@ namespace carom::properties {
 /// Sets μ, mostly below 1, and the tangential restitution e_t.
 void set_friction(Stream& stream, Collision& collision);
 
-/// The μ at which the impulse of `rough` lies on the friction cone's surface, rounded; 1 if there is none. Without the
-/// cone, this impulse is (1 + ε) times the impulse that stops the approach, plus (1 + e_t) times the impulse that then
-/// stops the contact point.
+/// The μ at which the impulse of `rough`, computed without the friction cone, lies on the cone's surface; rounded, 1 if
+/// there is none. The impulse is (1 + ε) P + (1 + e_t) D: P stops the approach, and D then stops the contact point.
 [[nodiscard]] double critical_friction(const Collision& collision);
 
-/// The μ at which the impulse of `sticking` lies on the friction cone's surface, rounded; 1 if there is none. Below
+/// The μ at which the impulse of `sticking` lies on the friction cone's surface; rounded, 1 if there is none. Below
 /// this μ, `coulomb` slips.
 [[nodiscard]] double friction_that_sticks(const Collision& collision);
 

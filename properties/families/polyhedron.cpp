@@ -20,7 +20,8 @@ struct Integrals {
   IntegerMatrix second = IntegerMatrix::Zero();
 };
 
-/// Adds the tetrahedron with this face and its apex at the origin. Its volume has a sign, so any origin works.
+/// Adds the tetrahedron with this face and its apex at the origin. Its volume has a sign, so the origin may lie outside
+/// the polyhedron.
 void add_tetrahedron(Integrals& integrals, const IntegerVector& a, const IntegerVector& b, const IntegerVector& c) {
   const std::int64_t determinant = a.dot(b.cross(c));
   const IntegerVector sum = a + b + c;
@@ -89,7 +90,7 @@ PrincipalShape random_polyhedron(Stream& stream) {
     }
   }
 
-  // A corner, or a point between corners with weights k/8 that sum to 1.
+  // A corner of the hull, or a mean of corners with weights k/8.
   std::array<Rational, 3> point{0, 0, 0};
   const int parts = stream.chance(2) ? 1 : 8;
   for (int part = 0; part < parts; ++part) {

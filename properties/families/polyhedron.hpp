@@ -15,8 +15,8 @@ struct PrincipalShape {
 };
 
 /// A random convex polyhedron with exact mass properties, without an eigenvalue problem. The hull of 4 to 8 integer
-/// points has rational second moments S = L D Lᵀ (L unit triangular, D diagonal). The shear L⁻¹ gives a convex
-/// polyhedron with second moments D.
+/// points has rational second moments S = L D Lᵀ (L unit triangular, D diagonal). The shear L⁻¹ maps the hull to a
+/// convex polyhedron with second moments D.
 [[nodiscard]] PrincipalShape random_polyhedron(Stream& stream);
 
 }  // namespace carom::properties

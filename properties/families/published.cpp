@@ -32,7 +32,6 @@ Collision two_spheres(double radius_a, double radius_b) {
   return c;
 }
 
-/// Both spheres move towards the contact at this speed [m/s].
 Collision two_equal_spheres(double radius, double speed) {
   Collision c = two_spheres(radius, radius);
   c.a.velocity = {0, -speed, 0};

@@ -7,10 +7,10 @@ namespace carom::properties {
 
 inline constexpr int chung_ooi_count = 8;
 
-/// An impact of Y. Chung, J. Ooi, "Benchmark tests for verifying discrete element modelling codes at particle impact
-/// level", Granular Matter 13, 2011, by its number from 1 to 8. The quantity that the benchmark varies is random.
-/// Spheres of uniform density, 2700 kg/m³, meet, or one meets the plane y = 0 from above. e_t = 0. Throws
-/// std::invalid_argument for any other number.
+/// The impact of this number, from 1 to 8, in Y. Chung, J. Ooi, "Benchmark tests for verifying discrete element
+/// modelling codes at particle impact level", Granular Matter 13, 2011. The quantity that the benchmark varies is
+/// random. Two spheres meet, or one meets the plane y = 0 from above. The spheres have the uniform density 2700 kg/m³;
+/// e_t = 0. Throws std::invalid_argument for any other number.
 ///
 ///   1: Two equal spheres, head-on.
 ///   2: A sphere on the plane, normally, ε = 1.

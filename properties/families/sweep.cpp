@@ -64,8 +64,8 @@ Collision distance(Stream& stream, double metres) {
   return c;
 }
 
-/// A rod with moments 1 : ratio : ratio. Along the rod, the contact is 0.5 to 1 radii of gyration from the centre.
-/// Across it, the contact is about on the rod.
+/// A rod with moments 1 : ratio : ratio. The contact is about on the rod, at 0.5 to 1 radii of gyration from the
+/// centre.
 Collision slenderness(Stream& stream, double ratio) {
   Collision c = general_bodies(stream).collision;
   const double thinness = 1 / std::sqrt(ratio);
@@ -79,7 +79,6 @@ Collision slenderness(Stream& stream, double ratio) {
   return c;
 }
 
-/// One moment of a body is `excess` times the sum of the others.
 Collision moments_of_no_body(Stream& stream, double excess) {
   Collision c = general_bodies(stream).collision;
   set_moment_excess(stream, c.a, excess);
@@ -88,7 +87,6 @@ Collision moments_of_no_body(Stream& stream, double excess) {
   return c;
 }
 
-/// Scales both bodies, their positions and their velocities by `ratio`.
 Collision size(Stream& stream, double ratio) {
   Collision c = general_bodies(stream).collision;
   c.point *= ratio;

@@ -10,8 +10,8 @@
 
 namespace carom::properties {
 
-/// Colliding contacts with one quantity set to 10^k, for k from `first_exponent` to `last_exponent`. A sweep shows from
-/// which value a method violates an invariant.
+/// Colliding contacts with one quantity set to 10^k, for k from `first_exponent` to `last_exponent`. A sweep shows the
+/// value from which on a method violates an invariant.
 struct Sweep {
   std::string_view name;
   std::string_view quantity;  // the label of an axis

@@ -16,8 +16,8 @@ struct Parts {
   double tangential;
 };
 
-/// Whether a part is positive but less than about √u times the other, with u = 2⁻⁵³. Rounding then loses its square in
-/// the sum of squares.
+/// Whether a part is positive but less than about √u times the other, with u = 2⁻⁵³. In the sum of both squares,
+/// rounding then loses the square of the part.
 bool is_slight(double part, double other) {
   constexpr double slight = 1e-8;
   return part > 0 && part < slight * other;
@@ -52,8 +52,8 @@ void set_approach(Stream& stream, Collision& c, const V& relative) {
 /// Stops one body, whose velocity could swamp the smaller parts of V.
 void rest_one(Stream& stream, Collision& c) { (stream.chance(2) ? c.a : c.b).velocity.setZero(); }
 
-/// Lets the spin of A alone cause V. r becomes orthogonal to N, so (N × r) × r = −‖r‖² N. V is a positive multiple of
-/// −N + δ N × r / ‖r‖, with δ between `across`/2 and `across`.
+/// Lets the spin of A alone cause V. A's lever arm r becomes orthogonal to N, so (N × r) × r = −‖r‖² N. V is a positive
+/// multiple of −N + δ N × r / ‖r‖, with δ between `across`/2 and `across`.
 void approach_by_spin_of_a(Stream& stream, Collision& c, double across) {
   const V r = with_few_bits(turned_across(stream, lever_arm(c, c.a), c.normal));
   const double spin = size_of(c.a.angular_velocity) / size_of(r) / size_of(c.normal);
@@ -163,7 +163,7 @@ std::vector<Feature> of_approach() {
           [](Stream& stream, Collision& c) {
             make_movable(stream, c, c.a);
             make_movable(stream, c, c.b);
-            // With powers of two as masses, the quotient is exact.
+            // The masses become powers of two, so their quotient is exact.
             for (Body* b : {&c.a, &c.b}) {
               int exponent = 0;
               std::frexp(b->mass, &exponent);

@@ -16,7 +16,7 @@ void make_both_movable(Stream& stream, Collision& c) {
   make_movable(stream, c, c.b);
 }
 
-/// Gives B the moments of A. Scales B's lever arm by a power of two near the change of B's size.
+/// Gives B the moments of A. Scales B's lever arm by a power of two near the ratio of B's new size to its old size.
 void take_moments(Collision& c) {
   const double size = radius_of_gyration(c.b);
   c.b.principal_inertia = c.a.principal_inertia;
@@ -53,8 +53,8 @@ V rounded(const V& v) {
   return v.unaryExpr(whole);
 }
 
-/// Rounds every number of the body to an integer. A body below 1 kg or 1 m grows. If the contact is at its centre of
-/// mass, a small body gains mass in place of size.
+/// Rounds every number of the body to an integer. A body below 1 kg or 1 m grows. A small body with the contact at its
+/// centre of mass gains mass in place of size.
 void make_whole_body(Stream& stream, Collision& c, Body& b) {
   const V r = rounded(lever_arm(c, b));
   b.position = rounded(c.point) - r;

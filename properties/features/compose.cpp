@@ -48,7 +48,7 @@ void reverse_if_separating(Stream& stream, Collision& c) {
   }
 }
 
-/// The limit of lengths [m], speeds [m/s] and angular speeds [rad/s]: ten times the greatest that a feature sets.
+/// The limit of lengths [m], speeds [m/s] and angular speeds [rad/s]: ten times the greatest value that a feature sets.
 constexpr double largest_number = 1e11;
 
 /// At times, puts the contact 1 to 2 radii of gyration from the centre of the body.
@@ -64,7 +64,7 @@ void draw_surface(Stream& stream, Collision& c, Body& body) {
 void draw_magnitudes(Stream& stream, Collision& c) {
   const std::span<const Feature> all = all_features();
   std::uint64_t size = 0;  // the place of the decade of the body's size
-  // The features of a quantity are adjacent.
+  // The features of one quantity are adjacent.
   for (auto first = all.begin(); first != all.end();) {
     const auto last = std::find_if(first, all.end(), [&](const Feature& f) { return f.quantity != first->quantity; });
     const auto count = static_cast<std::uint64_t>(last - first);
@@ -74,7 +74,7 @@ void draw_magnitudes(Stream& stream, Collision& c) {
       if (first->drawn_by == DrawnBy::size_of_body) {
         size = chosen;
       } else if (first->drawn_by == DrawnBy::lever_arm) {
-        // At most the decade of the body's size.
+        // The decade of a lever arm is at most that of the body's size.
         chosen = stream.chance(2) ? size : chosen % (size + 1);
       }
       first[static_cast<std::ptrdiff_t>(chosen)].make(stream, c);
@@ -94,7 +94,7 @@ void draw_magnitudes(Stream& stream, Collision& c) {
   }
 }
 
-/// Prevents contacts far outside a body, which make the collision matrix so ill-conditioned that every solver loses all
+/// Prevents contacts far outside a body. They make the collision matrix so ill-conditioned that every solver loses all
 /// digits.
 void keep_contact_on_bodies(Stream& stream, Collision& c) {
   for (Body* body : {&c.a, &c.b}) {

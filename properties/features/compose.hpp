@@ -5,14 +5,16 @@
 
 namespace carom::properties {
 
-/// A collision with magnitudes from all decades of the features, and with some special values and relations. It
-/// collides if possible.
+/// A collision with masses, sizes and speeds of random decades, and with some special values and relations. It collides
+/// if possible.
 [[nodiscard]] Collision structured_collision(Stream& stream);
 
-/// Gives one collision in four a few special values and relations. An approaching collision stays approaching.
+/// Gives one collision in four a few special values and relations. If the bodies approach, they still approach
+/// afterwards.
 void sprinkle(Stream& stream, Collision& collision);
 
-/// Makes both features in turn, again if one undoes the other, at most four times. Returns whether both are present.
+/// Makes each feature that is absent. Repeats this, at most four times, because one may undo the other. Returns whether
+/// both are present.
 bool make_both(Stream& stream, Collision& collision, const Feature& first, const Feature& second);
 
 }  // namespace carom::properties

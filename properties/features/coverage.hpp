@@ -10,8 +10,8 @@
 
 namespace carom::properties {
 
-/// Counts the features, and the pairs of features, of colliding contacts, because no law acts on other contacts. The
-/// memory does not grow with the number of contacts.
+/// Counts the features, and the pairs of features, of colliding contacts. No law acts on other contacts. The memory
+/// does not grow with the number of contacts.
 class FeatureCoverage {
  public:
   struct Pair {
@@ -24,8 +24,8 @@ class FeatureCoverage {
   /// Adds a valid, colliding collision with the features at these indices of all_features(), ascending.
   void add(std::span<const std::uint16_t> present);
 
-  /// Restores the coverage from a report: the count of each feature, and the pairs that no collision had. The count of
-  /// any other pair becomes 1. Precondition: one count for each feature.
+  /// Restores the coverage from a report: the count of each feature, and the pairs that did not occur. The count of any
+  /// other pair becomes 1. Precondition: one count for each feature.
   [[nodiscard]] static FeatureCoverage reported(std::vector<std::uint64_t> counts, const std::vector<Pair>& missing);
 
   FeatureCoverage& operator+=(const FeatureCoverage& other);
@@ -49,7 +49,7 @@ class FeatureCoverage {
 /// The indices in all_features() of the features of a valid collision, ascending.
 [[nodiscard]] std::vector<std::uint16_t> feature_places_of(const Collision& collision);
 
-/// The features of a valid collision, in the same order.
+/// The features of a valid collision, in the order of all_features().
 [[nodiscard]] std::vector<const Feature*> features_of(const Collision& collision);
 
 /// Whether a collision can have the features of both indices in all_features(). Caches the results of `why_infeasible`.

@@ -10,8 +10,8 @@
 #include <carom/collision/collision.hpp>
 #include <carom/properties/draws/stream.hpp>
 
-/// Features are common in scenes and rare in random numbers: special values, relations between fields, magnitudes. Code
-/// branches on them, so faults of solvers show there.
+/// Features are special values, relations between fields, and magnitudes. They are common in scenes and rare in random
+/// numbers. Solvers branch on them, so faults show there.
 namespace carom::properties {
 
 enum class FeatureKind { special_value, relation, magnitude };
@@ -19,16 +19,17 @@ enum class FeatureKind { special_value, relation, magnitude };
 [[nodiscard]] std::string_view name_of(FeatureKind kind);
 
 /// A pattern for names of features. "X." stands for the body of the feature that lists the pattern, or for either body
-/// if that feature has none. "Y." stands for the other body. "…*" matches every name with this beginning.
+/// if that feature has none. "Y." stands for the other body. "*" at the end stands for any text.
 using NamePattern = std::string_view;
 
-/// Features that no colliding contact of real bodies has together with the feature that lists them.
+/// Features that no colliding contact of real bodies has together with the feature that lists this exclusion.
 struct Exclusion {
   std::vector<NamePattern> features;
   std::string_view why;
 };
 
-/// With the listing feature, each quantity with a matching name is in a decade from `low` to `high`.
+/// If a collision has the feature that lists this, each quantity whose name matches is in a decade from `low` to
+/// `high`.
 struct Decades {
   NamePattern quantity;
   int low;
@@ -38,7 +39,7 @@ struct Decades {
 inline constexpr int no_decade = 100;  // a decade that no quantity has
 
 struct Limits {
-  /// A collision, or one of its bodies, has at most one feature of each of these groups.
+  /// Groups. A collision, or one of its bodies, has at most one feature of each group.
   std::vector<std::string_view> kinds_of = {};
   std::vector<Exclusion> never_with = {};
   std::vector<Decades> only_in = {};
@@ -65,13 +66,13 @@ struct Feature {
   bool makes_immovable = false;  // `sprinkle` leaves such features out, because the family decides which body can move
   // For a magnitude:
   int set_once_in = 1;                 // set in one case of this many, because other quantities may determine it
-  bool is_seldom_with_others = false;  // seldom occurs with others unless both are chosen, like a relation
+  bool is_seldom_with_others = false;  // seldom occurs with another feature unless both are chosen
   DrawnBy drawn_by = DrawnBy::itself;
 };
 
 [[nodiscard]] std::span<const Feature> all_features();
 
-/// nullptr if there is none.
+/// nullptr if no feature has this name.
 [[nodiscard]] const Feature* feature_named(std::string_view name);
 
 }  // namespace carom::properties

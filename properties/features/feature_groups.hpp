@@ -35,7 +35,7 @@ struct BodyFeature {
   FeatureKind kind;
   const char* statement;
   const char* why;
-  bool of_movable_bodies;  // the body is made movable first
+  bool of_movable_bodies;  // `make` first makes the body movable
   bool (*is_present)(const Collision&, const Body&);
   void (*make)(Stream&, Collision&, Body&);
   Limits limits = {};

@@ -5,7 +5,6 @@
 #include <carom/properties/draws/stream.hpp>
 #include <carom/properties/draws/vectors.hpp>
 
-/// Geometry in binary64 for features.
 namespace carom::properties::features {
 
 /// The domain of masses [kg].
@@ -49,11 +48,11 @@ inline constexpr double largest_mass = 1e10;
 /// √((I₁ + I₂ + I₃) / 2m), the root mean square distance of the mass from its centre [m]; 0 for an immovable body.
 [[nodiscard]] double radius_of_gyration(const Body& body);
 
-/// The greatest |e × r| / (2√(I/m)) over the principal axes e, with the moment I about e; 0 for an immovable body. Far
-/// beyond 1, the collision matrix is ill-conditioned.
+/// The greatest |e × r| / (2√(I/m)) over the principal axes e, with the moment I about e; 0 for an immovable body. If
+/// it is far above 1, the collision matrix is ill-conditioned.
 [[nodiscard]] double overreach(const Collision& collision, const Body& body);
 
-/// The principal axis of the least moment, in world axes, along which a rod lies. Precondition: the body is movable.
+/// The principal axis of the least moment (the direction of a rod), in world axes. Precondition: the body is movable.
 [[nodiscard]] Vector3<double> long_axis(const Body& body);
 
 /// Moves the centre of mass so that P − X is r, up to the rounding of X.
@@ -65,7 +64,7 @@ void set_exact_lever_arm(Collision& collision, Body& body, const Vector3<double>
 
 [[nodiscard]] bool is_exact_lever_arm(const Collision& collision, const Body& body);
 
-/// Moves the contact to the origin, with both bodies. The lever arms become exactly their rounded values.
+/// Moves the contact to the origin, and the bodies with it. Each lever arm becomes exactly its rounded value.
 void move_point_to_origin(Collision& collision);
 
 /// Replaces an immovable body by a movable one, about as large as its lever arm is long.

@@ -7,7 +7,7 @@
 
 namespace carom::properties {
 
-/// The reason why no colliding contact of real bodies has both features; empty if one can have both.
+/// The reason why no colliding contact of real bodies has both features; empty if some contact has both.
 [[nodiscard]] std::string_view why_infeasible(const Feature& x, const Feature& y);
 
 }  // namespace carom::properties

@@ -14,7 +14,7 @@ struct SeldomPair {
   std::vector<const Feature*> second;
 };
 
-/// All such pairs of groups. No group is empty.
+/// All these pairs of groups. No group is empty.
 [[nodiscard]] const std::vector<SeldomPair>& seldom_together();
 
 /// The features whose names begin with this text. Throws std::logic_error if there is none.

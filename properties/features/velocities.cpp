@@ -187,7 +187,7 @@ std::vector<BodyFeature> of_spin() {
            b.angular_velocity = V{0.5, -1, 0.75};
          }
          if (stream.chance(4)) {
-           // If r is orthogonal to N, r × (N × r) = N r²: the body rolls along the normal.
+           // If r is orthogonal to N, r × (N × r) = ‖r‖² N: the body rolls along the normal.
            c.normal = with_few_bits(c.normal);
            const V r = with_few_bits(turned_across(stream, lever_arm(c, b), c.normal));
            set_exact_lever_arm(c, b, r);

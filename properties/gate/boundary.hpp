@@ -20,7 +20,7 @@ struct Boundary {
 /// Keeps the boundary with the lesser quantity, or with the lesser case number if the quantities are equal.
 void keep_if_least(std::optional<Boundary>& kept, const std::optional<Boundary>& other);
 
-/// The boundary that a judged case shows. None if nothing is violated, or if the family has no `Family::beyond`.
+/// The boundary that a judged case shows. None if no invariant is violated, or if the family has no `Family::beyond`.
 [[nodiscard]] std::optional<Boundary> boundary_by(const Family& family, std::uint64_t index, const Collision& collision,
                                                   const Judgement& judgement);
 

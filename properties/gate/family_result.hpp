@@ -50,11 +50,11 @@ struct FamilyResult {
   std::optional<Boundary> boundary;             // for a family beyond the claimed domain
   std::map<std::string, Count> counts;          // by invariant
   std::map<std::string, WorstViolation> worst;  // by invariant
-  std::uint64_t sampled = 0;                    // this many cases are sampled, the first ones (sample.hpp)
+  std::uint64_t sampled = 0;                    // this many of the first cases are sampled (sample.hpp)
   // The numbers of the sampled cases that violated each invariant. After the run, they ascend and are unique.
   std::map<std::string, std::vector<std::uint64_t>> violated_cases;
-  // The first violated cases, ascending, at most most_violated_kept in each list. In the second list, only relations
-  // show that the answers are wrong.
+  // The first violated cases, ascending, at most most_violated_kept in each list. The second list has the violations
+  // that need further answers: of relations, or of a repeated question.
   std::vector<ViolatedCase> first_violated;
   std::vector<ViolatedCase> first_violated_by_relations;
 
@@ -71,7 +71,7 @@ struct FamilyResult {
   void order_violated_cases();
 };
 
-/// Keeps the case if it is one of the first. Cases may come in any order and repeatedly.
+/// Keeps the case if it is one of the first most_violated_kept. Cases may come in any order and repeatedly.
 void keep_if_first(std::vector<ViolatedCase>& kept, const ViolatedCase& violated);
 
 }  // namespace carom::properties

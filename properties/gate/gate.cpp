@@ -218,7 +218,7 @@ class Worker {
     }
   }
 
-  /// Whether more cases would show nothing new about any subject. With neither a budget nor `fail_fast`, more cases
+  /// Whether more cases would show nothing new about any subject. Without a budget and `fail_fast`, further cases
   /// always count in the coverage.
   [[nodiscard]] bool is_over_for_all(std::uint64_t task) const {
     bool is_over = run_->options.budget || run_->options.fail_fast;

@@ -35,32 +35,31 @@ struct GateOptions {
   /// Families beyond the claimed domain. They show the limits of each subject and decide no verdict. A run with a
   /// budget or with `fail_fast` ignores them.
   std::vector<const Family*> beyond_domain = {};
-  oracles::Yardstick yardstick;  // with the unit roundoff of each subject
+  oracles::Yardstick yardstick;  // each subject's own unit roundoff replaces `unit_roundoff`
   Workers workers = {};          // each worker opens a session of every subject
   /// Each relation is judged on one case in `relations_every`, and different relations on different cases. The value 0
-  /// means 1 for subjects in this process, and 4 for programs, for which a question costs a hundred times as much. With
-  /// 4, a relation has 250 judged cases of a family's 1000, with two answers each. If one answer in 100 is wrong, and
-  /// only one relation in one family shows it, one run in 150 misses the fault (0.99^500).
+  /// means 1 for subjects in this process, and 4 for programs, for which a question costs a hundred times as much.
+  /// Suppose that one answer in 100 is wrong, and only one relation in one family of 1000 cases shows this. With 4, the
+  /// relation judges 250 cases with two answers each, and one run in 150 misses the fault (0.99^500).
   std::uint64_t relations_every = 0;
-  /// A subject is not asked after its first violation. The report has one violation of each such subject, the same for
+  /// A subject is not asked after its first violation. The report has only this violation of the subject, the same for
   /// any number of workers.
   bool fail_fast = false;
-  /// Replaces `cases`: the families take turns until this time is spent. Shrinking takes more time.
+  /// Replaces `cases`: the families take turns until this time is spent. Shrinking takes additional time.
   std::optional<std::chrono::nanoseconds> budget = {};
   /// Judges only the cases of this shard. Precondition: no budget.
   Shard shard = {};
   bool shrinks = true;
   /// If a stop is requested, the report holds the results so far.
   std::stop_token stop;
-  /// Called from time to time, by any thread but one at a time. `done` and `all` are numbers of cases, or milliseconds
-  /// with a budget.
+  /// Called from time to time, by any thread, but by one thread at a time. `done` and `all` are numbers of cases, or
+  /// milliseconds with a budget.
   std::function<void(std::uint64_t done, std::uint64_t all)> progress;
 };
 
-/// The number of cases that are drawn of the family. With a budget, the largest std::uint64_t.
+/// The number of cases to draw of the family. With a budget, the largest std::uint64_t.
 [[nodiscard]] std::uint64_t cases_of(const GateOptions& options, const Family& family);
 
-/// Counts of the cases of a family.
 struct Coverage {
   std::uint64_t cases = 0;
   std::uint64_t colliding = 0;
@@ -121,9 +120,9 @@ struct SubjectResult {
 
 /// The text of SubjectResult::not_judged. Empty if three conditions hold:
 ///   (1) In each family of valid collisions, the subject answers a case that its precision can hold.
-///   (2) The subject skips at most a tenth of all such cases.
-///   (3) An invariant of colliding contacts' outcomes holds in some case. If no case collides, any invariant holds in
-///       some case.
+///   (2) The subject skips at most a tenth of all cases that its precision can hold.
+///   (3) An invariant about the outcomes of colliding contacts holds in some case. If no case collides, any invariant
+///       will do.
 [[nodiscard]] std::string why_not_judged(const SubjectResult& result, const std::vector<const Family*>& families,
                                          const std::vector<Coverage>& coverage);
 

@@ -79,7 +79,7 @@ class Histogram {
   }
 
  private:
-  std::vector<std::uint64_t> counts_;  // up to the last nonempty bin
+  std::vector<std::uint64_t> counts_;
   std::uint64_t size_ = 0;
   double smallest_ = std::numeric_limits<double>::infinity();
   double largest_ = -std::numeric_limits<double>::infinity();

@@ -8,7 +8,7 @@
 #include <carom/properties/families/family.hpp>
 #include <carom/properties/trial/trial.hpp>
 
-/// Sampled cases. Traits that the violated cases share show where a subject is wrong.
+/// Sampled cases, with the properties that a diagnosis compares.
 namespace carom::properties {
 
 struct SampledCase {
@@ -18,11 +18,11 @@ struct SampledCase {
   std::vector<float> quantities = {};  // decimal logarithms, in the order of all_compared_quantities()
 };
 
-/// This number of a family's first cases, times the family's weight, is sampled.
+/// This many of a family's first cases, times the family's weight, are sampled.
 inline constexpr std::uint64_t sampled_of_each_family = 1000;
 [[nodiscard]] std::uint64_t sampled_of(const Family& family);
 
-/// The traits of a valid case with these features (indices of all_features()).
+/// A valid case with these features (indices of all_features()).
 [[nodiscard]] SampledCase sampled_case(const JudgedCase& judged_case, std::vector<std::uint16_t> features);
 
 /// Draws the sampled cases among the first `cases` of the family. Invalid cases stay default-constructed.

@@ -10,7 +10,7 @@
 namespace carom::properties {
 
 /// Correct digits in bins of 0.01 from −20 to 40. 40 stands for an exact outcome. The middle of a bin rounds to the
-/// same tenth as every number in the bin. One more bin holds everything below −20, and −∞ for NaN errors.
+/// same tenth as every number in the bin. One more bin, with the middle −∞, holds everything below −20, and NaN.
 struct DigitsScale {
   static constexpr int lowest = -20;
   static constexpr int highest = 40;

@@ -24,8 +24,8 @@ struct Task {
 };
 
 /// The order of the cases in a run, the same for any number of threads. The families take turns by `Family::turn`. A
-/// turn is one case (times the family's weight) and doubles in each round, so the first cases show a widespread defect.
-/// Threads may share a schedule.
+/// turn has one case (times the family's weight) in the first round, and twice as many in each further round. So the
+/// first cases show a widespread defect. Threads may share a schedule.
 class Schedule {
  public:
   explicit Schedule(const GateOptions& options);

@@ -31,14 +31,14 @@ Batch batch_of(Session& session, std::span<const Collision> collisions) {
   }
 }
 
-/// Every session must refuse this collision.
 Collision invalid_collision() {
   Collision invalid;
   invalid.a.mass = std::numeric_limits<double>::quiet_NaN();
   return invalid;
 }
 
-/// The verdict of `finite` or `invalid_refused` on a failure to answer; none without a failure or a claim.
+/// The verdict of `finite` or `invalid_refused` on a failure to answer. None if the subject answered, or does not claim
+/// the invariant.
 std::optional<NamedVerdict> verdict_on_failure(const Claim& claim, const Case& one, const Answer& answer) {
   if (!std::holds_alternative<Failed>(answer)) {
     return std::nullopt;

@@ -46,12 +46,13 @@ struct Examinee {
 /// Whether the gate asks the case again in a separate session.
 [[nodiscard]] bool is_remembered(std::uint64_t index, std::size_t families);
 
-/// Asks a subject the cases of one task, then the questions that their answers raise. If the session fails, judges the
-/// answers so far without relations, and rethrows. If the run ends at the first violation, sets `first_violation` and
-/// stops there.
+/// Asks a subject the cases of one task, then the questions of the relations. If the session fails, judges the answers
+/// so far without relations, and rethrows. If the run ends at the first violation, sets `first_violation` and stops
+/// there.
 void judge_task(Examinee& examinee, const Task& task, const std::deque<JudgedCase>& cases, SubjectTally& tally);
 
-/// Asks an invalid collision, then the cases again from the last to the first. Judges whether the answers are the same.
+/// Asks an invalid collision, then the cases again, from the last to the first. Judges whether the answers are the same
+/// as before.
 void ask_again(Examinee& examinee, std::uint64_t task, Session& session, const std::vector<Asked>& asked,
                SubjectTally& tally);
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t most_shrink_calls = 4000;
 
-/// The limit for all failures of a subject together, because each hang costs a timeout.
+/// The limit of the time of all failures of a subject together, because each hang costs a timeout.
 constexpr std::chrono::seconds longest_failing{5};
 
 /// The kind of a violation that compares no numbers: the detail up to its reason.
@@ -28,7 +28,6 @@ Verdict single_verdict(const Judgement& judgement) {
   return judgement.verdicts.empty() ? Verdict{} : judgement.verdicts.front().verdict;
 }
 
-/// The family with the most violations of the invariant.
 std::size_t family_of_witness(const SubjectResult& result, const std::string& invariant) {
   std::size_t best = 0;
   std::uint64_t most = 0;
@@ -86,11 +85,11 @@ Witness shrunk_witness(const Subject& subject, const Claim& claim, Witness witne
 }
 
 bool is_as_bad(const Verdict& verdict, const Collision& collision, const Verdict& found, const Collision& found_on) {
-  // A shrunk violation keeps a sixteenth of the seriousness, and at least 1 if the original has it.
+  // A shrunk violation keeps at least a sixteenth of the original's seriousness, and at least 1 if the original has 1.
   const double worst = seriousness(found, found_on);
   const double kept = worst >= 16 ? worst / 16 : std::min(worst, 1.0);
-  // It also keeps a sixteenth of the relative residual. Above 2⁻¹⁰ this residual is more than rounding, so a sixteenth
-  // of 2⁻¹⁰ suffices.
+  // It also keeps a sixteenth of the relative residual. A residual above 2⁻¹⁰ is more than rounding, so a sixteenth of
+  // 2⁻¹⁰ suffices.
   constexpr double plain = 0x1p-10;
   const double kept_of_size = std::min(found.relative_residual(), plain) / 16;
   return seriousness(verdict, collision) >= kept && verdict.relative_residual() >= kept_of_size &&

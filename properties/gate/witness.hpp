@@ -9,8 +9,8 @@
 
 namespace carom::properties {
 
-/// The most serious violation of the invariant in the family with the most violations, as it was found. Precondition:
-/// `result.count(invariant).violated` > 0.
+/// The most serious violation of the invariant, as it was found, in the family that violates it most often.
+/// Precondition: `result.count(invariant).violated` > 0.
 [[nodiscard]] Witness found_witness(const SubjectResult& result, const GateOptions& options,
                                     const std::string& invariant);
 
@@ -22,8 +22,8 @@ namespace carom::properties {
 [[nodiscard]] bool is_as_bad(const Verdict& verdict, const Collision& collision, const Verdict& found,
                              const Collision& found_on);
 
-/// The simplest case that shrinking finds and that violates the invariant about as seriously as `found`, the verdict on
-/// `one`. Invalid cases, and invariants that rest on shapes, are not shrunk.
+/// Shrinks `one` to a simple case that violates the invariant about as seriously. `found` is the verdict on `one`.
+/// Returns `one` if it is invalid, or if the invariant rests on shapes.
 [[nodiscard]] Case simplest_violation(const Case& one, const Invariant& invariant, const Verdict& found,
                                       const std::function<Verdict(const Case&)>& verdict_on, std::size_t most_calls);
 
@@ -32,8 +32,7 @@ struct AnswerAndJudgement {
   Judgement judgement;
 };
 
-/// A subject's answer to one case, judged. Throws if the session throws. Precondition: the session is one of the
-/// subject's.
+/// The answer to one case in this session of a subject, judged. Throws if the session throws.
 [[nodiscard]] AnswerAndJudgement judge_in_session(const Claim& claim, Session& session, const Case& one);
 
 /// Judges one case in a new session of the subject.

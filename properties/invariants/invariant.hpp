@@ -35,14 +35,14 @@ struct Verdict {
   /// The residual divided by the permitted residual; infinite if one of them is zero. 0 if not violated.
   [[nodiscard]] double severity() const;
 
-  /// The residual divided by the largest compared number; 0 without one.
+  /// The residual divided by the largest compared number; 0 if there is none.
   [[nodiscard]] double relative_residual() const;
 };
 
-/// Ranks the violations of an invariant. 0 if nothing is violated, and infinite without a residual. If rounding is
-/// permitted (`allowed` > 0), it is the severity. Otherwise it is the residual divided by 2⁻⁵³ L, so that a rounding
-/// error ranks below a wrong outcome. L is the largest absolute value among the compared numbers and the velocities
-/// before the impulse, or 1 if all are zero.
+/// Ranks the violations of an invariant: 0 if the invariant is not violated, infinite if the violation has no residual.
+/// If rounding is permitted (`allowed` > 0), the rank is the severity. Otherwise the rank is the residual divided by
+/// 2⁻⁵³ L, so a rounding error ranks below a wrong outcome. L is the largest absolute value among the compared numbers
+/// and the velocities before the impulse, or 1 if all are zero.
 [[nodiscard]] double seriousness(const Verdict& verdict, const Collision& collision);
 
 /// An answer whose outcome is lifted. `NotFinite` stands for an outcome with an infinity or NaN.
@@ -61,8 +61,8 @@ struct Related {
 /// The input of a check: a subject's outcome of one valid collision.
 struct Evidence {
   const oracles::ExactCase& exact_case;
-  /// Whether the family guarantees uniform convex bodies. The collision matrix C then satisfies C ⪯ 16 λI, with λ =
-  /// 1/m_A + 1/m_B.
+  /// Whether the family guarantees uniform convex bodies. If so, C ⪯ 16 λI, with the collision matrix C and λ = 1/m_A +
+  /// 1/m_B.
   bool convex_uniform;
   Law law;
   const oracles::Yardstick& yardstick;
@@ -131,7 +131,7 @@ struct Invariant {
   std::vector<Law> laws;    // the laws for which it is claimed
   std::variant<AboutAnswer, AboutOutcome, AboutMatrix, AboutRelation, AboutSession> about;
   Proof proof = {};
-  /// If several invariants are violated, the violation of the lowest rank is the likely cause of the others.
+  /// If several invariants are violated, the one with the lowest rank is the likely cause of the others.
   int rank_as_cause = explains_none;
 
   /// Whether the invariant is a relation.

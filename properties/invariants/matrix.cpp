@@ -28,7 +28,8 @@ Verdict bound_missed(const char* what, const Matrix3<Rational>& matrix, const Ra
   return verdict;
 }
 
-/// The sensitivity of the collision matrix C: the largest ‖ΔC‖_F by permitted inputs, divided by the allowance.
+/// The sensitivity of the collision matrix C: the largest change ‖ΔC‖_F (Frobenius norm) by permitted inputs, divided
+/// by the allowance.
 double sensitivity(const Evidence& e) { return e.exact_case.collision_matrix_sensitivity(e.allowance()); }
 
 /// A bound of the change of an eigenvalue of C by permitted inputs: ‖ΔC‖_F (Weyl's inequality).
@@ -127,7 +128,7 @@ Verdict check_well_conditioned(const Evidence& e, const LiftedMatrix& shown) {
   }
   count(oracles::Stage::rational);
   const Rational bound = 16 * inverse_mass(e.exact_case.exact());
-  // The bound is sharp, so the rounding of stored moments and lever arms can exceed it.
+  // The bound 16 λ is sharp, so rounded moments and lever arms can exceed it.
   const Rational rounding = eigenvalue_rounding(e);
   if (!e.exact_case.is_bounded_by(bound + rounding)) {
     return bound_missed("the exact C and 16 λI", e.exact_case.collision_matrix(), bound);
@@ -138,15 +139,15 @@ Verdict check_well_conditioned(const Evidence& e, const LiftedMatrix& shown) {
   return {};
 }
 
-/// `convex_uniform` is stronger than necessary: uniform and star-shaped from the contact point would suffice.
+/// `convex_uniform` is stronger than necessary: uniform bodies that are star-shaped from the contact point suffice.
 Verdict check_well_conditioned_if_convex(const Evidence& e) {
   return e.convex_uniform
              ? of_shown_matrix<check_well_conditioned>(e)
              : outside_domain("the bodies are not known to be uniform and star-shaped from the contact point");
 }
 
-/// Checks C = Cᵀ. An error E of C may have ‖E‖_F ≤ R, the allowance times the sensitivity of C. As (E_ij − E_ji)² ≤ 2
-/// (E_ij² + E_ji²), the three differences have a norm of at most √2 R.
+/// Checks C = Cᵀ. The permitted error E of C has ‖E‖_F ≤ R, with R the allowance times the sensitivity of C. As (E_ij −
+/// E_ji)² ≤ 2 (E_ij² + E_ji²), the norm of the three differences C_ij − C_ji is at most √2 R.
 Verdict check_symmetric(const Evidence& e, const LiftedMatrix& shown) {
   if (e.yardstick.filtered && is_surely_symmetric(shown)) {
     count(oracles::Stage::same_bits);

@@ -123,8 +123,8 @@ Verdict check_push(const Evidence& e) {
   }
   Verdict verdict =
       holds(e, Relation::at_least, "N·F and 0", equation::Push{oracles::reads_impulse_off_a(e.exact_case.collision())});
-  // The residual of `push` does not contain N·V⁻. At a grazing contact, the rounding of the inputs decides the sign of
-  // N·V⁻.
+  // At a grazing contact, the rounding of the inputs decides the sign of N·V⁻, which the residual of `push` does not
+  // contain. So the accuracy decides.
   if (verdict.status == Status::violated && e.exact_case.is_grazing(e.allowance())) {
     if (e.accuracy == nullptr) {
       return outside_domain("the contact is separating, or differs from a separating one by rounding only");

@@ -33,7 +33,7 @@ std::variant<const oracles::LiftedOutcome*, Verdict> outcome_of(const Related& r
   return verdict;
 }
 
-/// A relation makes `expected(first)` and `second` equal. `expected` maps outcomes of any number type.
+/// Compares `expected(first)` with `second`. `expected` maps outcomes of any number type.
 template <class Expected>
 Verdict agree(const Evidence& e, const oracles::LiftedOutcome& first, const Expected& expected,
               const oracles::LiftedOutcome& second, const oracles::Sensitivity& sensitivity) {
@@ -183,8 +183,8 @@ struct QuarterTurn {
 constexpr QuarterTurn about_z{0, 1};
 constexpr QuarterTurn about_x{1, 2};
 
-/// With R the rotation of a body and T the quarter turn, the orientation becomes T R Tᵀ, and two principal moments
-/// change places. This is exact. The quaternion of T R would need √½.
+/// Let R be the rotation of a body, and T the quarter turn. The orientation becomes T R Tᵀ, and two principal moments
+/// change places. This is exact. The alternative, T R with the same moments, would need √½ in the quaternion.
 Collision turned(const Collision& collision, const QuarterTurn& turn) {
   Collision c = mapped_vectors(collision, turn, turn);
   for (Body* body : {&c.a, &c.b}) {
@@ -392,8 +392,8 @@ Verdict check_homogeneous(const Evidence& e, std::span<const Related> related) {
   });
 }
 
-/// In the first collision, the bodies meet head-on without spin. The second adds a tangential velocity of 2⁻³⁰ of the
-/// approach. The normal is rounded to 20 bits, so both collisions are exact.
+/// In the first collision, the bodies meet head-on without spin. The second adds a tangential velocity, 2⁻³⁰ times as
+/// fast as the approach. The normal is rounded to 20 bits, so both collisions are exact.
 std::vector<Collision> ask_continuous(const Collision& collision) {
   const int exponent = exponent_above({&collision.normal});
   Collision head_on = collision;
@@ -446,7 +446,7 @@ Verdict check_repeat(const Evidence& e, std::span<const Related> related) {
     return outside_domain("the separation after the impulse is within rounding");
   }
   const Related& second = related[0];
-  // The first outcome may have the permitted error, and the question rounds it to binary64.
+  // The question has the velocities of the first outcome, with its permitted error, rounded to binary64.
   if (second.exact_case.is_grazing(2 * e.allowance() + unit_roundoff(Precision::binary64))) {
     return outside_domain("after the impulse, rounding decides whether the contact collides");
   }

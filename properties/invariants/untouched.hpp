@@ -21,7 +21,8 @@ namespace carom::properties {
                        e.yardstick.allowed(sensitivity[k]), e.yardstick.filtered, name_of(k), "after and before");
 }
 
-/// Whether these vectors are certainly unchanged, within the permitted difference. False decides nothing.
+/// Whether these vectors are certainly unchanged, within the permitted difference. If false, they may still be
+/// unchanged.
 [[nodiscard]] inline bool are_surely_untouched(const Evidence& e, std::span<const OutcomeVector> which) {
   if (e.closeness.shows_untouched(which)) {
     count(oracles::Stage::closeness);

@@ -40,9 +40,9 @@ namespace carom::properties {
           std::move(comparison.left), std::move(comparison.right)};
 }
 
-/// Whether some permitted inputs collide and others separate, and their answers are far apart
-/// (`ExactCase::has_two_answers`). The outcome may then be near either answer, so no invariant of one answer is
-/// required.
+/// Whether some permitted inputs collide, others separate, and the two answers are far apart
+/// (`ExactCase::has_two_answers`). If so, an outcome near either answer is permitted, so an invariant that expects one
+/// of them does not apply.
 [[nodiscard]] inline bool has_two_answers(const Evidence& e, const oracles::ExactCase& exact_case) {
   return determines_outcome(e.law) && exact_case.has_two_answers(e.law, e.allowance());
 }
@@ -51,9 +51,9 @@ namespace carom::properties {
       "the contact differs from colliding and from separating contacts by rounding only, and their answers differ");
 }
 
-/// Whether a vector of an outcome is at most `allowed` from `expected`. Both vectors are enclosures. If they do not
-/// decide, `exact_pair()` gives both vectors exactly. `relation` names the compared vectors. Without a value of
-/// `allowed`, the verdict is undecided.
+/// Whether the distance of two enclosed vectors, `actual` and `expected`, is at most `allowed`. If the enclosures do
+/// not decide, `exact_pair()` gives both vectors exactly. `vector` and `relation` name the compared vectors. If
+/// `allowed` has no value, the verdict is undecided.
 template <class Exact>
 [[nodiscard]] Verdict vector_equals(const Vector3<oracles::Enclosure>& actual,
                                     const Vector3<oracles::Enclosure>& expected, const Exact& exact_pair,
@@ -87,14 +87,14 @@ template <class Exact>
              : violation(exact_actual, exact_expected);
 }
 
-/// The bound of `surely_near`. A test counts its roundings by another scalar type.
+/// The bound of `surely_near`. A test counts its roundings with another scalar type S.
 namespace nearness {
 
-/// 2u. The unit roundoff u is that of reported numbers: x87 extended, or the local format of long double.
+/// 2u, with the unit roundoff u of long double, the type of reported numbers.
 inline constexpr long double two_u = std::numeric_limits<long double>::epsilon();
 static_assert(std::numeric_limits<long double>::is_iec559);
 
-/// 1 + 8u, because the difference, the sum and the bound have five roundings.
+/// 1 + 8u, for five roundings of a term of M: one of the difference, two of the sum, two of the bound.
 inline constexpr long double up = 1 + 4 * two_u;
 
 /// D = M (1 + 8u) + 2u (s + ‖x‖₁). M is the computed ‖x − y‖₁, and s is `scale`.
@@ -112,9 +112,9 @@ template <class S>
 
 }  // namespace nearness
 
-/// Whether ‖x* − y‖₂ ≤ `allowance` · s certainly holds for these vectors. False decides nothing. The vector x of `left`
-/// is computed from a vector z of a reported outcome, and x* is x without the rounding of this computation. The vector
-/// y is from `right`, and s is its `scale`. Proof:
+/// Whether these vectors of `left` and `right` certainly agree. Let x be a vector of `left`, y that of `right`, and s
+/// its `scale`. x is computed from a vector z of a reported outcome, and x* is the exact result. If true, ‖x* − y‖₂ ≤
+/// `allowance` · s. If false, this may still hold. Proof:
 ///
 ///   (1) If x is z, −z or a multiple of z, ‖x − x*‖₁ ≤ u ‖x‖₁.
 ///   (2) If x = z + (to − from) and ‖to‖ + ‖from‖ ≤ (1 + 2⁻⁵⁰) s, ‖x − x*‖₁ ≤ u ‖x‖₁ + √3 (1 + 2⁻⁵⁰) (1 + u) u s.
@@ -150,8 +150,8 @@ template <class S>
   return is_untouched;
 }
 
-/// The worse of two verdicts that must both hold. From the worst: violated, undecided, holds, outside the domain. So a
-/// verdict outside the domain leaves the decision to the other.
+/// The worse of two verdicts that must both hold. The order from the worst is: violated, undecided, holds, outside the
+/// domain. So a verdict outside the domain leaves the decision to the other.
 [[nodiscard]] inline Verdict both(Verdict first, Verdict second) {
   const auto rank = [](const Verdict& verdict) {
     switch (verdict.status) {

@@ -22,7 +22,7 @@ struct Candidate {
 };
 
 /// Whether a plan prefers x to y if their times do not decide: by a cheaper law, then by precision, solve, frame and
-/// name. The body frame is safer.
+/// name. The body frame comes first, because it is safer.
 [[nodiscard]] bool is_less(const Candidate& x, const Candidate& y);
 
 [[nodiscard]] bool differ_in_precision_alone(const Candidate& x, const Candidate& y);

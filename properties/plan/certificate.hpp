@@ -17,8 +17,8 @@ namespace carom::properties::plan {
 struct Demand {
   Law law = Law::rough;                             // not `any`
   double limit_ulps = oracles::default_limit_ulps;  // of binary64, for every precision of a candidate
-  /// Replaces the limit in ulps: the number of correct digits (Accuracy::digits) of the velocity change at every
-  /// colliding contact. At other contacts, the velocities must stay the same to this many digits.
+  /// Replaces the limit in ulps. At every colliding contact, the velocity change must have this many correct digits
+  /// (Accuracy::digits). At other contacts, the velocities must stay the same to this many digits.
   std::optional<int> digits = {};
   bool exact_law = false;  // accept a cheaper law only if it gives exactly the same outcomes
 };

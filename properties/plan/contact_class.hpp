@@ -7,8 +7,8 @@
 
 namespace carom::properties::plan {
 
-/// The class of a contact, by its geometry and moments alone. Geometry and moments decide whether a cheaper law, or J⁻¹
-/// in world axes, serves. The classes:
+/// The class of a contact, by its geometry and moments. These decide whether a cheaper law, or J⁻¹ in world axes,
+/// serves. The classes:
 ///
 ///   `both immovable`
 ///   `central`: Each movable body's lever arm r is parallel to N, within the rounding of P and X

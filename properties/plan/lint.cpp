@@ -96,7 +96,7 @@ class Linter {
     }
   }
 
-  /// The plane through P across N has a convex body, and its centre of mass, on one side.
+  /// A convex body, and its centre of mass, lie on one side of the plane through P across N.
   void centre_of_mass() {
     for (const auto& [body, name] : bodies()) {
       if (body->immovable) {
@@ -107,7 +107,7 @@ class Linter {
       if (height >= 0) {
         continue;
       }
-      // Rounding of r·N acts on products of at most (|P_i| + |X_i|) |N_i|.
+      // The rounding of r·N is relative to these terms, (|P_i| + |X_i|) |N_i|.
       Rational terms(0);
       for (int i = 0; i < 3; ++i) {
         terms += (abs(exact_.point[i]) + abs(body->position[i])) * abs(normal[i]);

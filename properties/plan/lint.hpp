@@ -9,11 +9,11 @@
 
 namespace carom::properties::plan {
 
-inline constexpr int largest_condition = 16;       // of K, for uniform bodies star-shaped from the contact point
+inline constexpr int largest_condition = 16;       // of K/λ, for uniform bodies star-shaped from the contact point
 inline constexpr double length_noted = 0x1p-20;    // from here on, |length − 1| exceeds some ulps of binary32
 inline constexpr double length_warned = 0x1p-10;   // from here on it is not rounding
-inline constexpr double moments_noted = 0x1p-50;   // relative excess by rounding a flat body's moments to binary64
-inline constexpr double moments_warned = 0x1p-20;  // and to binary32
+inline constexpr double moments_noted = 0x1p-50;   // relative excess of a flat body's moments, rounded to binary64
+inline constexpr double moments_warned = 0x1p-20;  // the same, rounded to binary32
 inline constexpr double centre_of_mass_warned = 0x1p-20;  // more than the rounding of positions and N to binary32
 inline constexpr double friction_noted = 5;               // greater than the measured values of solids
 inline constexpr double mass_ratio_noted = 1e3;  // from here on, solvers of many contacts at once converge slowly

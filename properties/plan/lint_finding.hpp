@@ -13,7 +13,7 @@ enum class Lint {
   condition,          // K exceeds 16 λ
   lever_arm,          // [r]ᵀ J⁻¹ [r] of one body exceeds 15/m
   moments,            // a principal moment exceeds the sum of the others
-  centre_of_mass,     // a centre of mass lies beyond the plane at P across N: outside a convex body
+  centre_of_mass,     // a centre of mass lies on the other body's side of the plane at P across N
   normal_length,      // far from 1
   quaternion_length,  // far from 1
   coefficient,        // ε, μ or e_t is out of range, or μ beyond measured values

@@ -16,7 +16,6 @@ namespace {
 
 constexpr std::size_t block_size = 64;
 
-/// The findings of one thread on one class.
 struct ClassTally {
   std::size_t colliding = 0;
   std::vector<LawCount> laws;

@@ -16,14 +16,14 @@
 #include <carom/properties/plan/lint_finding.hpp>
 #include <carom/properties/plan/reduction.hpp>
 
-/// The cheapest law, precision, 3×3 solve, frame and batch for each class of contacts, and for all contacts.
+/// The cheapest law, precision, 3×3 solve and frame for each class of contacts, and for all contacts.
 namespace carom::properties::plan {
 
 /// The number of contacts on which a cheaper law equals the law asked for, by reason.
 struct LawCount {
   Law law;
   EnumArray<Reduction, std::size_t, all_reductions.size()> by_reason{};
-  /// Contacts that the best candidate of `law` serves: it agrees with the law asked for, within the accuracy.
+  /// Contacts that the best candidate of `law` serves: its outcomes pass as outcomes of the law asked for.
   std::size_t served = 0;
 
   [[nodiscard]] std::size_t exactly() const;
@@ -34,14 +34,15 @@ struct JudgedCandidate {
   Certificate certificate;
   std::optional<double> nanoseconds;  // per contact, if it was timed
 
-  /// Whether the candidate serves every contact. With `exact_law`, its law must be exactly the law asked for.
+  /// Whether the candidate serves every contact. With `Demand::exact_law`, its law must also have exactly the same
+  /// outcomes as the law asked for.
   bool serves = false;
 };
 
 /// A set of contacts, with the candidates that were judged on it.
 struct Part {
   std::string name;                   // name of the class
-  std::vector<std::size_t> contacts;  // indices of the contacts that are served
+  std::vector<std::size_t> contacts;  // indices of the contacts
   std::size_t colliding = 0;
   std::vector<LawCount> laws;
   std::vector<JudgedCandidate> candidates;
@@ -66,12 +67,13 @@ struct Plan {
   /// Whether a candidate serves every contact.
   [[nodiscard]] bool serves() const;
 
-  /// The time of the baseline divided by the time of the classes' choices, each on the contacts of its class. The time
-  /// to find a contact's class does not count. None if a class has no choice, or if nothing was timed.
+  /// The time of the baseline divided by the time of the methods chosen for the classes, each on the contacts of its
+  /// class. The time to find the class of a contact does not count. None if a class has no choice, or if nothing was
+  /// timed.
   [[nodiscard]] std::optional<double> saving_by_class(bool in_batches) const;
 };
 
-/// Asks a clock to time a candidate on these contacts.
+/// A request to time a candidate on these contacts.
 struct Timing {
   const Candidate* candidate;
   std::span<const Collision> collisions;  // not empty
@@ -95,7 +97,7 @@ struct PlanOptions {
 };
 
 /// Chooses methods for these contacts. Throws std::invalid_argument if there is no contact, if the law is `any`, or if
-/// no candidate is the baseline (the subject "LAW-double"). Throws it too if a collision is neither valid nor
+/// no candidate is the baseline (the subject "LAW-double"). Throws it also if a collision is neither valid nor
 /// `is_out_of_range` (lint.hpp). Throws std::runtime_error if it is stopped.
 [[nodiscard]] Plan make_plan(std::span<const ClassedCollision> contacts, std::span<const Candidate> candidates,
                              const PlanOptions& options);

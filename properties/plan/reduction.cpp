@@ -87,8 +87,9 @@ std::optional<Reduction> to_frictionless(const ExactCase& c, Law law) {
   return std::nullopt;
 }
 
-/// P_I stops the approach, and P_II stops the contact point. Inside its cone, `rough` with e_t = 0 has the impulse P_II
-/// + ε P_I. `sticking` has P_II + ε (−(N·V⁻)/(N·N) K⁻¹N). They are equal if ε = 0 or if N is an eigenvector of K.
+/// P_I stops the approach, and P_II stops the contact point. Inside the friction cone, `rough` with e_t = 0 has the
+/// impulse P_II + ε P_I. `sticking` has P_II + ε (−(N·V⁻)/(N·N) K⁻¹N). Both impulses are equal if ε = 0 or if N is an
+/// eigenvector of K.
 std::optional<Reduction> to_sticking(const ExactCase& c, Law law) {
   if (law == Law::coulomb) {
     return where(may_stick(c), Reduction::sticks);

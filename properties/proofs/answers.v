@@ -23,7 +23,6 @@ Arguments coefficient_of_restitution {T}.
 Arguments coefficient_of_friction {T}.
 Arguments coefficient_of_tangential_restitution {T}.
 
-(** The velocities and angular velocities of both bodies. *)
 Record motion (T : Type) := a_motion {
   velocity_of_a : vector T;
   spin_of_a : vector T;
@@ -59,7 +58,7 @@ Section Answers.
              (scaled (inverse_mass (body_b c)) (negated f))
              (applied (inverse_inertia (body_b c)) (cross (lever_arm (body_b c) (point c)) (negated f))).
 
-  (** The answer of rough is the first motion plus the root of the number times the second motion. *)
+  (** Two motions m, n and a number s. The answer of rough is m + √s n. *)
   Definition rough_answer (c : collision T) : motion T * motion T * T :=
     let here := contact_of c in
     if is_colliding here

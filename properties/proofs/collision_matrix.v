@@ -18,7 +18,7 @@ Lemma collision_matrix_applied (c : contact R) (f : vector R) :
       (sum (applied (of_spin (body_a c) (point c)) f) (applied (of_spin (body_b c) (point c)) f)).
 Proof. unfold collision_matrix; rewrite !applied_matrix_sum, applied_uniform; reflexivity. Qed.
 
-(** Eberly's note, eq. 24. *)
+(** V⁺ = V⁻ + K F (Eberly's note, eq. 24). *)
 Theorem velocity_change (c : contact R) (f : vector R) :
   relative_velocity (after c f) = sum (relative_velocity c) (applied (collision_matrix c) f).
 Proof.
@@ -87,7 +87,7 @@ Qed.
 Lemma long (v : vector R) : y_of v = 1 \/ z_of v = 1 -> 1 <= square v.
 Proof. destruct v as [x y z]; in_components; intros [-> | ->]; nra. Qed.
 
-(** Each pivot is the value of the form at a vector of length 1 or more. *)
+(** Each pivot is v·Mv for a vector v of length 1 or more. *)
 Lemma second_pivot_form (m : matrix R) :
   symmetric m -> first_pivot m <> 0 ->
   let v := vec (- y_of (row_x m) / first_pivot m) 1 0 in dot v (applied m v) = second_pivot m.

@@ -2,8 +2,8 @@
 
 (** Maps a user's description of a body to the body of the laws, without a root. The description has the mass, the
     principal moments and a quaternion of any length except 0, or it says that the body is immovable. The theorems prove
-    that the rotation is a rotation, that the body is possible, and that its inverse inertia is the inverse of R diag(I)
-    Rᵀ. *)
+    that the quaternion's matrix R is a rotation, that the body is possible, and that its inverse inertia is the inverse
+    of R diag(I) Rᵀ, with the principal moments I. *)
 
 Require Import Carom.operations Carom.vectors Carom.laws.
 
@@ -69,7 +69,6 @@ Local Open Scope R_scope.
 
 Definition zero_quaternion : quaternion R := a_quaternion 0 0 0 0.
 
-(** The conditions on a description. *)
 Definition is_meaningful (d : description R) :=
   described_as_immovable d = true \/
   (0 < described_mass d /\ orientation d <> zero_quaternion /\
@@ -118,7 +117,7 @@ Section Rotation.
   Theorem rotation_transposed_orthogonal : product (rotation q) (transposed (rotation q)) = identity.
   Proof. by_field. Qed.
 
-  (** Hence it is not a reflection. *)
+  (** Hence R is not a reflection. *)
   Theorem rotation_determinant : determinant (rotation q) = 1.
   Proof. by_field. Qed.
 

@@ -1,12 +1,12 @@
 (* SPDX-License-Identifier: BSL-1.0 *)
 
-(** Energy if an immovable body moves. A driven wall gives the work of its force on the other body. Frictionless and
-    rough gain no energy beyond this work. *)
+(** Energy if a driven wall, an immovable body with a velocity, does work on the other body. Frictionless and rough gain
+    no energy beyond this work. *)
 
 Require Import Carom.reals Carom.collision_matrix Carom.laws_of_impulse Carom.energy Carom.friction.
 Local Open Scope R_scope.
 
-(** The work w that a body gives when it takes the impulse f at p. It is 0 for a movable body, and -f·V_p for an
+(** The work w that a body does when it receives the impulse f at p. It is 0 for a movable body, and -f·V_p for an
     immovable body. *)
 Definition gives (mass : R) (inertia : matrix R) (b : body R) (p f : vector R) (w : R) :=
   (has_inertia mass inertia b /\ w = 0) \/ (is_immovable b /\ w = - dot f (velocity_at b p)).

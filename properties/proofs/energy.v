@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: BSL-1.0 *)
 
-(** Kinetic energy: the change by an impulse, in closed form for each law. It never grows by frictionless and by rough.
-    A cube shows that it can grow by reflection. Symbols: laws.v. *)
+(** The change of kinetic energy by an impulse, in closed form for each law. Frictionless and rough never increase the
+    energy. A cube shows that reflection can increase it. Symbols: laws.v. *)
 
 Require Import Carom.reals Carom.collision_matrix Carom.laws_of_impulse.
 Local Open Scope R_scope.
@@ -101,7 +101,7 @@ Section Energy.
 
   Hypothesis valid : is_valid c.
 
-  (** ΔE = ½ (V⁺·K⁻¹V⁺ - V⁻·K⁻¹V⁻). The measure of energy is the K⁻¹ norm of V, not its length. *)
+  (** ΔE = ½ (V⁺·K⁻¹V⁺ - V⁻·K⁻¹V⁻). *)
   Theorem energy_is_norm (f : vector R) :
     let after_it := relative_velocity (after c f) in
     gained f = 1 / 2 * (dot after_it (solved K after_it) - dot V (solved K V)).
@@ -326,7 +326,7 @@ Proof.
   cbn [cube_on_plane cube plane body_a body_b normal point velocity spin inverse_mass]; in_components; lra.
 Qed.
 
-(** Its energy grows from 1 J to 7/4 J at ε = 1, and from 1 J to 17/16 J at ε = 0. *)
+(** The cube's energy grows from 1 J to 7/4 J at ε = 1, and from 1 J to 17/16 J at ε = 0. *)
 Theorem reflection_can_gain_energy :
   let energy := total_energy 1 0 (uniform (1 / 6)) zero_matrix in
   let elastic := cube_on_plane 1 in

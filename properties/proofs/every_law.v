@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: BSL-1.0 *)
 
-(** The statements of laws_of_impulse.v about impulses, for the outcome of every law, colliding or not. *)
+(** Statements of laws_of_impulse.v, for the outcome of every law, also if the contact does not collide. *)
 
 Require Import Carom.reals Carom.laws_of_impulse Carom.friction Carom.similarity.
 Local Open Scope R_scope.

@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: BSL-1.0 *)
 
-(** The law rough with its root, over the real numbers. Its κ is the κ of the literature (Chatterjee and Ruina, laws.v)
-    and lies in [0, 1 + e_t]. Its impulse pushes and lies in the friction cone. If the contact slides, the impulse lies
-    on the surface of the cone. The law creates no energy. Symbols: laws.v. *)
+(** The law rough over the real numbers, with the root √s. Its κ (rough_with in laws.v) is that of the literature
+    (Chatterjee and Ruina) and lies in [0, 1 + e_t]. Its impulse pushes and lies in the friction cone. If the contact
+    slides, the impulse lies on the surface of the cone. The law creates no energy. Symbols: laws.v. *)
 
 Require Import Carom.reals Carom.collision_matrix Carom.laws_of_impulse Carom.energy.
 Local Open Scope R_scope.
@@ -19,14 +19,14 @@ Proof.
   clear; by_ring.
 Qed.
 
-(** If F with κ = 1 + e_t lies in the cone, κ is 1 + e_t. *)
+(** If the F with κ = 1 + e_t lies in the cone, rough has this κ. *)
 Theorem kappa_in_cone (c : contact R) : sticks_in_cone c = true -> kappa c = 1 + tangential_restitution c.
 Proof. intros sticks; unfold kappa, rough_kappa; rewrite sticks; reals; ring. Qed.
 
-(** ‖N × D‖ - μ N·D, the divisor of κ. *)
+(** ‖N × D‖ - μ N·D, the divisor in sliding_kappa. *)
 Definition divisor (c : contact R) : R := sqrt (radicand c) - friction c * dot (normal c) (from_one_to_other c).
 
-(** The κ of the literature if the impulse slides: μ (1+ε) N·P_I / (‖N × D‖ - μ N·D). *)
+(** The κ of the literature if the contact slides: μ (1+ε) N·P_I / (‖N × D‖ - μ N·D). *)
 Definition sliding_kappa (c : contact R) : R :=
   friction c * (1 + restitution c) * dot (normal c) (stops_approach c) / divisor c.
 
@@ -101,7 +101,7 @@ Section Rough.
     reals; field; pose proof (normal_compliance_positive c valid); lra.
   Qed.
 
-  (** Without friction, the impulse is the frictionless impulse. *)
+  (** If μ = 0, the impulse is the frictionless impulse. *)
   Theorem rough_without_friction : mu = 0 -> rough_impulse c = frictionless_impulse c.
   Proof.
     intros no_friction; rewrite rough_impulse_is, <- rough_with_0; unfold kappa, rough_kappa.
@@ -125,7 +125,7 @@ Section Rough.
     pose proof (stops_approach_pushes c valid colliding); pose proof (restitution_in_range c valid); nra.
   Qed.
 
-  (** An impulse of the law is not null, because it reverses the approach. So an impulse in the cone pushes. *)
+  (** F is not null, because it stops or reverses the approach. So an F in the cone pushes: N·F > 0. *)
   Lemma pushes_in_cone (k : R) : in_cone c (rough_with c k) = true -> 0 < dot N (rough_with c k).
   Proof.
     intros inside; apply in_cone_true in inside as [[| is_zero] inside]; auto; exfalso.
@@ -193,7 +193,7 @@ Section Rough.
       rewrite push_of_rough_with, none; pose proof push_positive; lra.
     Qed.
 
-    (** p + q √s is the κ of the literature. *)
+    (** If the contact slides, p + q √s is the κ of the literature. *)
     Theorem kappa_is_textbook : kappa c = sliding_kappa c.
     Proof.
       pose proof divisor_positive as positive; pose proof root_squared as is_root.
@@ -261,7 +261,7 @@ Section Rough.
   Qed.
 End Rough.
 
-(** A contact whose D lies on the surface of the opposite cone: s = 4 = (μ N·D)². *)
+(** A contact whose D lies on the surface of the opposite friction cone: s = 4 = (μ N·D)², N·D < 0. *)
 Definition opposite_cone :=
   a_contact (a_body 1 (uniform 4) null (vec (-4) (-2) 0) null) (a_body 0 zero_matrix null null null)
             (vec (1 / 2) (-1 / 2) 0) (vec 0 1 0) 0 2 0.

@@ -1,11 +1,11 @@
 (* SPDX-License-Identifier: BSL-1.0 *)
 
 (** Two bodies that touch at a point, and the laws of their impact. World frame, SI units. The impulse F acts on A at
-    the point of contact, and -F acts on B. Source: D. Eberly, Computing Impulse Forces for Colliding Contact, here
-    without square roots. Source of rough and its cone: A. Chatterjee, A. Ruina, J. Appl. Mech. 65 (1998). *)
+    the point of contact, and -F acts on B. Symbols: normal N, restitution ε, friction μ, tangential restitution e_t,
+    inertia J, lever arm r. Source: D. Eberly, Computing Impulse Forces for Colliding Contact, here without square
+    roots. Source of rough and its cone: A. Chatterjee, A. Ruina, J. Appl. Mech. 65 (1998). *)
 
 Require Import Bool Carom.operations Carom.vectors.
-
 
 (** If the body is immovable, both inverses are 0. *)
 Record body (T : Type) := a_body {
@@ -85,7 +85,7 @@ Section Laws.
   Definition stops_point (c : contact T) := negated (solved (collision_matrix c) (relative_velocity c)).
   Definition from_one_to_other (c : contact T) := difference (stops_point c) (stops_approach c).
 
-  (** (1+ε) P_I + κ D. *)
+  (** The impulse of rough with the factor κ of friction: F = (1+ε) P_I + κ D. *)
   Definition rough_with (c : contact T) (kappa : T) :=
     sum (scaled (1 + restitution c) (stops_approach c)) (scaled kappa (from_one_to_other c)).
   Definition squared (x : T) := x * x.
@@ -99,18 +99,18 @@ Section Laws.
   Definition sticks_in_cone (c : contact T) : bool :=
     in_cone c (rough_with c (1 + tangential_restitution c)).
 
-  (** The number under the root, s = ‖N × D‖². *)
+  (** s = ‖N × D‖². *)
   Definition radicand (c : contact T) := square (cross (normal c) (from_one_to_other c)).
 
-  (** κ on the cone, μ (1+ε) N·P_I / (√s - μ N·D), as the pair p, q of p + q √s. If s = (μ N·D)², the divisor is -2 μ
-      N·D, and q is 0. *)
+  (** The κ with F on the surface of the cone, μ (1+ε) N·P_I / (√s - μ N·D), as the pair (p, q) with κ = p + q √s. If s
+      = (μ N·D)², the divisor is -2 μ N·D, and q is 0. *)
   Definition on_the_cone (c : contact T) :=
     let push := friction c * (1 + restitution c) * dot (normal c) (stops_approach c) in
     let d := friction c * dot (normal c) (from_one_to_other c) in
     let rest := radicand c - squared d in
     if less rest 0 || less 0 rest then (push / rest * d, push / rest) else (push / - (d + d), 0).
 
-  (** κ as the pair p, q of p + q √s. The term q is 0 inside the cone. *)
+  (** The κ of rough, as the pair (p, q) with κ = p + q √s. Inside the cone, q is 0. *)
   Definition rough_kappa (c : contact T) :=
     if sticks_in_cone c then (1 + tangential_restitution c, 0) else on_the_cone c.
 

@@ -118,7 +118,7 @@ Section Laws.
       generalize (normal c) V; clear; by_ring.
   Qed.
 
-  (** N·F ≥ 0. *)
+  (** N·P_I > 0. *)
   Lemma stops_approach_pushes : approach c < 0 -> 0 < dot N (stops_approach c).
   Proof.
     intros colliding; unfold stops_approach; rewrite dot_scaled.
@@ -154,7 +154,7 @@ Section Laws.
     apply Rmult_lt_0_compat; auto; apply Rmult_lt_0_compat; [nra | apply Rinv_0_lt_compat; auto].
   Qed.
 
-  (** If N is an eigenvector of K, reflection is frictionless. *)
+  (** If N is an eigenvector of K, reflection and frictionless have the same impulse. *)
   Theorem reflection_is_frictionless (value : R) :
     applied K N = scaled value N -> reflection_impulse c = frictionless_impulse c.
   Proof.
@@ -167,8 +167,8 @@ Section Laws.
     - rewrite applied_scaled, eigen, scaled_scaled, Rinv_l, scaled_1; auto.
   Qed.
 
-  (** Spheres: both lever arms are along the normal, and K N = λ N. Neither law changes the angular velocity of a body.
-      *)
+  (** Spheres: both lever arms are along the normal, and K N = λ N. Frictionless and reflection change no angular
+      velocity. *)
   Section Spheres.
     Hypothesis along_a : cross (lever_arm (body_a c) (point c)) N = null.
     Hypothesis along_b : cross (lever_arm (body_b c) (point c)) N = null.
@@ -206,14 +206,14 @@ Proof.
   apply is_colliding_true in colliding; lra.
 Qed.
 
-(** A body of infinite mass keeps its velocities. *)
+(** An immovable body keeps its velocities. *)
 Theorem immovable_untouched (b : body R) (p f : vector R) : is_immovable b -> pushed b p f = b.
 Proof.
   destruct b; intros [no_mass no_inertia]; cbn in no_mass, no_inertia; unfold pushed; cbn; subst.
   rewrite scaled_0, applied_zero_matrix, !sum_null; reflexivity.
 Qed.
 
-(** If a law has restitution above 0, the bodies separate after it, and a second application changes nothing. *)
+(** If ε > 0 and N·V⁺ = -ε N·V⁻ after a law, a second application of the law changes nothing. *)
 Theorem repeat (law : contact R -> vector R) (c : contact R) :
   approach (after c (law c)) = - restitution c * approach c -> 0 < restitution c ->
   resolved law (resolved law c) = resolved law c.

@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: BSL-1.0 *)
 
-(** Every impulse that acts on both bodies at one point keeps the momenta, under every law. *)
+(** Every law keeps the momenta, because F on A and -F on B act at one point. *)
 
 Require Import Carom.reals.
 Local Open Scope R_scope.

@@ -7,8 +7,8 @@
 Require Import Carom.reals Carom.collision_matrix Carom.similarity.
 Local Open Scope R_scope.
 
-(** A change that maps every contact to a similar one. An impulse, mapped by g and scaled, has the changed effect on the
-    changed contact. *)
+(** A change that maps every contact to a similar one. An impulse, mapped by g and scaled, takes the changed contact to
+    the changed outcome. *)
 Record likeness (g : vector R -> vector R) (alpha beta gamma : R) (change : contact R -> contact R) : Prop := {
   by_isometry : isometry g;
   by_alpha : 0 < alpha;
@@ -44,7 +44,7 @@ Section Likeness.
   Let beta_above := by_beta _ _ _ _ _ alike.
   Let gamma_above := by_gamma _ _ _ _ _ alike.
 
-  (** The velocity after an impulse determines the collision matrix. *)
+  (** The relative velocity after an impulse determines the collision matrix. *)
   Lemma likeness_matrix (c : contact R) (v : vector R) :
     applied (collision_matrix (change c)) (g v) = scaled gamma (g (applied (collision_matrix c) v)).
   Proof.
@@ -90,7 +90,6 @@ Section Likeness.
   Qed.
 End Likeness.
 
-(** Two isometries that need no matrix. *)
 Lemma identity_isometry : isometry (fun v => v).
 Proof. split; reflexivity. Qed.
 
@@ -159,7 +158,6 @@ Proof.
   - intros c possible_a possible_b; split; apply (body_possible _ _ _ _ _ _ bodies); auto.
 Qed.
 
-(** Two bodies with equal fields are equal. *)
 Lemma body_equal (b b' : body R) :
   inverse_mass b = inverse_mass b' -> inverse_inertia b = inverse_inertia b' -> centre b = centre b' ->
   velocity b = velocity b' -> spin b = spin b' -> b = b'.
@@ -187,7 +185,7 @@ Theorem galilean (u : vector R) (l : law) (c : contact R) :
   is_valid c -> resolved (impulse_of l) (moving u c) = moving u (resolved (impulse_of l) c).
 Proof. apply (likeness_outcome _ _ _ _ _ (galilean_likeness u)). Qed.
 
-(** Everything is moved by one vector. *)
+(** All positions are moved by one vector. *)
 Definition translated (d : vector R) : contact R -> contact R :=
   changed (fun b => a_body (inverse_mass b) (inverse_inertia b) (sum (centre b) d) (velocity b) (spin b))
           (fun p => sum p d) (fun n => n).
@@ -213,8 +211,8 @@ Proof. apply (likeness_outcome _ _ _ _ _ (translation_likeness d)). Qed.
 (** A matrix that keeps lengths and angles. *)
 Definition orthogonal (q : matrix R) := forall v w, dot (applied q v) (applied q w) = dot v w.
 
-(** Cross products, and so angular velocities, also take the sign of the determinant, because they are axial. The
-    inertia becomes Q W Qᵀ. *)
+(** Angular velocities are axial, as are cross products, so they also take the sign of det Q. The inverse inertia W
+    becomes Q W Qᵀ. *)
 Definition turned (q : matrix R) : contact R -> contact R :=
   changed (fun b => a_body (inverse_mass b) (product q (product (inverse_inertia b) (transposed q)))
                            (applied q (centre b)) (applied q (velocity b))
@@ -251,7 +249,6 @@ Proof.
   reflexivity.
 Qed.
 
-(** The determinant of an orthogonal matrix is 1 or -1. *)
 Lemma orthogonal_determinant (q : matrix R) : orthogonal q -> determinant q * determinant q = 1.
 Proof.
   intros keeps; pose proof (cross_turned q (vec 1 0 0) (vec 0 1 0) keeps) as columns.
@@ -296,7 +293,7 @@ Proof.
     + intros b; apply turned_possible.
 Qed.
 
-(** This holds for rotations and for reflections. *)
+(** Q is a rotation or a reflection. *)
 Theorem turning (q : matrix R) (l : law) (c : contact R) :
   orthogonal q -> is_valid c -> resolved (impulse_of l) (turned q c) = turned q (resolved (impulse_of l) c).
 Proof. intros keeps; apply (likeness_outcome _ _ _ _ _ (turned_likeness q keeps)). Qed.
@@ -336,7 +333,7 @@ Corollary mirror_symmetry (l : law) (c : contact R) :
   is_valid c -> resolved (impulse_of l) (reflected mirror c) = reflected mirror (resolved (impulse_of l) c).
 Proof. apply reflection_symmetry; [intros v w |]; unfold mirror; by_ring. Qed.
 
-(** The contact in other units. One unit of mass is `mass` of the new units, and so on. The normal has a factor of its
+(** The contact in other units. One old unit of mass is `mass` new units, and so on. The normal has a factor of its
     own. *)
 Definition in_units (mass length time direction : R) : contact R -> contact R :=
   changed (fun b => a_body (inverse_mass b / mass)
@@ -390,7 +387,7 @@ Proof.
            (unit_scaling_likeness mass length time direction above_mass above_length above_time above_direction)).
 Qed.
 
-(** All velocities and angular velocities are multiplied. *)
+(** All velocities and angular velocities are multiplied by k. *)
 Definition faster (k : R) : contact R -> contact R :=
   changed (fun b => a_body (inverse_mass b) (inverse_inertia b) (centre b) (scaled k (velocity b)) (scaled k (spin b)))
           (fun p => p) (fun n => n).
@@ -415,7 +412,7 @@ Theorem homogeneous (k : R) (l : law) (c : contact R) :
   0 < k -> is_valid c -> resolved (impulse_of l) (faster k c) = faster k (resolved (impulse_of l) c).
 Proof. intros above; apply (likeness_outcome _ _ _ _ _ (homogeneous_likeness k above)). Qed.
 
-(** Only the normal is multiplied. *)
+(** Only the normal is multiplied by k. *)
 Definition with_longer_normal (k : R) : contact R -> contact R := changed (fun b => b) (fun p => p) (scaled k).
 
 Lemma normal_length_likeness (k : R) : 0 < k -> likeness (fun v => v) k 1 1 (with_longer_normal k).

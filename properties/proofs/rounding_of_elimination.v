@@ -1,14 +1,14 @@
 (* SPDX-License-Identifier: BSL-1.0 *)
 
 (** The elimination of Ldlt::solve_by (src/impulse/solve3.hpp, from d0 to d2) with each result rounded, on a symmetric K
-    with λI ⪯ K ⪯ cλI. If c² (u + s) ≤ 1/64, the computed pivots are within 8 c (c + 1) (u + s) λ of those of K, and at
-    least 3/4 λ. Here u is 2^-24 or 2^-53. The solver may get a least eigenvalue; s is the relative excess of this
-    eigenvalue over λ, or 0 if the solver gets none. Neither C++ nor this proof scales K.
+    with λI ⪯ K ⪯ cλI. The unit roundoff u is 2^-24 or 2^-53. The solver may get a least eigenvalue of at most (1 + s)
+    λ; without one, s is 0. If c² (u + s) ≤ 1/64, the computed pivots differ from those of K by at most 8 c (c + 1) (u +
+    s) λ, and are at least 3/4 λ. Neither C++ nor this proof scales K.
 
     The K of well_conditioned.v has c = 16. Then no pivot is below (1 - 2^-12) λ in binary32, or below (1 - 2^-41) λ in
     binary64. This holds for λ from 2^-119 in binary32, and from 2^-1015 in binary64. Nothing overflows for λ up to
-    2^122 or up to 2^1018. If K itself is computed with errors within δλ in each entry, δ ≤ 2^-17, the pivots are at
-    least λ/2.
+    2^122 or up to 2^1018. If the solver gets a computed K, with an error of at most δλ in each entry and δ ≤ 2^-17, the
+    pivots are at least λ/2.
 
     Each operation has to be rounded once. scaled_elimination also holds if a product is not rounded before it is
     subtracted, as in a fused operation.
@@ -59,7 +59,7 @@ Proof.
   apply Rmult_le_pos; [nra | left; apply Rinv_0_lt_compat; auto].
 Qed.
 
-(** The difference y²/q - x²/p, bounded by the errors of y and q as approximations of x and p. *)
+(** A bound of y²/q - x²/p, from the errors of y and q as approximations of x and p. *)
 Lemma square_over_error (c r x y p q : R) :
   1 <= c -> 0 <= r -> c * r <= 1 / 64 -> 1 <= p -> Rabs x <= (c - 1) / 2 -> x / p * x <= c - 1 ->
   Rabs (y - x) <= 3 * c * r -> Rabs (q - p) <= 4 * c * r ->
@@ -462,8 +462,8 @@ Record is_sound (rounded pivot : R -> R) (lambda c error : R) (m : matrix R) : P
     Forall (fun x => Rabs x <= 2 * c * lambda) (other_results (of_T := rounded_operations rounded) pivot m)
 }.
 
-(** The condition on a pivot. The exact number is at least λ. The pivot is not lower than the computed number, and its
-    error is larger than that of the computed number by at most sλ. *)
+(** The condition on `pivot`, which may raise a computed number x but never lowers it. If the exact number is at least
+    λ, the error of pivot x is at most that of x plus sλ. *)
 Definition is_pivoting (lambda s : R) (pivot : R -> R) :=
   (forall x, x <= pivot x) /\
   (forall exact x, lambda <= exact -> Rabs (pivot x - exact) <= Rabs (x - exact) + s * lambda).
@@ -643,7 +643,7 @@ Section Matrix.
     repeat split; auto.
   Qed.
 
-  (** With κ = c, the error is 8 κ (κ + 1) (u + s) λ if κ² (u + s) ≤ 1/64. *)
+  (** The error is at most 8 c (c + 1) (u + s) λ if c² (u + s) ≤ 1/64. *)
   Theorem elimination_is_sound : is_sound rounded pivot lambda c (8 * c * (c + 1) * (u + s)) m.
   Proof.
     destruct all_errors as ((first & second & third) & of_quotients & of_others).
@@ -721,7 +721,8 @@ Proof.
     [left; apply power_positive | apply binary64_rounds_within | apply small_condition; lia].
 Qed.
 
-(** Simpler bounds: 2176 u is less than 2^-12 in binary32, and less than 2^-41 in binary64. *)
+(** Simpler bounds for c = 16: 8 c (c + 1) u = 2176 u is less than 2^-12 in binary32, and less than 2^-41 in
+    binary64. *)
 Lemma pivots_between (rounded pivot : R -> R) (lambda c error bound : R) (m : matrix R) :
   0 <= lambda -> error <= bound -> is_sound rounded pivot lambda c error m ->
   Forall (fun d => (1 - bound) * lambda <= d <= (c + bound) * lambda)

@@ -1,18 +1,18 @@
 (* SPDX-License-Identifier: BSL-1.0 *)
 
-(** f = -(1 + ε) a / k as frictionless_impulse computes it (src/impulse/frictionless.hpp, `const S f`). The sum, the
-    product and the quotient are rounded to nearest, in this order. The change of sign is exact. a = N·V and k = N·KN
-    are given as numbers of the format. The relative error of f is at most 3u, with u = 2^-24 or 2^-53, without a term
-    of higher order. f is positive if the bodies approach. The same operations compute the factor of reflection_impulse,
-    with N·N for k.
+(** frictionless_impulse (src/impulse/frictionless.hpp, `const S f`) computes f = -(1 + ε) a / k from a = N·V and k =
+    N·KN, given numbers of the format. The sum, the product and the quotient are rounded to nearest, in this order. The
+    change of sign is exact. The relative error of f is at most 3u, with u = 2^-24 or 2^-53, without a term of higher
+    order. f is positive if the bodies approach. The same operations compute the factor of reflection_impulse, with N·N
+    for k.
 
     Range: |a| and |a| / k have to be at least the least normal number, 2^-126 or 2^-1022. Nothing overflows if 4 |a|
     and 4 |a| / k are at most 2^127 or 2^1023.
 
     Some errors are outside this proof. The errors of a and k from rounded lever arms, angular velocities, inertias and
     masses are not covered: N·V may lose all its digits by cancellation. The products f N, f / m and f J⁻¹ (r × N), and
-    their sums with the velocities, are not covered. So the error of an outcome and its backward error are not proved.
-    *)
+    their sums with the velocities, are not covered. So the error of an outcome and its backward error are not
+    proved. *)
 
 Require Import Carom.rounding.
 From Flocq Require Import Core Relative.
@@ -109,7 +109,7 @@ Section Format.
       apply Rmult_le_compat; auto using Rabs_pos; nra.
   Qed.
 
-  (** |f^ - f| ≤ 3u |f|, without a term of higher order. *)
+  (** |computed f - f| ≤ 3u |f|, without a term of higher order. *)
   Theorem factor_error : Rabs (computed - exact) <= 3 * unit * Rabs exact.
   Proof.
     destruct sum_bounded as (one_at_least & _); destruct product_bounded as (product_large & _).

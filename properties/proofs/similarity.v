@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: BSL-1.0 *)
 
-(** Contacts that are similar up to an isometry and three scales: of the normal, of the velocities and of the inverse
-    masses. The impulse of each law is then the same up to the isometry and the scales. *)
+(** Contacts that are similar up to an isometry g and three scales: α of the normal, β of the velocities, γ of the
+    inverse masses. The impulse F of each law then becomes (β/γ) g(F). *)
 
 Require Import Carom.reals Carom.collision_matrix Carom.laws_of_impulse Carom.friction.
 Local Open Scope R_scope.
@@ -249,7 +249,7 @@ Section Similar.
   Qed.
 End Similar.
 
-(** A change of the contact changes the outcome in the same way if it does so for each impulse. *)
+(** A law's outcome of the changed contact is the changed outcome, if this holds for the effect of each impulse. *)
 Theorem resolved_similar (change : contact R -> contact R) (g : vector R -> vector R) (alpha beta gamma : R)
     (c : contact R) (l : law) :
   similar g alpha beta gamma c (change c) -> is_valid c -> is_valid (change c) ->

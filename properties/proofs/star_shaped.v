@@ -9,10 +9,10 @@ Require Import Carom.reals Carom.collision_matrix Carom.well_conditioned.
 Import ListNotations.
 Local Open Scope R_scope.
 
-(** The proof by a mean over the boundary. q is the offset of a boundary point from the point of contact. Its weight is
-    the share of the cone over that point in the volume. In polar coordinates the centre is at (3/4) mean q, and the
-    mean of (q·v)² over the volume is (3/5) mean (q·v)². The mean is only required for functions that have one, as for
-    an integral. *)
+(** The proof by a mean over the boundary. q is the offset of a boundary point from the point of contact, weighted by
+    the volume of the cone over it. In polar coordinates, the centre of mass is at (3/4) mean q, and the mean of (x·v)²
+    over the points x of the volume is (3/5) mean (q·v)². Both equations are hypotheses. Only the functions with
+    has_mean need a mean. *)
 Section Mean.
   Variables (has_mean : (vector R -> R) -> Prop) (mean : (vector R -> R) -> R).
   Hypotheses
@@ -66,7 +66,7 @@ Definition scaled_matrix (s : R) (m : matrix R) := product (uniform s) m.
 (** v vᵀ. *)
 Definition outer (v : vector R) := rows (scaled (x_of v) v) (scaled (y_of v) v) (scaled (z_of v) v).
 
-(** The mean of q and the mean of q qᵀ of a uniform tetrahedron, from its apex. *)
+(** The means of x and x xᵀ over the points x of a uniform tetrahedron, from its apex. *)
 Definition corners (t : tetrahedron) := sum (corner_a t) (sum (corner_b t) (corner_c t)).
 Definition tetrahedron_centre (t : tetrahedron) := scaled (1 / 4) (corners t).
 Definition tetrahedron_moments (t : tetrahedron) :=
@@ -74,7 +74,7 @@ Definition tetrahedron_moments (t : tetrahedron) :=
     (matrix_sum (matrix_sum (outer (corner_a t)) (outer (corner_b t)))
                 (matrix_sum (outer (corner_c t)) (outer (corners t)))).
 
-(** The mean of q and the mean of q qᵀ of all tetrahedra together, from the point of contact. *)
+(** The means of x and x xᵀ over all tetrahedra together, from the point of contact. *)
 Definition centre_from_point (parts : list tetrahedron) :=
   fold_right (fun t rest => sum (scaled (share t) (tetrahedron_centre t)) rest) null parts.
 Definition moments_from_point (parts : list tetrahedron) :=
@@ -111,7 +111,7 @@ Proof.
   pose proof (Rle_0_sqr (a - b)); pose proof (Rle_0_sqr (b - c)); pose proof (Rle_0_sqr (c - a)); unfold Rsqr in *; lra.
 Qed.
 
-(** Jensen's inequality: c² lies above each of its tangents 2 e c - e², and these sums are linear. *)
+(** Jensen's inequality: c² ≥ 2 e c - e², its tangent at e, and sums of tangents are linear. *)
 Lemma above_tangents (parts : list tetrahedron) (v : vector R) (e : R) :
   Forall (fun t => 0 <= share t) parts ->
   16 / 15 * (2 * e * dot (centre_from_point parts) v - e * e * fold_right (fun t rest => share t + rest) 0 parts) <=
@@ -303,7 +303,7 @@ Proof.
   in_components; field; split; lra.
 Qed.
 
-(** Some needle is thin enough for any eta. *)
+(** For each eta > 0, across a thin enough needle, K exceeds 16 - eta. *)
 Lemma thin_needle (eta : R) :
   0 < eta -> exists d, 0 < d /\
   16 - eta < dot (vec 0 0 1) (applied (collision_matrix (needle_contact d)) (vec 0 0 1)).

@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: BSL-1.0 *)
 
 (** K ⪯ 16 λI, so the condition number of K is at most 16 for all masses. This holds for bodies whose second moments S
-    dominate the lever arm r: rrᵀ ⪯ 15 S. star_shaped.v proves rrᵀ ⪯ 15 S for uniform star-shaped bodies. With rrᵀ ⪯ k S
-    the bound is 1 + k. *)
+    dominate the lever arm r: rrᵀ ⪯ 15 S. star_shaped.v proves rrᵀ ⪯ 15 S for uniform star-shaped bodies. With rrᵀ ⪯ k
+    S, K ⪯ (1 + k) λI. *)
 
 Require Import Carom.reals Carom.collision_matrix.
 Local Open Scope R_scope.
@@ -47,7 +47,7 @@ Lemma trace_without_form (m : matrix R) (z : vector R) :
   dot (turned (vec 0 0 1)) (applied m (turned (vec 0 0 1))).
 Proof. unfold trace; by_ring. Qed.
 
-(** Hence M ↦ tr(M) I - M keeps ⪰. *)
+(** Hence tr(M) I - M ⪰ 0 if M ⪰ 0. *)
 Lemma trace_without_semidefinite (m : matrix R) (z : vector R) :
   positive_semidefinite m -> 0 <= trace m * square z - dot z (applied m z).
 Proof.
@@ -131,7 +131,7 @@ Proof.
   unfold inverse_masses; reals; fold (square x); lra.
 Qed.
 
-(** The form at u is at most 1 + k times the form at v, for vectors u and v of one length. *)
+(** u·Ku ≤ (1 + k) v·Kv, for vectors u and v of one length. *)
 Theorem condition_number_by (k : R) (c : contact R) (u v : vector R) :
   0 <= k -> is_valid c -> is_dominated k (body_a c) (point c) -> is_dominated k (body_b c) (point c) ->
   square u = square v ->

@@ -32,7 +32,7 @@ class BodyTrack {
 
   [[nodiscard]] bool is_ball() const { return is_ball_; }
   [[nodiscard]] long double margin() const { return margin_; }  // a ball's radius; 0 for a polyhedron [m]
-  /// An upper bound of the distance of any point from the centre [m].
+  /// An upper bound of the distance of the body's points from its centre [m].
   [[nodiscard]] long double radius() const { return radius_; }
   [[nodiscard]] const std::vector<scene::Arc>& arcs() const { return *arcs_; }
   [[nodiscard]] const Quaternion<double>& orientation(std::size_t arc) const { return (*orientations_)[arc]; }

@@ -9,7 +9,7 @@
 
 namespace carom::properties {
 
-/// The motion of each body over a span of time: all that a checker knows of a run.
+/// The motion of each body over a span of time. A checker knows nothing else of a run.
 class History {
  public:
   explicit History(const scene::SceneState& state)

@@ -24,11 +24,11 @@ Wide spin_at(const Arc& arc, double time) {
          (static_cast<long double>(time) - arc.path.start) * wide(arc.turning.angular_acceleration);
 }
 
-/// The energy that a law adds to two spheres, or to a sphere and a plane [J]. With a unit normal N, the normal part is
-/// (ε² − 1)(N·V)²/(2 λ). Here λ is the sum of the inverse masses. Along the slip, K is the number λ + R_A²/I_A +
-/// R_B²/I_B. An impulse −j against the slip of speed t does the work −j t + K j²/2. Under `sticking`, j = t/K. Under
-/// `rough`, j is the lesser of (1 + e_t) t/K and μ times the normal impulse. Under `coulomb`, j is the same with e_t =
-/// 0 (docs/guide/scenes.md, "Which law").
+/// The energy that a law adds to two spheres, or to a sphere and a plane [J]. Let λ be the sum of the inverse masses.
+/// With a unit normal N, the normal part of the energy is (ε² − 1)(N·V)²/(2 λ). Along the slip, K is the number λ +
+/// R_A²/I_A + R_B²/I_B, with radii R and moments I. An impulse j against the slip of speed t does the work −j t + K
+/// j²/2. Under `sticking`, j = t/K. Under `rough`, j is the lesser of (1 + e_t) t/K and μ times the normal impulse.
+/// Under `coulomb`, j is the same with e_t = 0 (docs/guide/scenes.md, "Which law").
 long double energy_of_impact(Law law, const Collision& collision) {
   const Wide n = wide(collision.normal).normalized();
   const auto arm = [&](const Body& body) -> Wide { return -wide(body.position); };
@@ -73,7 +73,7 @@ long double energy_of_impact(Law law, const Collision& collision) {
   return normal_energy - friction_impulse * slip + tangential * friction_impulse * friction_impulse / 2;
 }
 
-/// The energy that an impulse F on A, and −F on B, add to two bodies [J]: F·V + ½ F·K F. Here K F = F/m_A + F/m_B +
+/// The energy that an impulse, F on A and −F on B, adds to two bodies [J]: F·V + ½ F·K F. Here K F = F/m_A + F/m_B +
 /// (J_A⁻¹ (r_A × F)) × r_A + (J_B⁻¹ (r_B × F)) × r_B, so F·K F is a sum of squares.
 long double work_of_impulse(const Collision& collision, const Wide& impulse) {
   long double work = 0;

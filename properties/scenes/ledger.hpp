@@ -48,10 +48,10 @@ struct Energies {
   [[nodiscard]] long double total() const { return translation + rotation + potential; }
 };
 
-/// The account of a scene's energy and momenta by cause. An amount comes from the closed form of the law or of the
-/// phase of motion, never from the difference of two energies. For an impact of a polyhedron, the amount is F·V + ½ F·K
-/// F, with F the impulse on A in the outcome. The ledger books the rest of each change as rounding. All numbers are
-/// long double, so the ledger's own rounding is 2⁻¹¹ of the rounding of a state to double.
+/// The account of a scene's energy and momenta by cause. The energy of a cause comes from the closed form of the law or
+/// of the phase, never from the difference of two energies. For an impact of a polyhedron, the energy is F·V⁻ + ½ F·K
+/// F, with F the outcome's impulse on A. The ledger books the rest of each change as rounding. All numbers are long
+/// double, so the ledger's own rounding is 2⁻¹¹ of the rounding of a state to double.
 class Ledger {
  public:
   /// The scene that the state refers to must outlive the ledger.
@@ -77,7 +77,7 @@ class Ledger {
   [[nodiscard]] Vector3<long double> plane_impulse() const { return sum_of(plane_impulse_); }
   [[nodiscard]] Vector3<long double> momentum_rounding() const { return sum_of(momentum_rounding_); }
   /// Σ ‖Δ(x × m v + I w)‖ about the origin [N m s], over impacts of two bodies and renewals. The laws keep this
-  /// momentum, so the sum is rounding. The scale is the greatest Σ m ‖x‖ ‖v‖ at one event.
+  /// momentum, so the sum is rounding. `angular_momentum_scale` is the greatest Σ m ‖x‖ ‖v‖ at one event.
   [[nodiscard]] long double angular_momentum_rounding() const { return angular_rounding_.sum(); }
   [[nodiscard]] long double angular_momentum_scale() const { return angular_scale_; }
 

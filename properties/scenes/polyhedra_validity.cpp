@@ -26,15 +26,15 @@ using scene::Arc;
 constexpr Real largest_turn = 0.25;  // the largest rotation between two looks [rad]
 constexpr int most_halvings = 40;
 constexpr Real allowed_unseen = 0x1p-30L;  // relative to the lesser radius
-/// The permitted jump of an orientation at a joint of arcs [rad]: at least twice the errors of an arc's rates. Within 8
-/// rad, these errors grow to e⁸ times some roundings of double (tumbling_body.hpp).
+/// The permitted jump of an orientation at a joint of arcs [rad]. It exceeds the error of an orientation at the end of
+/// an arc, 2⁻⁴⁰ (`longest_turn` in tumbling_body.hpp).
 constexpr Real allowed_turn = 0x1p-38L;
-/// The permitted jump of a position at a joint of arcs, relative to the terms of x + s (v + s a/2). This parabola is
-/// rounded eight times.
+/// The permitted jump of a position at a joint of arcs, relative to the terms of the parabola x + s (v + s a/2). The
+/// position is rounded eight times.
 constexpr Real allowed_jump = 0x1p-48L;
 /// The largest gap between bodies at an impact, relative to the lesser radius.
 constexpr Real widest_contact = 0x1p-29L;
-/// A larger relative change of a velocity is not rounding of free flight: something struck the body.
+/// If a velocity changes by more than this share, the change is not rounding of free flight: something struck the body.
 constexpr Real least_change = 0x1p-36L;
 /// The error of a gap, relative to its terms. It covers some hundred roundings of long double, and the rounding of the
 /// vertices to double.
@@ -54,7 +54,7 @@ struct Ground {
   Real offset;
 };
 
-/// The gap, or −∞ if it is not finite. A minimum over numbers that include a NaN is unknown.
+/// The gap, or −∞ if it is not finite, for example because of a NaN. A gap of −∞ excludes no overlap.
 Real known(Real gap) { return std::isfinite(gap) ? gap : -std::numeric_limits<Real>::infinity(); }
 
 class PolyhedraChecker {
@@ -208,7 +208,7 @@ class PolyhedraChecker {
       case Axis::Of::edge:
         break;
     }
-    // The direction leads from a point of the polyhedron to the ball's centre, or back if A is the polyhedron.
+    // The direction leads from a point of the polyhedron to the ball's centre; the other way if A is the polyhedron.
     const bool is_a_ball = tracks_[i].is_ball();
     const Pose& polyhedron = is_a_ball ? b : a;
     const Wide ball = is_a_ball ? a.centre - b.centre : b.centre - a.centre;
@@ -286,7 +286,7 @@ class PolyhedraChecker {
   /// A lower bound, from one look to the next, of the gap along a direction n that turns from n₁ to n₂ at a constant
   /// rate Ω. In axes that turn with n, let x be a vertex relative to a vertex of the other body. ‖ẍ‖ is at most the sum
   /// of three parts:
-  /// - 2 r ω² of each body with the radius r: the centripetal acceleration, and that by ω' with ‖ω'‖ ≤ ‖ω‖².
+  /// - For each body of radius r, 2 r ω²: r ω² for the centripetal acceleration, and r ‖ω'‖ with ‖ω'‖ ≤ ω².
   /// - The relative acceleration of the centres.
   /// - 2 Ω ‖ẋ‖ + Ω² ‖x‖.
   /// Precondition: neither body turns by more than largest_turn between the looks, so ω grows by a factor below 4/3.

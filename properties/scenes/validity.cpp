@@ -23,7 +23,7 @@ using scene::Path;
 
 constexpr std::size_t most_shown = 100;
 
-/// A part of an arc that stays within a few cells.
+/// A part of an arc that stays within a few cells of a grid.
 struct Piece {
   std::uint32_t sphere;
   const Path* path;
@@ -68,7 +68,7 @@ Bernstein<N> bernstein(std::array<Rational, N> power, const Rational& span) {
   return result;
 }
 
-/// False decides nothing: a polynomial that touches 0 in the interior may use up all halvings.
+/// If false, the polynomial may still be nowhere negative: one that touches 0 inside may use up all halvings.
 template <std::size_t N>
 bool is_nowhere_negative(const Bernstein<N>& b, int halvings_left = 64) {
   if (std::all_of(b.begin(), b.end(), [](const Rational& x) { return x >= 0; })) {
@@ -98,7 +98,7 @@ std::array<Rational, 3> powers(const Path& path, int axis, double begin) {
           velocity + Rational(2) * half * delay, half};
 }
 
-/// Tests both ends, and the vertex if it is inside.
+/// Tests both ends, and the vertex of the parabola if it lies between them.
 bool is_nowhere_negative(const std::array<Rational, 3>& c, const Rational& span) {
   if (c[0] < 0 || c[0] + span * (c[1] + span * c[2]) < 0) {
     return false;
@@ -127,8 +127,8 @@ bool are_exactly_apart(const Path& a, const Path& b, double begin, double end) {
                                     : is_nowhere_negative(bernstein(gap, span));
 }
 
-/// Whether the spheres are so far apart that they cannot meet. A relative 10⁻⁹ covers rounding if coordinates are below
-/// 10⁸ distances.
+/// Whether the spheres are so far apart that they cannot meet. A relative margin of 10⁻⁹ covers rounding, because the
+/// test requires coordinates below 10⁸ times the distance.
 bool are_far_apart(const Path& a, const Path& b, double begin, double end) {
   long double square = 0;
   long double travel = 0;
@@ -184,7 +184,7 @@ bool is_above(const scene::Plane& plane, const Path& path, double begin, double 
   return is_nowhere_negative(bernstein(over, span));
 }
 
-/// Whether the sphere is surely above the plane. A relative 10⁻⁹ covers rounding.
+/// Whether the sphere is surely above the plane. A relative margin of 10⁻⁹ covers rounding.
 bool is_far_above(const scene::Plane& plane, const Path& path, double begin, double end) {
   long double height = 0;
   long double fall = 0;

@@ -6,7 +6,7 @@
 #include <carom/collision/expects.hpp>
 #include <carom/collision/vector.hpp>
 
-/// Vectors in long double. Their rounding is 2⁻¹¹ of the rounding of a scene in double.
+/// Vectors in long double. Their unit roundoff is 2⁻¹¹ of that of double, in which scenes are stored.
 namespace carom::properties {
 
 using WideVector = Vector3<long double>;

@@ -9,15 +9,16 @@
 
 namespace carom::properties {
 
-/// Simpler collisions close to this one, from the boldest: a body becomes immovable, a vector zero, a number rounded to
-/// few bits. Each is valid and has a smaller `complexity`, so shrinking ends. Precondition: the collision is valid.
+/// Simpler collisions close to this one, from the boldest change on: a body becomes immovable, a vector zero, a number
+/// rounded to few bits. Each collision is valid and has a smaller `complexity`, so shrinking ends. Precondition: the
+/// collision is valid.
 [[nodiscard]] std::vector<Collision> simpler(const Collision& collision);
 
 /// How hard a collision is to read: the bits of its numbers, and the distance of their exponents from 0.
 [[nodiscard]] long complexity(const Collision& collision);
 
-/// The simplest failing collision found: no step of `simpler` still fails, or `still_fails` was called `most_calls`
-/// times. Precondition: the collision is valid.
+/// The simplest failing collision found. Ends if no collision of `simpler` fails, or after `most_calls` calls of
+/// `still_fails`. Precondition: the collision is valid.
 [[nodiscard]] Collision shrink(Collision collision, const std::function<bool(const Collision&)>& still_fails,
                                std::size_t most_calls);
 

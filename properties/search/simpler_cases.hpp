@@ -18,7 +18,7 @@ struct Edit {
   std::uint64_t value = 0;  // the answer, or the number of bits of shortened fractions
 };
 
-/// The simpler cases that `draw` makes, from the boldest change of the choices. Each has a smaller `complexity` than
+/// The simpler cases that `draw` makes, from the boldest change of the choices on. Each has a smaller `complexity` than
 /// `from`, so shrinking ends. A case is computed when it is requested.
 class SimplerCases {
  public:

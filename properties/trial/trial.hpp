@@ -35,7 +35,7 @@ struct Claim {
 /// The invariants that the subject does not claim because it shows no collision matrix. Empty if it shows its matrix.
 [[nodiscard]] std::vector<const Invariant*> not_claimed_without_matrix(const Subject& subject);
 
-/// Ignores a deviation whose invariant or family does not exist.
+/// The claim of a subject. Ignores a deviation whose invariant or family does not exist.
 [[nodiscard]] Claim claim_of(const Subject& subject, oracles::Yardstick yardstick);
 
 /// A case with exact facts, shared by all subjects that are judged on the case. For one thread.
@@ -102,8 +102,8 @@ struct RelationTurn {
 };
 inline constexpr RelationTurn no_relations{0, 0};
 
-/// A trial gives a case to a subject, and judges the answer by every invariant that the subject claims. With its two
-/// steps, `questions` and `judge`, a subject can answer the questions of many trials at once.
+/// A trial judges a subject's answer to a case by every invariant that the subject claims. It has two steps,
+/// `questions` and `judge`, so a subject can answer the questions of many trials at once.
 class Trial {
  public:
   /// `answer` is the subject's answer to the case. `judged_case` and `claim` must outlive the trial.
@@ -121,9 +121,9 @@ class Trial {
   [[nodiscard]] std::size_t question_count() const;
 
   /// Judges the case by the answers to its questions. Throws std::invalid_argument unless there is one answer to each
-  /// question.
-  /// If the backward error is certainly at most `known_backward_error`, the judgement may state a larger value up to
-  /// this limit. So a maximum over many judgements needs few precise values. The verdicts do not depend on the limit.
+  /// question. `known_backward_error` is the maximum so far. If the backward error is certainly at most this maximum,
+  /// the judgement may state a larger value up to it. So a maximum over many judgements needs few precise values. The
+  /// verdicts do not depend on it.
   [[nodiscard]] Judgement judge(std::span<const Answer> answers, double known_backward_error = 0) const;
   [[nodiscard]] Judgement judge(std::span<const ExactAnswer> answers, double known_backward_error = 0) const;
 

@@ -15,7 +15,7 @@ namespace carom::properties {
 /// The reason why a valid collision is not judged. No case is left out because it is hard.
 enum class Unjudged {
   leaves_range,         // numbers leave the range of the subject's precision
-  no_finite_enclosure,  // the law has no finite enclosure over the permitted inputs (oracles::PermittedInputs)
+  no_finite_enclosure,  // the law's outcomes over the permitted inputs have no finite bounds (oracles::PermittedInputs)
 };
 inline constexpr std::array all_reasons_unjudged{Unjudged::leaves_range, Unjudged::no_finite_enclosure};
 static_assert(counts_from_zero_to(all_reasons_unjudged, Unjudged::no_finite_enclosure));

@@ -47,7 +47,7 @@ foreach(part IN LISTS carom_wanted)
   carom_build_component(${part})
 endforeach()
 
-# carom_component(PART): assigns the libraries that the folder installs after this call to PART. A program and the files
+# carom_component(PART): the libraries that the folder installs after this call belong to PART. A program and the files
 # that it reads belong to the install component `carom`.
 macro(carom_component part)
   set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME ${part})

@@ -16,8 +16,8 @@ if(NOT CAROM_SANITIZE MATCHES "^(address|thread)?$")
 endif()
 
 option(CAROM_BUILD_FUZZERS "Build the targets of tests/fuzz for a fuzzing engine; without it they replay files" OFF)
-# Each fuzz target links to this library or flag, as in OSS-Fuzz. The user provides the matching compile flags. If it is
-# empty, fuzz targets use clang's libFuzzer with AddressSanitizer and UndefinedBehaviorSanitizer.
+# Each fuzz target links to this library or flag, as in OSS-Fuzz. The user provides the matching compile flags. If this
+# variable is empty, fuzz targets use clang's libFuzzer with AddressSanitizer and UndefinedBehaviorSanitizer.
 set(LIB_FUZZING_ENGINE "$ENV{LIB_FUZZING_ENGINE}" CACHE STRING "The fuzzing engine: a library or a flag of the linker")
 if(CAROM_BUILD_FUZZERS AND NOT LIB_FUZZING_ENGINE)
   if(NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")

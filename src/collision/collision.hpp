@@ -12,8 +12,8 @@ namespace carom {
 /// A rigid body at the instant of contact, in world coordinates unless stated otherwise.
 template <class S>
 struct BasicBody {
-  /// Infinite mass. Nothing reads the mass, principal_inertia and orientation. The velocity may be nonzero (a driven
-  /// wall) and never changes.
+  /// Infinite mass. Nothing reads the mass, inertia and orientation of an immovable body. Its velocity may be nonzero
+  /// (a driven wall) and never changes.
   bool immovable = false;
   S mass{1};                                          // > 0 [kg]
   Vector3<S> principal_inertia{S{1}, S{1}, S{1}};     // about the centre of mass, along the body axes, > 0 [kg m²]
@@ -86,8 +86,9 @@ void for_each_body_number(std::string_view name, F& f, Bodies&... bodies) {
 
 }  // namespace detail
 
-/// For every path of a number, in one fixed order, calls f(path, numbers...) with the number of each collision at this
-/// path. Skips the mass, inertia and orientation of a body that is immovable in the first collision.
+/// Visits the numbers of all collisions in one fixed order. For each path, calls f(path, numbers...) with the number of
+/// each collision at this path. Skips the mass, inertia and orientation of a body that is immovable in the first
+/// collision.
 template <class F, class... Collisions>
 void for_each_number(F&& f, Collisions&... collisions) {
   detail::for_each_body_number("a", f, collisions.a...);

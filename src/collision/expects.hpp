@@ -24,8 +24,8 @@
 
 namespace carom::detail {
 
-/// Whether the condition holds. A comparison of SIMD packs always passes, because lanes that do not collide may hold
-/// meaningless numbers. A comparison of numbers with error bounds always passes, because the bounds may not decide it.
+/// Whether the condition holds. True for a comparison of SIMD packs, because lanes that do not collide may hold
+/// meaningless numbers. Also true for a comparison of numbers with error bounds, because the bounds may not decide it.
 template <class Condition>
 [[nodiscard]] constexpr bool holds(const Condition& condition) {
   if constexpr (std::is_constructible_v<bool, const Condition&>) {

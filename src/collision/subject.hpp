@@ -35,7 +35,8 @@ struct Failed {
 
 using Answer = std::variant<ReportedOutcome, Skipped, Refused, Failed>;
 
-/// A session cannot continue. Holds the answers before the failure, and the failure on the next collision.
+/// A session cannot continue. The exception holds the answers before the failure, and the failure on the next
+/// collision.
 class SessionFailure : public std::runtime_error {
  public:
   SessionFailure(const std::string& what, std::vector<Answer> answered, Failed failed)

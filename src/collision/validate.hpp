@@ -17,7 +17,7 @@ struct Defect {
 
 namespace detail {
 
-// A NaN passes these comparisons, but is reported as not finite.
+// A NaN passes these comparisons. `validate` reports it as not finite.
 inline void check_body(const std::string& name, const Body& body, std::vector<Defect>& defects) {
   if (body.immovable) {
     return;

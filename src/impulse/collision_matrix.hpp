@@ -17,14 +17,14 @@ template <class S, class Inertia>
 
 /// K = λI + [r_A]ᵀ J_A⁻¹ [r_A] + [r_B]ᵀ J_B⁻¹ [r_B], λ = 1/m_A + 1/m_B: the change of relative velocity per unit of
 /// impulse [1/kg], in world axes. This is equation 24 of D. Eberly's note (docs/findings/note.md). The note's C
-/// (equations 25 to 27, without the second λ of equation 27) is K in another basis.
+/// (equations 25 to 27) is K in another basis, except that equation 27 wrongly adds λ twice.
 template <class S, class Inertia>
 [[nodiscard]] Matrix3<S> collision_matrix(const Contact<S, Inertia>& contact) {
   return collision_matrix(contact.a) + collision_matrix(contact.b);
 }
 
-/// Ignores the collision matrix: the default of a law's argument `see`. A law that forms K, in world axes, calls
-/// `see(K)`.
+/// The default of a law's argument `see`: ignores the collision matrix. A law that forms K calls `see(K)`, with K in
+/// world axes.
 struct UnseenMatrix {
   template <class S>
   constexpr void operator()(const Matrix3<S>& /*matrix*/) const {}

@@ -12,7 +12,7 @@
 #include <carom/impulse/numbers/products.hpp>
 #include <carom/impulse/principal_inertia.hpp>
 
-/// The input of the solvers. "Note" is D. Eberly, "Computing Impulse Forces for Colliding Contact"
+/// The input of the solvers. "The note" is D. Eberly, "Computing Impulse Forces for Colliding Contact"
 /// (docs/findings/note.md).
 namespace carom::impulse {
 
@@ -38,8 +38,8 @@ struct Contact {
   S tangential_restitution;  // e_t in [-1, 1]; only the law `rough` reads it
 };
 
-/// The vector times the power of two that brings its largest component into [1/2, 1), so that products of two such
-/// vectors stay in the range of S. Only built-in floating-point numbers are scaled.
+/// The vector in S, scaled by a power of two so that its largest component has a size in [1/2, 1). Products of two such
+/// vectors stay in the range of S. Only a vector of a built-in floating-point type is scaled.
 template <class S, class Vector>
 [[nodiscard]] auto without_extreme_length(const Vector& vector) {
   using From = typename Vector::Scalar;
@@ -105,8 +105,8 @@ template <class S, class Inertia>
   return velocity_a - velocity_b;
 }
 
-/// N·V. The angular part is w·(r × N), which vanishes if r lies along N. The form N·(w × r) would keep the rounding
-/// error of w × r.
+/// N·V. An angular velocity w contributes w·(r × N), which is exactly 0 if the lever arm r lies along N. The equal N·(w
+/// × r) would keep the rounding error of w × r.
 template <class S, class Inertia>
 [[nodiscard]] S normal_velocity(const Contact<S, Inertia>& contact) {
   const Vector3<S> torque_arm_a = cross(contact.a.lever_arm, contact.normal);
@@ -121,8 +121,8 @@ template <class S, class Inertia>
   return contact.a.inverse_mass + contact.b.inverse_mass;
 }
 
-/// Whether an impulse acts: the bodies approach along the normal, and one of them can move. A bool, or a mask if S is a
-/// pack.
+/// Whether an impulse acts: the bodies approach along the normal, and at least one body can move. A bool, or a mask if
+/// S is a pack.
 template <class S, class Inertia>
 [[nodiscard]] auto is_colliding(const Contact<S, Inertia>& contact, const S& normal_velocity) {
   return normal_velocity < S(0) && inverse_mass(contact) > S(0);
@@ -144,7 +144,7 @@ template <class S, class Inertia>
   return is_slender(contact.a.inertia) || is_slender(contact.b.inertia);
 }
 
-/// The velocities of a body after an impulse on it at the contact (the note's equation 23). The impulse is in N s.
+/// The velocities of a body after `impulse` [N s] acts on it at the contact (the note's equation 23).
 template <class S, class Inertia, class Condition>
 [[nodiscard]] BodyVelocity<S> apply_impulse(const ContactBody<S, Inertia>& body, const Vector3<S>& impulse,
                                             const Condition& has_slender) {
@@ -152,7 +152,7 @@ template <class S, class Inertia, class Condition>
           body.angular_velocity + angular_response(body.inertia, body.lever_arm, impulse, has_slender)};
 }
 
-/// The outcome of the impulse F on A and −F on B [N s].
+/// The outcome of the impulse F = `impulse` [N s] on A and −F on B.
 template <class S, class Inertia>
 [[nodiscard]] Outcome<S> apply_impulse(const Contact<S, Inertia>& contact, const Vector3<S>& impulse) {
   const auto is_any_slender = has_slender(contact);

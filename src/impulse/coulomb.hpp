@@ -17,13 +17,13 @@ namespace carom::impulse {
 
 namespace detail {
 
-/// The impulses of the law `coulomb` in a basis {N, T0, T1}, as a function of the slip resistance ν. V_T⁺ + ν F_T = 0
-/// defines ν, and T marks the part orthogonal to N.
+/// The impulse F of the law `coulomb` as a function of the slip resistance ν ≥ 0, with V_T⁺ = −ν F_T. The subscript T
+/// marks the part orthogonal to N. All vectors are in a basis {N, T0, T1}.
 template <class S>
 class SlipResistance {
  public:
-  /// Arguments: the collision matrix C in the basis, the required change of velocity, a lower bound of the eigenvalues
-  /// of C, and μ.
+  /// Arguments: the collision matrix C in the basis, the change of velocity of a contact that sticks, a lower bound of
+  /// the eigenvalues of C, and μ.
   SlipResistance(const Matrix3<S>& matrix, const Vector3<S>& change, const S& least, const S& friction)
       : matrix_(matrix), change_(change), least_(least), friction_(friction) {}
 
@@ -37,8 +37,8 @@ class SlipResistance {
     return std::hypot(impulse[1], impulse[2]) <= friction_ * impulse[0];
   }
 
-  /// The impulse on the surface of the friction cone, by bisection. Preconditions: μ > 0, and `is_in_cone(impulse(0))`
-  /// is false.
+  /// The impulse on the surface of the friction cone, by bisection of ν. Preconditions: μ > 0, and
+  /// `is_in_cone(impulse(0))` is false.
   [[nodiscard]] Vector3<S> impulse_on_cone() const {
     CAROM_EXPECTS(friction_ > S(0) && !is_in_cone(impulse(S(0))), friction_, impulse(S(0)));
     constexpr S step = 256;
@@ -67,14 +67,15 @@ class SlipResistance {
 
 }  // namespace detail
 
-/// The impulse of the law `coulomb`: Newton's restitution, and friction opposed to the slip after the impulse. T marks
-/// the part orthogonal to N.
+/// The impulse of the law `coulomb`: Newton's restitution, and friction opposed to the slip after the impulse. The
+/// subscript T marks the part orthogonal to N.
 ///
-///   N·V⁺ = −ε N·V⁻,   ‖N × F‖ ≤ μ N·F,   and N × V⁺ = 0, or ‖N × F‖ = μ N·F and F_T = −V_T⁺ / ν with ν > 0.
+///   N·V⁺ = −ε N·V⁻,   ‖N × F‖ ≤ μ N·F,
+///   and either N × V⁺ = 0 (stick), or ‖N × F‖ = μ N·F and V_T⁺ = −ν F_T with ν > 0 (slip).
 ///
-/// With the collision matrix K and P = I − N Nᵀ/(N·N), both branches are one system: (K + ν P) F = −(V⁻ + ε
-/// (N·V⁻)/(N·N) N). The contact point sticks at ν = 0. As ν → ∞, it slips without friction, and F lies in the cone. So
-/// if F is outside the cone at ν = 0, some ν > 0 puts F on its surface (docs/guide/laws.md).
+/// Let K be the collision matrix, and P = I − N Nᵀ/(N·N). Both cases satisfy one system: (K + ν P) F = −(V⁻ + ε
+/// (N·V⁻)/(N·N) N). At ν = 0 the contact point sticks. As ν → ∞, friction vanishes, and F lies in the cone. So if F is
+/// outside the cone at ν = 0, some ν > 0 puts F on the surface of the cone (docs/guide/laws.md).
 ///
 /// S is a floating-point type. Preconditions: the contact was made from a valid collision (`is_made_of_valid`); μ > 0.
 template <class S, class See = UnseenMatrix>

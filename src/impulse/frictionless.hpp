@@ -6,7 +6,8 @@
 
 namespace carom::impulse {
 
-/// An impulse f N on A and −f N on B if the contact is colliding, otherwise none; and the resulting changes of spin.
+/// The impulse f N on A and −f N on B, and the changes of spin that it causes. No impulse acts if the contact is not
+/// colliding.
 template <class S>
 struct NormalImpulse {
   decltype(std::declval<S>() < std::declval<S>()) colliding;  // a bool, or a mask if S is a pack

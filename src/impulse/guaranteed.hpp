@@ -31,15 +31,16 @@ namespace detail {
 /// the products, of their difference, and of the sum of absolute values.
 inline constexpr double rounding_of_slope = 4 * unit_roundoff_of_double;
 
-/// A velocity component, and the derivative of N·V with respect to it.
+/// A velocity component, the derivative `slope` of N·V by this component, and the ulp of the component.
 struct Adjustable {
   double* component = nullptr;
   double slope = 0;
   double ulp = 0;
 };
 
-/// Whether to adjust x rather than y if one ulp of either changes N·V equally. The lighter body comes first, then the
-/// body with smaller velocity components. Exchanging A and B, or mirroring, does not change the choice.
+/// Whether to adjust x rather than y if one ulp of either changes N·V equally. The lighter body comes first; if the
+/// masses are equal, the body with smaller velocity components. Exchanging A and B, or mirroring, does not change the
+/// choice.
 [[nodiscard]] inline bool comes_before(const Body& x, const Body& y) {
   const auto key = [](const Body& body) {
     const auto size = [](const Vector3<double>& v) {
@@ -50,7 +51,7 @@ struct Adjustable {
   return key(x) < key(y);
 }
 
-/// The velocity component of a movable body whose ulp changes N·V most.
+/// The component, among the velocities of movable bodies, whose ulp changes N·V most.
 [[nodiscard]] inline Adjustable most_effective_component(const Collision& c, Outcome<double>& outcome) {
   Adjustable best;
   double most = -1;
@@ -91,9 +92,9 @@ struct Adjustable {
 
 }  // namespace detail
 
-/// The outcome with N·V⁺ ≥ 0: each step adds as few ulps as necessary to one velocity component of a movable body. The
-/// outcome is unchanged if N·V⁺ ≥ 0 already, if no body can move, or if a number is not finite. Precondition: the
-/// collision is valid.
+/// The outcome, corrected until N·V⁺ ≥ 0. Each step adds as few ulps as necessary to one velocity component of a
+/// movable body. The outcome is unchanged if N·V⁺ ≥ 0 already, if no body can move, or if a number is not finite.
+/// Precondition: the collision is valid.
 [[nodiscard]] inline Outcome<double> without_approach(const Collision& collision, Outcome<double> outcome) {
   CAROM_EXPECTS(validate(collision).empty(), describe(validate(collision)));
   if (collision.a.immovable && collision.b.immovable) {
@@ -110,7 +111,7 @@ struct Adjustable {
       break;
     }
     const auto [component, slope, ulp] = detail::most_effective_component(collision, outcome);
-    // At least one ulp, so that N·V grows each time. If N·V underflows, its distance from zero is unknown, so the step
+    // Each step is at least one ulp, so that N·V grows. If N·V underflows to 0, its size is unknown, so the step
     // doubles each time.
     *component += std::copysign(std::fmax(-velocity.value / std::abs(slope), ulps * ulp), slope);
     ulps = velocity.value == 0 ? 2 * ulps : 1;
@@ -140,8 +141,8 @@ template <class Solver>
   }
 }
 
-/// Whether a few ulps of one component remove `left`, the remaining N·V⁺ < 0. If so, another impulse would be worse:
-/// its rounding error may exceed the small spin of a slender body about its long axis.
+/// Whether a few ulps of one velocity component cancel `left`, the N·V⁺ < 0 that remains. If so, a second impulse would
+/// be worse: its rounding error may exceed the small spin of a slender body about its long axis.
 [[nodiscard]] inline bool is_within_few_ulps(const Collision& collision, Outcome<double> outcome, double left) {
   constexpr double few = 4;
   const auto [component, slope, ulp] = most_effective_component(collision, outcome);
@@ -150,9 +151,9 @@ template <class Solver>
 
 }  // namespace detail
 
-/// The outcome of `solver`, corrected so that the bodies do not penetrate. The solver maps a Contact<double> and N·V⁻
-/// to an argument of apply_impulse. If the exact N·V⁻ is not negative, the velocities are unchanged. Otherwise the
-/// exact N·V⁺ is not negative. Precondition: the collision is valid, and the contact was made from it.
+/// The outcome of `solver`, corrected so that the bodies do not penetrate. The solver maps a Contact<double>, and N·V⁻
+/// if it is given, to an impulse for apply_impulse. If the exact N·V⁻ is not negative, the velocities are unchanged.
+/// Otherwise the exact N·V⁺ is not negative. Precondition: the collision is valid, and the contact was made from it.
 template <class Solver>
 [[nodiscard]] Outcome<double> guaranteed(const Collision& collision, const Contact<double>& contact,
                                          const Solver& solver) {
@@ -161,7 +162,7 @@ template <class Solver>
   if (normal_velocity_sign(collision, before) >= 0) {
     return before;
   }
-  // The length of the contact's normal, relative to the collision's normal.
+  // The length of the contact's normal, divided by the length of the collision's normal.
   const double unit = contact.normal.cwiseAbs().maxCoeff() / collision.normal.cwiseAbs().maxCoeff();
   const auto known_approach = [&](const Outcome<double>& motion) {
     return known_normal_velocity(collision, motion).value * unit;

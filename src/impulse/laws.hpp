@@ -14,7 +14,7 @@ namespace carom::impulse {
 
 namespace detail {
 
-/// The frictionless law. It forms no collision matrix, so it ignores `see`.
+/// The frictionless law. It forms no collision matrix, so it ignores `see` (collision_matrix.hpp).
 struct FrictionlessLaw {
   template <class Contact>
   [[nodiscard]] auto operator()(const Contact& contact) const {
@@ -28,9 +28,9 @@ struct FrictionlessLaw {
 
 }  // namespace detail
 
-/// Calls use(solver) if the law is one of `laws_with_truth`. `solver` takes a contact in any scalar type and returns
-/// its ContactImpulse, NormalImpulse or RoughImpulse. Optional arguments are a more accurate N·V⁻, and `see`, which
-/// receives the collision matrix.
+/// Calls use(solver) if the law is one of `laws_with_truth`. `solver` solves a contact in any scalar type, and returns
+/// a ContactImpulse, NormalImpulse or RoughImpulse. Its arguments are the contact, optionally a more accurate N·V⁻, and
+/// optionally the function `see`, which receives the collision matrix.
 template <class Use>
 constexpr void with_law(Law law, const Use& use) {
   switch (law) {
@@ -55,7 +55,7 @@ constexpr void with_law(Law law, const Use& use) {
 /// Describes the solver of a law in words.
 struct Description {
   std::string_view law;
-  std::string_view solve;   // of the 3×3 system; empty if there is none
+  std::string_view solve;   // of the 3×3 system; empty if the law has none
   std::string_view source;  // of the formula; empty if the formula is the solver's own
 };
 

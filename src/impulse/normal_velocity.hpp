@@ -35,7 +35,7 @@ template <class Size, class S>
   return abs(static_cast<Size>(x));
 }
 
-/// r_j N_k and r_k N_j. Their difference is component i of r × N.
+/// r_j N_k and r_k N_j for cyclic i, j, k. Their difference is component i of r × N.
 template <class S>
 struct MomentTerms {
   S left;
@@ -49,7 +49,7 @@ template <class S>
   return {r[j] * n[k], r[k] * n[j]};
 }
 
-/// Adds s N·(v + w × (P − X)) of one body to `sum`, in S, and the absolute values of its terms to `terms`.
+/// Adds s N·(v + w × (P − X)) of one body, computed in S, to `sum`. Adds the absolute values of its terms to `terms`.
 template <class S, class Size>
 void add_rounded_normal_velocity(const Collision& c, const Body& body, const BodyVelocity<double>& motion, double s,
                                  S& sum, Size& terms) {
@@ -68,19 +68,19 @@ void add_rounded_normal_velocity(const Collision& c, const Body& body, const Bod
   }
 }
 
-/// At most this many roundings affect each term of N·V in the sum.
+/// At most this many roundings affect each term of the computed N·V.
 inline constexpr int roundings_of_normal_velocity = 10;
 
-/// This many unit roundoffs of Σ|terms| cover the rounding errors of N·V and of Σ|terms| itself.
+/// The factor of the error bound in `RoundedNormalVelocity`. It also covers the rounding errors of the bound itself.
 inline constexpr int covered_roundings_of_normal_velocity = 16;
 
-/// Underflow causes an error below this number times 1 + max |w_A| + max |w_B|, with the maxima over the components.
+/// The error of N·V by underflow is below this number times (1 + max_i |w_A,i| + max_i |w_B,i|).
 inline constexpr double underflow_of_normal_velocity = std::numeric_limits<double>::min();
 
-/// N·V in S, and a bound of its error. ρ = `rounding` is the relative error of one operation of S. The constants above
-/// define n = 10 and 16. t are the terms of N·V, and T is the computed sum of their absolute values:
+/// N·V in S, and a bound of its error. ρ = `rounding` is the relative error of one operation of S. n = 10 is
+/// `roundings_of_normal_velocity`. t are the terms of N·V, and T is the computed Σ|t|. The bound is 16 ρ T + underflow:
 ///
-///   (1) |value − N·V| ≤ n ρ / (1 − n ρ) Σ|t| + underflow;
+///   (1) |value − N·V| ≤ n ρ / (1 − n ρ) Σ|t| + underflow, by n roundings of each term;
 ///   (2) Σ|t| ≤ (1 + 2⁻⁴⁸) T, because fewer than 2⁵ roundings of double affect a term in T;
 ///   (3) n / (1 − n ρ) (1 + 2⁻⁴⁸) ≤ 16;
 ///   (4) each of the 24 products loses less than 2⁻¹⁰⁷⁰ to underflow, and the loss in r × N is multiplied by w.
@@ -104,9 +104,9 @@ inline constexpr double unit_roundoff_of_double = std::numeric_limits<double>::e
 /// The largest relative error of a DoubleDouble operation except division: 7 u², the error of the product.
 inline constexpr double unit_roundoff_of_double_double = 7 * unit_roundoff_of_double * unit_roundoff_of_double;
 
-/// A double-double value counts as known if |value| > 2⁵⁰ bound. Its error is at most n/16 bound, with n =
-/// `roundings_of_normal_velocity`. So its relative error is at most n/16 · 2⁻⁵⁰, and at most 2⁻⁵⁰ after rounding to
-/// double.
+/// A double-double value counts as known if |value| > 2⁵⁰ bound. The factor 16 of the bound covers 10 roundings, so the
+/// error of the value is at most about 10/16 of the bound. Its relative error is at most about 10/16 · 2⁻⁵⁰, and at
+/// most 2⁻⁵⁰ after rounding to double.
 inline constexpr double known_multiple_of_bound = 0x1p+50;
 
 }  // namespace detail
@@ -122,11 +122,11 @@ inline constexpr double known_multiple_of_bound = 0x1p+50;
 /// The sign and the value of the exact N·V.
 struct NormalVelocity {
   int sign;      // −1, 0 or 1
-  double value;  // within a relative 2⁻⁵⁰; 0 or infinite beyond the range of double
+  double value;  // relative error at most 2⁻⁵⁰; 0 or infinite if beyond the range of double
 };
 
-/// The exact N·V, by double-double arithmetic if its error bound decides, otherwise by the exact sum. Precondition: all
-/// numbers are finite.
+/// The exact N·V, by double-double arithmetic if its error bound is small enough, otherwise by an exact sum.
+/// Precondition: all numbers are finite.
 [[nodiscard]] inline NormalVelocity known_normal_velocity(const Collision& collision, const Outcome<double>& motion) {
   const detail::RoundedNormalVelocity<DoubleDouble> closely(collision, motion, detail::unit_roundoff_of_double_double);
   const auto value = static_cast<double>(closely.value);
@@ -137,8 +137,8 @@ struct NormalVelocity {
   return {exactly.sign(), exactly.approximately()};
 }
 
-/// The sign of the exact N·V: −1, 0 or 1; by a sum in double if its error bound decides. Precondition: all numbers are
-/// finite.
+/// The sign of the exact N·V: −1, 0 or 1. Computed in double if the error bound decides the sign. Precondition: all
+/// numbers are finite.
 [[nodiscard]] inline int normal_velocity_sign(const Collision& collision, const Outcome<double>& motion) {
   const detail::RoundedNormalVelocity<double> roughly(collision, motion, detail::unit_roundoff_of_double);
   if (std::abs(roughly.value) > roughly.bound) {  // false if anything overflowed

@@ -9,16 +9,18 @@
 
 namespace carom::impulse {
 
-/// J⁻¹ = R diag(1/I) Rᵀ as separate factors. A torque is turned into the body frame, divided by the principal moments,
-/// and turned back, so each principal component has its own relative error. In one world matrix (world_inertia.hpp),
-/// the largest component determines all rounding errors, which costs a body with moments 1 : ρ up to ρ/10 ulps of
-/// angular momentum. If `may_be_slender` is false, the body is known not to be slender.
+/// J⁻¹ = R diag(1/I) Rᵀ as two factors: the rotation R from body axes to world axes, and the principal moments I. To
+/// apply J⁻¹ to a torque, rotate it into body axes, divide by I, and rotate back. So each component along a body axis
+/// has a small relative error. In one matrix in world axes (world_inertia.hpp), the largest entry determines the
+/// rounding errors of all entries. Then a body with moments 1 : ρ loses up to ρ/10 ulps of angular momentum.
+/// `may_be_slender` is false if the body is known not to be slender (`is_slender`).
 template <class S, bool may_be_slender = true>
 struct PrincipalInertia {
   Matrix3<S> axes;             // its columns are the body axes, of unit length, in world coordinates
   Vector3<S> inverse_moments;  // 1/I about the centre of mass along the axes; 0 if immovable [1/(kg m²)]
 
-  /// For equal moments every axis is a body axis, and the world axes have no rounding error.
+  /// If the moments are equal, every axis is a body axis. `of` then chooses the world axes, which have no rounding
+  /// error.
   static PrincipalInertia of(const Vector3<S>& moments, const Quaternion<S>& orientation) {
     const bool is_isotropic = moments[0] == moments[1] && moments[1] == moments[2];
     return {is_isotropic ? Matrix3<S>::Identity() : rotation_matrix(orientation),
@@ -42,13 +44,13 @@ template <class S>
 
 }  // namespace detail
 
-/// A body is slender if its moments differ by more than this ratio. Up to this ratio, the products of products.hpp lose
-/// at most about 4 ulps.
+/// A body is slender if its largest moment exceeds this multiple of its smallest moment. For other bodies, the rounding
+/// error of `cross` (products.hpp) costs at most about 4 ulps.
 inline constexpr int least_ratio_of_slender_moments = 8;
 
-/// Whether the body is slender. The cross product of nearly parallel vectors x and y has a rounding error of u |x| |y|,
-/// with u the unit roundoff. A torque with this error turns a body with moments 1 : ρ about its long axis ρ times as
-/// far as about the others.
+/// Whether the body is slender. If two vectors a and b are nearly parallel, `cross` has a rounding error of about u ‖a‖
+/// ‖b‖, with the unit roundoff u. An error of a torque turns a body with moments 1 : ρ about its long axis ρ times as
+/// much as about another axis. So slender bodies need `accurate_cross`.
 template <class S, bool may_be_slender>
 [[nodiscard]] auto is_slender(const PrincipalInertia<S, may_be_slender>& inertia) {
   if constexpr (may_be_slender) {
@@ -63,7 +65,7 @@ template <class S, bool may_be_slender>
   }
 }
 
-/// The matrix with the rows e × r for the body axes e. Its product with F is Rᵀ (r × F).
+/// The matrix with the rows e × r for the body axes e. Its product with an impulse F is Rᵀ (r × F).
 template <class S, bool may_be_slender>
 [[nodiscard]] Matrix3<S> moments_of_unit_impulses(const PrincipalInertia<S, may_be_slender>& inertia,
                                                   const Vector3<S>& r) {
@@ -79,10 +81,10 @@ template <class S, bool may_be_slender>
       [&] { return rows_by([&](const Vector3<S>& e) { return cross(e, r); }); });
 }
 
-/// Rᵀ (r × F), the torque in body coordinates. Its component along a body axis e is computed as (e × r)·F, from the
-/// vectors e × r that also give the collision matrix, so an impulse acts as this matrix predicts. If F lies nearly
-/// along r, the component is computed as e·(r × F), which vanishes if F lies exactly along r. `has_slender` is true if
-/// either body of the contact is slender, so two bodies with the same r get the same r × F, bit for bit.
+/// Rᵀ (r × F), the torque in body axes. Its component along a body axis e is computed as (e × r)·F. The collision
+/// matrix is made of the same vectors e × r, so the impulse F acts as the matrix predicts. If F lies nearly along r,
+/// the component is computed as e·(r × F), which is exactly 0 if F lies along r. `has_slender` is true if either body
+/// of the contact is slender. So two bodies with the same r get the same r × F, bit for bit.
 template <class S, bool may_be_slender, class Condition>
 [[nodiscard]] Vector3<S> torque_in_body_frame(const PrincipalInertia<S, may_be_slender>& inertia, const Vector3<S>& r,
                                               const Vector3<S>& impulse, const Condition& has_slender) {
@@ -100,7 +102,7 @@ template <class S, bool may_be_slender, class Condition>
       [&] { return times(moments_of_unit_impulses(inertia, r), impulse); });
 }
 
-/// Both results come from one torque, so an impulse turns the body as much as the law expects.
+/// Computes both results from one torque, so that an impulse turns the body as much as the law expects.
 template <class S, bool may_be_slender, class Condition>
 [[nodiscard]] Turning<S> turning(const PrincipalInertia<S, may_be_slender>& inertia, const Vector3<S>& r,
                                  const Vector3<S>& impulse, const Condition& has_slender) {

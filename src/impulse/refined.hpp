@@ -5,10 +5,10 @@
 #include <carom/impulse/collision_matrix.hpp>
 #include <carom/impulse/solve3.hpp>
 
-/// The laws with one step of iterative refinement. The system is formed and solved in a narrow type `Low`, the residual
-/// is computed in the wide type S, and the correction again in Low (N. J. Higham, "Accuracy and Stability of Numerical
-/// Algorithms", 2nd ed. 2002, ch. 12). The relative error of the impulse is about (c cond(K) u)², with the unit
-/// roundoff u of Low and a small number c. All numbers must stay in the range of Low.
+/// Laws with one step of iterative refinement (N. J. Higham, "Accuracy and Stability of Numerical Algorithms", 2nd ed.
+/// 2002, ch. 12). A solver forms and solves the system in a narrow type `Low`, computes the residual in the wide type
+/// S, and solves for the correction in Low. The relative error of the impulse is about (c cond(K) u)², with the
+/// collision matrix K, the unit roundoff u of Low, and a small number c. All numbers must stay in the range of Low.
 namespace carom::impulse {
 
 namespace detail {
@@ -62,7 +62,7 @@ template <class Low, class S>
   return apply_impulse<S>(contact, n * (f + solve(residual)));
 }
 
-/// The outcome of the reflection law. Solve, one of solve3.hpp, solves the 3×3 systems in Low. Precondition: the
+/// The outcome of the reflection law. The type `Solve` solves the 3×3 systems in Low (solve3.hpp). Precondition: the
 /// contact was made from a valid collision.
 template <class Low, class Solve, class S, class See = UnseenMatrix>
 [[nodiscard]] Outcome<S> reflection_refined(const Contact<S>& contact, const See& see = {}) {

@@ -23,8 +23,8 @@ template <class S, class Inertia>
 }  // namespace detail
 
 /// The impulse of the reflection law, without a tangent basis. Equations 17, 20 and 21 of D. Eberly's note
-/// (docs/findings/note.md) together give K F = V⁺ − V⁻ = −(1+ε) (N·V⁻)/(N·N) N, with K the collision matrix. Solve is
-/// a solver of 3×3 systems, one of those in solve3.hpp.
+/// (docs/findings/note.md) together give K F = V⁺ − V⁻ = −(1+ε) (N·V⁻)/(N·N) N, with K the collision matrix. The type
+/// `Solve` solves the 3×3 system (solve3.hpp).
 ///
 /// Preconditions: the contact was made from a valid collision; `approach` is N·V⁻.
 template <class Solve = Ldlt, class S, class Inertia, class See = UnseenMatrix>
@@ -42,7 +42,8 @@ template <class Solve = Ldlt, class S, class Inertia, class See = UnseenMatrix>
   const Matrix3<S> matrix = collision_matrix(contact);
   see(matrix);
   const Vector3<S> solved = Solve::template solve<S>(matrix, velocity_change, inverse_mass(contact));
-  // If N lies along both lever arms, K N = λ N with λ = 1/m_A + 1/m_B, and rounding errors in K must not turn a body.
+  // If N lies along both lever arms, K N = λ N with λ = 1/m_A + 1/m_B. So F is computed from λ, because rounding errors
+  // in K would turn a body.
   const Vector3<S> along = n * (factor / inverse_mass(contact));
   return {colliding, select(detail::turns_no_body(contact, n), along, solved)};
 }

@@ -26,9 +26,9 @@ template <class S>
   return basis;
 }
 
-/// A basis {N, T0, T1} that does not depend on V⁻. T0 is the normalised part, orthogonal to N, of the coordinate axis
-/// least aligned with N. The component of the unit normal along that axis is at most 1/√3, so the part has length
-/// √(2/3) or more and loses no digits. S is a floating-point type.
+/// A basis {N, T0, T1} that does not depend on V⁻. Let e be the coordinate axis that is least aligned with N. T0 is the
+/// part of e orthogonal to N, divided by its length. The unit normal has a component of at most 1/√3 along e. So the
+/// part has a length of at least √(2/3), and the subtraction loses no digits. S is a floating-point type.
 template <class S>
 [[nodiscard]] Matrix3<S> stable_tangent_basis(const Contact<S>& contact) {
   const Vector3<S> n = contact.normal / std::sqrt(contact.normal.dot(contact.normal));
@@ -41,9 +41,9 @@ template <class S>
   return basis;
 }
 
-/// C = λI + Q_Aᵀ J_A⁻¹ Q_A + Q_Bᵀ J_B⁻¹ Q_B with Q = [r × N, r × T0, r × T1]. These are the note's equations 25 to 28,
-/// without the second λ of equation 27. If the basis B = [N, T0, T1] is orthonormal, which is not checked, C equals Bᵀ
-/// K B.
+/// C = λI + Q_Aᵀ J_A⁻¹ Q_A + Q_Bᵀ J_B⁻¹ Q_B with the columns Q = [r × N, r × T0, r × T1]. These are the note's
+/// equations 25 to 28, except that equation 27 wrongly adds λ twice. If the basis B = [N, T0, T1] is orthonormal, C
+/// equals Bᵀ K B. The function does not check the basis.
 template <class S>
 [[nodiscard]] Matrix3<S> printed_collision_matrix(const Contact<S>& contact, const Matrix3<S>& basis) {
   const auto of_body = [&](const ContactBody<S>& body) -> Matrix3<S> {
@@ -60,8 +60,8 @@ template <class S>
   return in_basis<S>(matrix, basis.transpose());
 }
 
-/// The outcome of the reflection law in a basis {N, T0, T1}, by the note's equations 25 to 28, with N·V⁻ on the
-/// right-hand side of equation 25. `see` receives the matrix C in world axes.
+/// The outcome of the reflection law in a basis {N, T0, T1}, by the note's equations 25 to 28. In equation 25, N·V⁻
+/// replaces the vector V⁻ that the note prints by mistake. `see` receives the matrix C in world axes.
 template <class S, class See = UnseenMatrix>
 [[nodiscard]] Outcome<S> reflection_in_given_basis(const Contact<S>& contact, const Matrix3<S>& basis,
                                                    const See& see = {}) {
@@ -78,8 +78,8 @@ template <class S, class See = UnseenMatrix>
 }
 
 /// The outcome of the reflection law as §2 of the note prints it. If V⁻ has no tangential part, the outcome is that of
-/// equation 18 (`frictionless`), as in implementations of the note. This function is kept because it fails: near a
-/// head-on collision, T0 is rounding error and not orthogonal to N.
+/// equation 18 (`frictionless`), as in implementations of the note. Carom keeps this function as an example that fails:
+/// near a head-on collision, T0 is rounding error and not orthogonal to N.
 template <class S, class See = UnseenMatrix>
 [[nodiscard]] Outcome<S> reflection_in_basis(const Contact<S>& contact, const See& see = {}) {
   const Matrix3<S> basis = tangent_basis(contact);
@@ -89,8 +89,8 @@ template <class S, class See = UnseenMatrix>
   return reflection_in_given_basis(contact, basis, see);
 }
 
-/// The outcome of the reflection law with a T0 that does not depend on V⁻. If N lies along both lever arms, the outcome
-/// is that of `frictionless`, so that the rounding errors of T0 and T1 turn no body.
+/// The outcome of the reflection law in the basis of `stable_tangent_basis`. If N lies along both lever arms, the
+/// outcome is that of `frictionless`, so that the rounding errors of T0 and T1 turn no body.
 template <class S, class See = UnseenMatrix>
 [[nodiscard]] Outcome<S> reflection_in_stable_basis(const Contact<S>& contact, const See& see = {}) {
   if (detail::turns_no_body(contact, contact.normal)) {

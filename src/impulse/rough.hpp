@@ -31,9 +31,10 @@ template <class S>
   return sqrt(dot(scaled, scaled)) * size;
 }
 
-/// F, or a fraction of F. F = `impulse` is the computed solution of K F = V, with V = `change`. The impulse −F removes
-/// the energy F·V − ½ F·K F from a contact with relative velocity V. If K is singular up to rounding, F may be so long
-/// that −F adds energy: F·K F > 2 F·V. The function then returns the fraction of F that removes the most energy.
+/// F = `impulse`, or a fraction of F if −F adds energy. F is the computed solution of K F = V, with the collision
+/// matrix K and the relative velocity V = `change`. The impulse −F removes the energy F·V − ½ F·K F. If K is singular
+/// up to rounding, F may be so long that F·K F > 2 F·V, so −F adds energy. The fraction then removes as much energy as
+/// possible.
 template <class S, class Inertia>
 [[nodiscard]] Vector3<S> without_gain_of_energy(const Contact<S, Inertia>& contact, const Vector3<S>& impulse,
                                                 const Vector3<S>& change) {
@@ -51,12 +52,15 @@ template <class S, class Inertia>
 }  // namespace detail
 
 /// The impulse of the law `rough` (A. Chatterjee, A. Ruina, "A new algebraic rigid-body collision law based on impulse
-/// space considerations", J. Appl. Mech. 65, 1998). P_I is the impulse along N that stops the approach, P_II = −K⁻¹ V⁻
-/// is the impulse that stops the contact point, and D = P_II − P_I:
+/// space considerations", J. Appl. Mech. 65, 1998). P_I is the impulse along N that stops the approach. P_II = −K⁻¹ V⁻
+/// is the impulse that stops the contact point, with the collision matrix K. Then D = P_II − P_I, and
 ///
-///   F = (1 + ε) P_I + κ D,   κ = 1 + e_t if this F has ‖N × F‖ ≤ μ N·F, else κ = μ (1 + ε) N·P_I / (‖N × D‖ − μ N·D).
+///   F = (1 + ε) P_I + κ D.
 ///
-/// Solve is one of solve3.hpp. Preconditions: the contact was made from a valid collision; `approach` is N·V⁻.
+/// κ = 1 + e_t if this κ gives ‖N × F‖ ≤ μ N·F. Otherwise κ = μ (1 + ε) N·P_I / (‖N × D‖ − μ N·D).
+///
+/// The type `Solve` solves the 3×3 system (solve3.hpp). Preconditions: the contact was made from a valid collision;
+/// `approach` is N·V⁻.
 template <class Solve = Ldlt, class S, class Inertia, class See = UnseenMatrix>
 [[nodiscard]] RoughImpulse<S> rough_impulse(const Contact<S, Inertia>& contact, const S& approach,
                                             const See& see = {}) {
@@ -67,8 +71,8 @@ template <class Solve = Ldlt, class S, class Inertia, class See = UnseenMatrix>
   if (none_of(normal.colliding)) {
     return {normal, normal.colliding, n};
   }
-  // P_II is computed directly, because K⁻¹ (V⁻ + K P_I) would multiply the rounding error of K P_I by the condition
-  // number of K.
+  // D is computed as P_II − P_I. The equal −K⁻¹ (V⁻ + K P_I) would multiply the rounding error of K P_I by the
+  // condition number of K.
   const Vector3<S> velocity = relative_velocity(contact);
   const Vector3<S> approaching = velocity + n * S((approach - dot(n, velocity)) / dot(n, n));
   const Matrix3<S> matrix = collision_matrix(contact);
@@ -92,8 +96,8 @@ template <class Solve = Ldlt, class S, class Inertia>
   return rough_impulse<Solve, S>(contact, normal_velocity(contact));
 }
 
-/// The outcome of the impulse. Without friction, the outcome has the bits of the frictionless law. With friction, F is
-/// applied as a whole, because (1 + ε) P_I alone may turn a slender body far more than F.
+/// The outcome of the impulse. Without friction, the outcome has the bits of the frictionless law. With friction, F
+/// acts in one step, because (1 + ε) P_I alone may turn a slender body far more than F.
 template <class S, class Inertia>
 [[nodiscard]] Outcome<S> apply_impulse(const Contact<S, Inertia>& contact, const RoughImpulse<S>& impulse) {
   const Outcome<S> without = apply_impulse(contact, impulse.normal);

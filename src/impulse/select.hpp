@@ -54,8 +54,8 @@ template <class S>
   }
 }
 
-/// x, or the least normal number if x is below it. The number is that of S, of a pack's lanes, or (for other types) of
-/// binary64.
+/// x, or the least positive normal number if x is below this number. The number belongs to S if S is a floating-point
+/// type, to a lane if S is a pack, and otherwise to binary64.
 template <class S>
 [[nodiscard]] S at_least_normal(const S& x) {
   const auto least = [] {
@@ -70,7 +70,7 @@ template <class S>
   return at_least(S(least), x);
 }
 
-/// 1/x, or the reciprocal of the least normal number if x is below that number.
+/// 1 / at_least_normal(x), which is finite.
 template <class S>
 [[nodiscard]] S finite_reciprocal(const S& x) {
   return S(1) / at_least_normal(x);

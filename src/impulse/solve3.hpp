@@ -7,14 +7,15 @@
 #include <carom/impulse/numbers/products.hpp>
 #include <carom/impulse/select.hpp>
 
-/// Ways to solve M x = b for a symmetric positive definite 3×3 matrix M. Each is an argument for the parameter `Solve`
-/// of a law. `least` is a lower bound of the eigenvalues of M, which some solves ignore.
+/// Ways to solve M x = b for a symmetric positive definite 3×3 matrix M. Each struct is an argument for the template
+/// parameter `Solve` of a law. `least` is a lower bound of the eigenvalues of M. Only Ldlt uses it.
 namespace carom::impulse {
 
-/// M = L D Lᵀ without square root or branch, so it runs in any field and in SIMD packs. Each exact pivot is a diagonal
-/// entry of a Schur complement of M, so it is at least the least eigenvalue of M. `least` replaces each smaller
-/// computed pivot, so nothing is divided by zero. The exact x has |x_i| ≤ ‖x‖ ≤ ‖b‖ / least ≤ √3 max |b_i| / least. If
-/// a component exceeds 2 max |b_i| / least, the whole x is scaled, so that M x stays along b.
+/// M = L D Lᵀ. The decomposition needs no square root and no branch, so it runs in any field and in SIMD packs. Each
+/// exact pivot is a diagonal entry of a Schur complement of M, and therefore at least the least eigenvalue of M.
+/// `least` replaces each smaller computed pivot, so nothing is divided by zero. The exact x has |x_i| ≤ ‖x‖ ≤ ‖b‖ /
+/// least ≤ √3 max |b_i| / least. If a computed component exceeds 2 max |b_i| / least, all of x is scaled down, so that
+/// M x stays along b.
 struct Ldlt {
   template <class S>
   [[nodiscard]] static Vector3<S> solve(const Matrix3<S>& m, const Vector3<S>& b) {

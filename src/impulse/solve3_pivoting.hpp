@@ -7,7 +7,7 @@
 #include <carom/collision/vector.hpp>
 
 /// Ways to solve M x = b for a general 3×3 matrix M. (A collision matrix is positive definite and does not need them.)
-/// Each is an argument for the parameter `Solve` of a law, as in solve3.hpp.
+/// Each struct is an argument for the template parameter `Solve` of a law, as in solve3.hpp.
 namespace carom::impulse {
 
 /// Eigen's P M = L U, with pivots by rows.
@@ -18,8 +18,8 @@ struct EigenPartialPivLu {
   }
 };
 
-/// Eigen's P M Q = L U, with pivots by rows and columns. A pivot below 3 machine epsilons of the largest counts as
-/// zero.
+/// Eigen's P M Q = L U, with pivots by rows and columns. A pivot below 3 machine epsilons times the largest pivot
+/// counts as zero.
 struct EigenFullPivLu {
   template <class S>
   [[nodiscard]] static Vector3<S> solve(const Matrix3<S>& m, const Vector3<S>& b, const S& = S(0)) {

@@ -10,8 +10,8 @@ namespace carom::impulse {
 
 namespace detail {
 
-/// |w_j r_k| + |w_k r_j| for each component of w × r. The rounding error of the component is about this times the unit
-/// roundoff.
+/// For each component i of w × r: |w_j r_k| + |w_k r_j|, with cyclic i, j, k. The rounding error of the component is
+/// about this sum times the unit roundoff.
 template <class S, class Inertia>
 [[nodiscard]] Vector3<S> terms_of_spin(const ContactBody<S, Inertia>& body) {
   const Vector3<S>& w = body.angular_velocity;
@@ -22,8 +22,8 @@ template <class S, class Inertia>
 
 }  // namespace detail
 
-/// The relative velocity V, with N·V equal to `normal_velocity`. Each component of w × r is corrected by at most a few
-/// times its rounding error.
+/// The relative velocity V, corrected so that N·V equals the more accurate `normal_velocity`. The correction changes
+/// each component of w × r by at most a few times its rounding error.
 template <class S, class Inertia>
 [[nodiscard]] Vector3<S> relative_velocity_along_normal(const Contact<S, Inertia>& contact) {
   const Vector3<S>& n = contact.normal;
@@ -32,7 +32,7 @@ template <class S, class Inertia>
   const S along_normal = dot(contact.a.angular_velocity, cross(contact.a.lever_arm, n)) -
                          dot(contact.b.angular_velocity, cross(contact.b.lever_arm, n));
   const Vector3<S> terms = detail::terms_of_spin(contact.a) + detail::terms_of_spin(contact.b);
-  // The correction δ has the least Σ (δ_i / terms_i)² such that N·δ = along_normal − N·by_spins.
+  // The correction δ has the least Σ (δ_i / terms_i)² of all δ with N·δ = along_normal − N·by_spins.
   const Vector3<S> along{n[0] * terms[0], n[1] * terms[1], n[2] * terms[2]};
   const S sum = (absolute(along[0]) + absolute(along[1])) + absolute(along[2]);
   const Vector3<S> shares = along * finite_reciprocal(sum);
@@ -42,8 +42,8 @@ template <class S, class Inertia>
   return (contact.a.velocity - contact.b.velocity) + Vector3<S>{mended(0), mended(1), mended(2)};
 }
 
-/// The impulse that lets the contact point stick, the limit μ → ∞ of Coulomb friction: N·V⁺ = −ε N·V⁻ and N × V⁺ = 0.
-/// So K F = V⁺ − V⁻ = −(V⁻ + ε (N·V⁻)/(N·N) N), with K the collision matrix. Solve is one of solve3.hpp.
+/// The impulse F of the law `sticking`, the limit μ → ∞ of Coulomb friction: N·V⁺ = −ε N·V⁻ and N × V⁺ = 0. So K F = V⁺
+/// − V⁻ = −(V⁻ + ε (N·V⁻)/(N·N) N), with K the collision matrix. The type `Solve` solves the 3×3 system (solve3.hpp).
 ///
 /// Preconditions: the contact was made from a valid collision; `approach` is N·V⁻.
 template <class Solve = Ldlt, class S, class Inertia, class See = UnseenMatrix>

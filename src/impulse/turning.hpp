@@ -5,13 +5,13 @@
 
 namespace carom::impulse {
 
-/// The rotation of a body by an impulse F at the lever arm r, as `turning(inertia, r, F, has_slender)` returns it for a
-/// `PrincipalInertia` or a `WorldInertia`. `has_slender` is true if a body of the contact is slender. A
-/// `PrincipalInertia` then computes r × F accurately.
+/// The effect of an impulse F at the lever arm r on the spin of a body. `turning(inertia, r, F, has_slender)` returns
+/// it for a `PrincipalInertia` or a `WorldInertia`. `has_slender` is true if a body of the contact is slender. If so,
+/// the function for a `PrincipalInertia` computes r × F with a small relative error in each component.
 template <class S>
 struct Turning {
   Vector3<S> change_of_spin;  // J⁻¹ (r × F)
-  /// F times the resulting velocity change of the contact point: F·(J⁻¹ (r × F) × r) = (r × F)ᵀ J⁻¹ (r × F).
+  /// F·u = (r × F)ᵀ J⁻¹ (r × F). u = J⁻¹ (r × F) × r is the velocity that the change of spin adds to the contact point.
   S along_impulse;
 };
 

@@ -7,7 +7,7 @@
 
 namespace carom::impulse {
 
-/// J⁻¹ = R diag(1/I) Rᵀ, exactly symmetric.
+/// J⁻¹ = R diag(1/I) Rᵀ in world axes, with the rotation R of `orientation` and the moments I. Exactly symmetric.
 template <class S>
 [[nodiscard]] Matrix3<S> world_inverse_inertia(const Vector3<S>& moments, const Quaternion<S>& orientation) {
   const Matrix3<S> rotation = rotation_matrix(orientation);
@@ -25,8 +25,8 @@ template <class S>
   return inverse_inertia;
 }
 
-/// J⁻¹ as engines store it: one matrix in world coordinates, smaller and faster than `PrincipalInertia`. It is kept
-/// because it fails: slender bodies lose the angular momentum about their long axes.
+/// J⁻¹ as engines store it: one matrix in world coordinates, smaller and faster than `PrincipalInertia`. Carom keeps
+/// this type as an example that fails: slender bodies lose angular momentum about their long axes.
 template <class S>
 struct WorldInertia {
   Matrix3<S> inverse;  // about the centre of mass; 0 if immovable [1/(kg m²)]

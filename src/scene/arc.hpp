@@ -35,7 +35,8 @@ enum class Phase : std::uint8_t {
   return "resting";
 }
 
-/// The path of a sphere's centre from `start` on. At the time start + s, the centre is exactly at x + v s + a s²/2.
+/// The path of a sphere's centre from `start` on: exactly x + v s + a s²/2 at the time start + s, with x, v and a
+/// below.
 struct Path {
   double start = 0;                       // [s]
   double end = never;                     // time at which the phase changes by itself [s]
@@ -48,7 +49,7 @@ struct Path {
   double acceleration_size = 0;           // ‖a‖₁
 };
 
-/// A phase ends without an impact if this motion becomes 0.
+/// The motion that becomes 0 at the end of an arc; `none` if only an impact ends the arc.
 enum class Ending : std::uint8_t { none, slip, roll, spin };
 
 /// The rotation of a sphere, and the plane that supports it.
@@ -65,7 +66,7 @@ struct Arc {
   Turning turning;
 };
 
-/// Stores the sizes, because every prediction reads them.
+/// Stores the three sizes, because every prediction reads them.
 inline void measure(Path& path) {
   path.position_size = path.position.cwiseAbs().sum();
   path.velocity_size = path.velocity.cwiseAbs().sum();

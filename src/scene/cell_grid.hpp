@@ -15,7 +15,7 @@ namespace carom::scene {
 /// Finds the spheres near a sphere (B. Lubachevsky, "How to simulate billiards and similar systems", J. Comput. Phys.
 /// 94, 1991). The cells are cubes at least as wide as the largest sphere, so spheres that touch are in the same cell or
 /// in adjacent ones. Only `put` and `move` change the cell of a sphere. Distant cells may share a list of spheres, so
-/// space has no bounds. Sharing costs only time.
+/// the grid covers all of space. Sharing costs only time.
 class CellGrid {
  public:
   using Index = std::uint32_t;
@@ -28,8 +28,8 @@ class CellGrid {
   };
 
   CellGrid() = default;
-  /// `width` [m] exceeds the largest diameter D by more than 10⁻⁶ D, to cover the rounding error of the time of
-  /// leaving. `extent` is the number of cells along each axis that should have separate lists.
+  /// `extent`: the number of cells along each axis that should have separate lists. Precondition: `width` [m] exceeds
+  /// the largest diameter D by more than 10⁻⁶ D. This excess covers the rounding error of `Leaving::time`.
   CellGrid(double width, const Cell& extent, std::size_t spheres)
       : width_(width), next_(spheres, nobody), places_(spheres) {
     std::size_t lists = 1;
@@ -81,7 +81,7 @@ class CellGrid {
     }
   }
 
-  /// The time and the side at which the centre leaves its cell, except for rounding error.
+  /// The time and the side at which the sphere's centre leaves its cell, up to rounding error.
   [[nodiscard]] Leaving leaving(Index sphere, const Path& path, double now) const {
     Leaving first;
     const Vector3<double> position = position_at(path, now);
@@ -92,7 +92,6 @@ class CellGrid {
       const double v = velocity[axis];
       const double a = path.acceleration[axis];
       for (const int step : {-1, 1}) {
-        // The distance to the wall on the side `step`, and the velocity and acceleration towards the wall.
         const double time = now + delay(step < 0 ? x : width_ - x, step * v, step * a);
         if (time < first.time) {
           first = {time, axis, step};
@@ -131,8 +130,8 @@ class CellGrid {
     return std::max(0.0, 2 * distance / (v + std::sqrt(square)));
   }
 
-  /// A block holds the first spheres of 4 × 2 × 2 lists in one cache line. The 27 cells around a sphere lie in 6 blocks
-  /// on average. Lists stored row by row would lie in more than 9 cache lines.
+  /// A block holds the heads (first spheres) of 4 × 2 × 2 lists in one cache line. The heads of the 27 cells around a
+  /// sphere lie in 6 blocks on average. Row by row, they would lie in more than 9 cache lines.
   static constexpr std::size_t lists_in_a_block = 16;
   struct alignas(64) Block {
     std::array<Index, lists_in_a_block> first;
@@ -207,7 +206,7 @@ class CellGrid {
   Cell mask_{};
   std::size_t row_ = 0, layer_ = 0;  // lists in a row of blocks, and in a layer of blocks
   std::vector<Block> blocks_;
-  std::vector<Index> next_;  // the next in the list; not in Place, because searches read it often
+  std::vector<Index> next_;  // the next sphere of the list; not in Place, because searches read it often
   std::vector<Place> places_;
 };
 

@@ -25,9 +25,9 @@ struct UncertainQuadratic {
 
 enum class Decision { none, bounded, undecided };
 
-/// The least s ≥ 0 at which a polynomial falls below 0. If the decision is `bounded`, the true value differs from s by
-/// at most `error`. If the decision is `none`, the polynomial never falls below 0. At s = 0 the polynomial is at least
-/// 0.
+/// The least s ≥ 0 at which a polynomial falls below 0, for a polynomial that is at least 0 at s = 0. If the decision
+/// is `bounded`, the exact crossing differs from s by at most `error`. If the decision is `none`, the polynomial never
+/// falls below 0.
 struct Crossing {
   Decision decision = Decision::none;
   double s = 0;
@@ -40,9 +40,9 @@ inline constexpr double roundoff = unit_roundoff(Precision::binary64);
 /// The first crossing of a quadratic, with a bound of its error. Precondition: c₀ ≥ −e₀.
 ///
 /// Let q(s) = c₂ (s − s₁)(s − s₂) be the true quadratic, s₁ its crossing, and D = c₁² − 4 c₀ c₂. The vertex of q is at
-/// the distance √D/(2|c₂|) from s₁ and s₂. If |q(s)| |c₂| < D/4, the computed s lies on the same side of the vertex as
-/// s₁. So |s − s₂| ≥ √D/(2|c₂|), and |s − s₁| ≤ 2 |q(s)|/√D. The computed value and the radii bound |q(s)|. If D may be
-/// 0 or |q(s)| is too large, the crossing is undecided.
+/// the distance √D/(2|c₂|) from both roots. If |q(s)| |c₂| < D/4, the computed s lies on the same side of the vertex as
+/// s₁. Then |s − s₂| ≥ √D/(2|c₂|), so |s − s₁| ≤ 2 |q(s)|/√D. The computed q(s), its rounding error and the errors e_k
+/// bound |q(s)|. If D may be 0 or |q(s)| is too large, the crossing is undecided.
 [[nodiscard]] inline Crossing first_crossing(const UncertainQuadratic& q) {
   CAROM_EXPECTS(!(q.c0 < -q.e0), q.c0, q.e0);
   const double square = q.c1 * q.c1;
@@ -55,7 +55,7 @@ inline constexpr double roundoff = unit_roundoff(Precision::binary64);
                                 8 * roundoff * (square + std::abs(product));
   const bool falls = q.c1 < -q.e1;
   if (!falls) {
-    // The quadratic falls below 0 later only if it bends downwards.
+    // A quadratic that does not fall at s = 0 falls below 0 only if it bends downwards.
     const bool rises = q.c1 > q.e1 || (q.c1 == 0 && q.e1 == 0 && q.c0 > q.e0);
     if (q.c2 > q.e2 || (q.c2 == 0 && q.e2 == 0)) {
       if (rises || discriminant < -e_discriminant || (q.c1 >= 0 && q.e1 == 0)) {

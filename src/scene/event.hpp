@@ -61,9 +61,9 @@ struct Event {
   std::uint32_t plane = 0;   // only for plane impacts, captures and phases
   bool has_impulse = false;  // only for impacts and captures: whether the bodies approached
   Collision collision;       // only for impacts and captures; the origin is the contact point
-  Outcome<double> outcome;   // by the law; `Change::after` has the stored velocities
-  /// Whether the approach was slower than `least_speed` and the body cannot rest. Then ε is 1 in `collision`, and the
-  /// body leaves at `least_speed`.
+  Outcome<double> outcome;   // by the law; the stored velocities are in `Change::after`
+  /// Whether the approach is slower than `least_speed` (least_speed.hpp) and the body cannot rest. If so, ε is 1 in
+  /// `collision`, and the bodies part at `least_speed`.
   bool was_slow = false;
 };
 
@@ -76,9 +76,9 @@ struct Counts {
   unsigned long long renewals = 0;
   unsigned long long crossings = 0;       // of cells; these are not events of the scene
   unsigned long long slow = 0;            // impacts with `was_slow`
-  unsigned long long moved_clear = 0;     // positions moved by ulps, clear of a third body
+  unsigned long long moved_clear = 0;     // positions moved by ulps until no third body overlaps
   unsigned long long at_one_instant = 0;  // largest number of impacts at one time
-  unsigned long long advances = 0;        // steps of conservative advancement
+  unsigned long long advances = 0;        // steps of conservative advancement (time_of_contact.hpp)
   ExactCounts exact;
 };
 

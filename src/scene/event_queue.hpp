@@ -11,9 +11,9 @@
 
 namespace carom::scene {
 
-/// A time for each sphere, and the sphere with the least time; of equal times, the lowest index. The queue is a
-/// tournament. A match has four players and fits in one cache line. With n spheres, a change updates at most ⌈log₄ n⌉
-/// matches (D. Knuth, "The Art of Computer Programming" 3, 5.4.1).
+/// The time of the next event of each sphere. `first` is the sphere with the least time; of equal times, the lowest
+/// index. The queue is a tournament. A match has four players and fits in one cache line. With n spheres, a change
+/// updates at most ⌈log₄ n⌉ matches (D. Knuth, "The Art of Computer Programming" 3, 5.4.1).
 class EventQueue {
  public:
   using Index = std::uint32_t;

@@ -9,7 +9,6 @@
 #include <carom/scene/arc.hpp>
 #include <carom/scene/crossing.hpp>
 
-/// CGAL compares real roots of polynomials with rational coefficients.
 namespace carom::scene {
 
 /// A plane with the normal N, for spheres of one radius with centre x. A sphere is clear of the plane if N·x > `reach`,
@@ -19,7 +18,7 @@ struct Reach {
   double reach = 0;
 };
 
-/// An instant: a number or a real root of a polynomial.
+/// An instant: a number or a real root of a polynomial. CGAL compares instants exactly.
 class ExactTime {
  public:
   struct Instant;  // a CGAL type
@@ -42,15 +41,15 @@ class ExactTime {
 /// A gap that only touches 0 does not fall below 0. Precondition: at `now` the gap is at least 0.
 [[nodiscard]] std::optional<ExactTime> exact_contact(const Path& a, const Path& b, double now);
 
-/// The same for the gap N·x − reach of a sphere and a plane.
+/// The first such instant for the gap N·x − reach of a sphere and a plane, under the same precondition.
 [[nodiscard]] std::optional<ExactTime> exact_contact(const Path& sphere, const Reach& plane, double now);
 
 /// The sign of the gap at a time: −1, 0 or 1.
 [[nodiscard]] int sign_of_gap(const Path& a, const Path& b, double time);
 [[nodiscard]] int sign_of_gap(const Path& sphere, const Reach& plane, double time);
 
-/// The least double that is at least N·p + R |N|, with N = `normal`, p = `point` and R = `radius`: the `reach` of a
-/// plane.
+/// The `reach` of a plane with the normal N through the point p, for spheres of radius R: the least double that is at
+/// least N·p + R |N|.
 [[nodiscard]] double reach_of(const Vector3<double>& normal, const Vector3<double>& point, double radius);
 
 }  // namespace carom::scene

@@ -9,8 +9,8 @@
 
 namespace carom::scene {
 
-/// An empty grid for these spheres. The cells are as wide as the largest sphere, or wider if there would be too many
-/// cells.
+/// An empty grid for the spheres on these paths. The cells are as wide as the largest sphere, or wider if there would
+/// be too many cells.
 [[nodiscard]] inline CellGrid grid_around(const std::vector<Path>& paths) {
   if (paths.empty()) {
     return {};

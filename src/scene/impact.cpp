@@ -76,8 +76,8 @@ Outcome<double> struck_in(Law law, const Collision& collision) {
   return result;
 }
 
-/// Changes the component of v along the greatest component of N: enough to cancel `approach` = N·v < 0, and one ulp
-/// more.
+/// Changes one component of v, along the axis of N's greatest component. The change cancels `approach` = N·v < 0, and
+/// is one ulp larger.
 void add_along(const Vector3<double>& normal, double approach, Vector3<double>& velocity) {
   Eigen::Index axis = 0;
   normal.cwiseAbs().maxCoeff(&axis);
@@ -98,7 +98,7 @@ Collision collision_of(const StruckSphere& a, const StruckSphere& b, const Mater
   Collision collision;
   const Vector3<double> unit = (a.position - b.position).normalized();
   collision.a = body_of(a, a.radius * unit);
-  // The normal is the lever arm of A itself, so rounding does not separate their directions.
+  // The normal is the lever arm of A itself, so rounding cannot make their directions differ.
   collision.normal = collision.a.position;
   collision.b = body_of(b, -b.radius * unit);
   set_material(collision, pair);

@@ -18,10 +18,11 @@ struct StruckSphere {
 };
 
 /// The collision of two spheres. Its origin is the contact point, so that lever arms keep their digits. The normal is
-/// along x_A − x_B, with the length R_A.
+/// along the difference x_A − x_B of the centres, with the length R_A.
 [[nodiscard]] Collision collision_of(const StruckSphere& a, const StruckSphere& b, const MaterialPair& pair);
 
-/// The collision of a sphere with a fixed plane, which is body B. The normal has the length R_A.
+/// The collision of a sphere with a fixed plane, which is body B. `normal` may have any length; the collision's normal
+/// has the length R_A.
 [[nodiscard]] Collision collision_with_plane(const StruckSphere& a, const Vector3<double>& normal,
                                              const MaterialPair& pair);
 

@@ -7,9 +7,9 @@
 
 namespace carom::scene {
 
-/// If ε = 1, this factor reduces the scene's capture height h, because the energy must stay constant. h is in units of
-/// the radius R. A capture or a rebound at the least speed changes the energy by up to m g h R times this factor. With
-/// the default h, this change is at most 10⁻¹² m g R, less than properties::Ledger allows for rounding.
+/// A capture or a rebound at the least speed (below) changes the energy by up to m g h R, with the scene's capture
+/// height h in radii R. If ε = 1, the energy must stay constant, so this factor reduces h. With the default h, the
+/// change is at most 10⁻¹² m g R. `carom scene` permits as much for rounding: 10⁻¹² of the energy.
 inline constexpr double elastic_capture_share = 1e-6;
 
 /// The least speed of a rebound that the simulation follows, √(2 a f h R) [m/s]. The factor f is

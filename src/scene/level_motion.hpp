@@ -16,11 +16,11 @@ struct Level {
 };
 
 /// The motion of a sphere on a level plane from `start` on: it slips, rolls or rests, and spins about the normal n. The
-/// slip is u = v − R w × n, with the angular velocity w. Friction slows the slip by (7/2) μ g [m/s²] along a fixed
-/// direction. Rolling resistance slows a rolling sphere by μ_r g [m/s²]. The spin about n loses (5/2) μ_s g/R [rad/s²]
-/// (W. Leckie, M. Greenspan, "An event-based pool physics simulator", 2006). The direction u/‖u‖ is rounded once, and
-/// the path follows the stored acceleration exactly. A slip that is only rounding error counts as 0. The velocity along
-/// n becomes 0. Without friction, a sphere that moves slips forever.
+/// slip is u = v − R w × n, with the velocity v and the angular velocity w. Friction slows the slip by (7/2) μ g [m/s²]
+/// along a fixed direction. Rolling resistance slows a rolling sphere by μ_r g [m/s²]. Spinning resistance slows the
+/// spin about n by (5/2) μ_s g/R [rad/s²] (W. Leckie, M. Greenspan, "An event-based pool physics simulator", 2006). The
+/// stored acceleration is rounded, and the path follows it exactly. A slip that is only rounding error counts as 0. The
+/// velocity along n becomes 0. Without friction, a sphere that moves slips forever.
 [[nodiscard]] Arc level_arc(const Level& level, std::uint32_t plane, const MaterialPair& pair, bool has_friction,
                             double radius, double start, const Vector3<double>& position,
                             const Vector3<double>& velocity, const Vector3<double>& angular_velocity);

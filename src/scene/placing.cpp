@@ -76,7 +76,7 @@ bool overlap(const Path& a, const Path& b, double time, unsigned long long& unde
 
 bool overlap(const Path& sphere, const Reach& plane, double time, unsigned long long& undecided) {
   if (time == sphere.start && plane.normal.cwiseAbs().sum() == 1 && plane.normal.cwiseAbs().maxCoeff() == 1) {
-    return plane.normal.dot(sphere.position) < plane.reach;  // the height is one coordinate or its negative
+    return plane.normal.dot(sphere.position) < plane.reach;  // N·x is one coordinate or its negative
   }
   const UncertainQuadratic height = height_over(sphere, plane, time);
   return is_negative(height.c0, height.e0, sphere, plane, time, undecided);

@@ -16,8 +16,8 @@ TimeBounds exactly(const Path& path, const Other& other, double now, double hori
   return contact ? up_to(horizon, contact->bounds()) : TimeBounds{};
 }
 
-/// Exact bounds replace bounds wider than this share of the time to the horizon, because other events would fall
-/// between wide bounds.
+/// If bounds are wider than this share of the time to the horizon, exact bounds replace them, because other events
+/// would fall between wide bounds.
 constexpr double widest_share = 0x1p-24;
 
 TimeBounds bounded_or_exact(const Crossing& crossing, const auto& exactly, double now, double horizon) {

@@ -10,14 +10,15 @@
 
 namespace carom::scene {
 
-/// The position and velocity of a path at a time, in double, with bounds of their errors. Each term of x + s (v + (s/2)
-/// a) has at most 6 roundings (N. J. Higham, "Accuracy and Stability of Numerical Algorithms", 2nd ed. 2002, ch. 3).
+/// The position and velocity of a path at a time, in double, with bounds of their errors. Each term of the position x +
+/// s (v + (s/2) a) at the time start + s has at most 6 roundings (N. J. Higham, "Accuracy and Stability of Numerical
+/// Algorithms", 2nd ed. 2002, ch. 3).
 struct PathState {
   Vector3<double> position, velocity;
   double position_error, velocity_error;  // in the 1-norm
 };
 
-/// The position and velocity at s = t − start. Sizes are 1-norms.
+/// The state at the time start + s. Sizes are 1-norms.
 [[nodiscard]] inline PathState state_at(double s, const Vector3<double>& position, const Vector3<double>& velocity,
                                         const Vector3<double>& acceleration, double position_size, double velocity_size,
                                         double acceleration_size) {
@@ -56,7 +57,6 @@ struct RelativeState {
     return (2 * distance_size + distance_error) * distance_error +
            8 * roundoff * (distance_size * distance_size + radii * radii);
   }
-  /// Positive if the spheres recede.
   [[nodiscard]] double receding() const { return distance.dot(velocity); }
   [[nodiscard]] double receding_error() const {
     return distance_size * velocity_error + (velocity_size + velocity_error) * distance_error +
@@ -64,8 +64,8 @@ struct RelativeState {
   }
 };
 
-/// The squared distance minus the squared sum of the radii, as a function of s = t − now. Precondition: both paths have
-/// the same acceleration.
+/// The squared distance minus the squared sum of the radii, as a quadratic in the time s from now. Precondition: both
+/// paths have the same acceleration.
 [[nodiscard]] inline UncertainQuadratic squared_gap(const RelativeState& pair) {
   return {pair.squared_gap(),
           2 * pair.receding(),
@@ -107,7 +107,7 @@ struct ExactCounts {
                                          ExactCounts& counts);
 
 /// Whether two spheres certainly do not touch up to the horizon, because they are too far apart, or recede with equal
-/// accelerations. `bends` says that the accelerations differ. `acceleration_size` is the sum of their 1-norms.
+/// accelerations. `bends`: whether the accelerations differ. `acceleration_size`: the sum of their 1-norms.
 [[nodiscard]] inline bool stay_apart(const RelativeState& pair, bool bends, double acceleration_size, double now,
                                      double horizon) {
   const double span = std::max(0.0, horizon - now);

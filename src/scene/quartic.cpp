@@ -14,7 +14,7 @@ struct Halves {
   Bernstein first, second;
 };
 
-/// De Casteljau's subdivision at a share of the interval. Each new number adds up to three roundings.
+/// De Casteljau's subdivision at a share of the interval.
 Halves divided(const Bernstein& whole, double share) {
   Bernstein row = whole;
   Halves halves{};
@@ -72,7 +72,8 @@ UncertainQuartic squared_gap(const RelativeState& pair, const Path& a, const Pat
   const Vector3<double> h = (a.acceleration - b.acceleration) * (0.5 * span * span);
   const std::array<double, 5> power{d.dot(d) - pair.radii * pair.radii, 2 * d.dot(v), v.dot(v) + 2 * d.dot(h),
                                     2 * v.dot(h), h.dot(h)};
-  // Bernstein coefficient j is the sum of shares[j][k] power[k], with shares[j][k] = C(j, k)/C(4, k) and binomials C.
+  // Bernstein coefficient j is the sum over k of shares[j][k] power[k], with shares[j][k] = C(j, k)/C(4, k) and
+  // binomials C.
   Bernstein bernstein{};
   constexpr std::array<std::array<double, 5>, 5> shares{{{1, 0, 0, 0, 0},
                                                          {1, 1.0 / 4, 0, 0, 0},
@@ -88,7 +89,7 @@ UncertainQuartic squared_gap(const RelativeState& pair, const Path& a, const Pat
   const double size = pair.distance_size + pair.velocity_size * span + h_size;
   const double error = pair.distance_error + span * (pair.velocity_error + 4 * roundoff * pair.velocity_size) +
                        6 * roundoff * span * span * (a.acceleration_size + b.acceleration_size);
-  // If the error of d + v τ + h τ² is at most `error`, that of its square is at most (2 size + error) error. The
+  // If the error of d + v τ + h τ² is at most `error`, the error of its square is at most (2 size + error) error. The
   // products and sums have fewer than 24 roundings.
   return {bernstein, (2 * size + error) * error + 24 * roundoff * (size * size + pair.radii * pair.radii), span};
 }

@@ -9,8 +9,8 @@
 
 namespace carom::scene {
 
-/// The squared gap of two spheres whose accelerations differ, as a quartic in s = t − now on [0, span]. `bernstein`
-/// holds its Bernstein coefficients on this interval, each within `error` of the true coefficient.
+/// The squared gap of two spheres whose accelerations differ, as a quartic in the time s from now, for s in [0, span].
+/// `bernstein` holds its Bernstein coefficients on this interval, each within `error` of the true coefficient.
 struct UncertainQuartic {
   std::array<double, 5> bernstein;
   double error;

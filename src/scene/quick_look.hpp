@@ -12,20 +12,20 @@ namespace carom::scene {
 /// sphere now nor touch it before the horizon. It is faster than `stay_apart`, because all neighbours share one wider
 /// bound of rounding errors.
 ///
-/// Let u be `roundoff`, P and W the bounds of positions and velocities in `Extent`, R the sum of the radii, d the
-/// relative position and v the relative velocity. The 1-norms of d and v are at most 2 P and 2 W. The errors of the
-/// computed numbers, here and in `RelativeState`, have these bounds, up to a relative 10⁻⁶:
+/// Let u be `roundoff`, P and W the bounds of positions and velocities in `Extent`, and R the sum of the radii. Let d
+/// be the relative position and v the relative velocity, with 1-norms of at most 2 P and 2 W. Up to a relative 10⁻⁶,
+/// these are bounds of the errors of computed numbers, here and in `RelativeState`:
 /// - d: 2 · 7 u P + 2 u · 2 P = 18 u P.
 /// - v: 2 · 4 u W + 2 u · 2 W = 12 u W.
 /// - d·v: 2 P · 12 u W + 2 W · 18 u P + 4 u · 2 P · 2 W = 76 u P W.
 ///
 /// So the tests are certain:
-/// - Receding: if d·v > 128 u P W as computed, d·v is positive.
-/// - Far: |d| > R + m + (‖v‖₁ + 16 u W) s as computed, with m = 256 u (P + R) and s the time to the horizon. If the
-///   test passes, both sides are at most 2 P. Their fewer than 8 roundings (16 u P) and the error of d (18 u P) are
-///   together below m.
-/// - No overlap: if |d| > R + m, then |d|² − R² > (|d| + R) m. The squared gap in `RelativeState` has a smaller error:
-///   at most (2√3 |d| + 18 u P) 18 u P + 8 u (3 |d|² + R²) ≤ (|d| + R) (130 u P + 8 u R).
+/// - Receding: the test is d·v > 128 u P W as computed. If the test passes, the exact d·v is positive.
+/// - Far: the test is |d| > R + m + (‖v‖₁ + 16 u W) s as computed, with m = 256 u (P + R) and the time s to the
+///   horizon. If the test passes, both sides are at most 2 P. Fewer than 8 roundings cost at most 16 u P, and d has an
+///   error of 18 u P. The sum is below m.
+/// - No overlap: if |d| > R + m, then |d|² − R² > (|d| + R) m. The error of the squared gap in `RelativeState` is
+///   smaller: at most (2√3 |d| + 18 u P) 18 u P + 8 u (3 |d|² + R²) ≤ (|d| + R) (130 u P + 8 u R).
 class QuickLook {
  public:
   /// For a sphere of this radius that is `here` at `now`.

@@ -69,9 +69,9 @@ struct Plane {
   Vector3<double> point{0, 0, 0};   // a point of the plane [m]
 };
 
-/// The default of the capture height h. A sphere of radius R that would rebound from a level plane by at most h R stays
-/// on the plane. On another sphere or on a slope, an approach slower than √(2 g h R) becomes an elastic impact. The
-/// sphere leaves at this speed.
+/// The default of the capture height h. A sphere of radius R that would rise at most h R after its impact on a level
+/// plane stays on the plane. On another sphere or on a slope, an approach slower than √(2 g h R) becomes an elastic
+/// impact (ε = 1), and the sphere leaves at √(2 g h R).
 inline constexpr double default_capture_height = 1e-6;
 
 struct Scene {

@@ -120,7 +120,7 @@ std::optional<SphereSimulation::Index> SphereSimulation::next_sphere() {
     }
     Index chosen = first;
     std::optional<Index> unsettled;
-    std::optional<Index> leaves;  // the first sphere to leave its cell within the bounds
+    std::optional<Index> leaves;  // the first sphere to leave its cell before `planned.when.latest`
     queue_.for_each_until(planned.when.latest, [&](Index other) {
       const Agenda& its = agenda_[other];
       if (other == first || unsettled) {

@@ -23,14 +23,14 @@ namespace carom::scene {
 
 class QuickLook;
 
-/// Runs a scene that has only spheres, one event at a time. The bounds of prediction.hpp decide the order of events, or
-/// exact algebra if the bounds do not decide. Of events at one instant, impacts of spheres come first, then impacts on
-/// planes, then ends of phases, each kind in the order of sphere indices. An event takes place at a double that is not
-/// after its exact time, so spheres on their paths never overlap. Stored positions are rounded so that spheres do not
-/// overlap there, either (placing.hpp).
+/// Runs a scene that has only spheres, one event at a time. If the bounds of prediction.hpp do not decide the order of
+/// events, exact algebra does. Of events at one instant, impacts of spheres come first, then impacts on planes, then
+/// ends of phases, each kind in the order of sphere indices. An event takes place at a double that is not after its
+/// exact time, so spheres on their paths never overlap. Stored positions are rounded so that spheres do not overlap
+/// (placing.hpp).
 ///
-/// Each sphere stores only its own next event. A due event is checked first, because the partner may have a new path.
-/// An outdated event is never later than the sphere's true next event (B. Lubachevsky 1991).
+/// Each sphere stores only its own next event. A due event is checked before it takes place, because its partner may
+/// have a new path. An outdated event is never later than the sphere's true next event (B. Lubachevsky 1991).
 class SphereSimulation {
  public:
   /// Precondition: the scene is valid (valid_scene.hpp). Throws SceneError if bodies overlap.

@@ -10,8 +10,8 @@
 namespace carom::scene {
 namespace {
 
-/// Up to this distance from the origin, in cells, the error of a position is below 2⁻²⁰ cells. That is a sixteenth of
-/// the margin in the width of a cell (grid_around.hpp).
+/// Up to this distance from the origin, in cells, the error of a position is below 2⁻²⁰ cells. This error is a
+/// sixteenth of the margin in the width of a cell (grid_around.hpp).
 constexpr double most_cells_away = 0x1p30;
 
 }  // namespace

@@ -34,8 +34,8 @@ struct Extent {
   double position_size, velocity_size;
 };
 
-/// The motions of all spheres of a scene. Each event reads memory that no cache holds. So data that is read together is
-/// stored together, and spheres share the data of their type.
+/// The motions of all spheres of a scene. In a large scene, an event reads memory that is in no cache. So data that is
+/// read together is stored together, and spheres share the data of their type.
 class SphereStore {
  public:
   using Index = std::uint32_t;

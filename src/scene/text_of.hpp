@@ -6,7 +6,7 @@
 
 namespace carom::scene {
 
-/// The parts one after the other, numbers with six digits.
+/// The parts in one text. Numbers have six digits.
 template <class... Parts>
 [[nodiscard]] std::string text_of(const Parts&... parts) {
   std::ostringstream text;

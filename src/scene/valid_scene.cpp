@@ -114,7 +114,7 @@ Found sphere_defect(const Scene& scene, std::size_t i) {
       return defect(field, "expected finite numbers");
     }
   }
-  // Rounded as in sphere_store.cpp.
+  // The formulas are those of sphere_store.cpp, so the roundings are equal.
   const double mass = sphere.density * (4.0 / 3.0) * std::numbers::pi * sphere.radius * sphere.radius * sphere.radius;
   const double moment = 0.4 * mass * sphere.radius * sphere.radius;
   const KnownRange range = known_range(scene.precision);

@@ -17,7 +17,7 @@ namespace carom::subjects {
 /// The engines that run in programs of their own and speak the protocol. They have no `open` until `started` sets it.
 [[nodiscard]] std::vector<Subject> protocol_engines();
 
-/// The subject, ready to be opened. An installed program is started to introduce itself.
+/// The subject with its `open` set. Starts the program of an installed engine, which then introduces itself.
 [[nodiscard]] Subject started(const Subject& subject, const protocol::ExecOptions& options);
 
 }  // namespace carom::subjects

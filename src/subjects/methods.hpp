@@ -10,7 +10,7 @@
 
 namespace carom::subjects {
 
-/// Solves once each contact that `Method::prepare` gave it, and keeps the results, so that the compiler cannot drop the
+/// Solves each of its contacts once (`Method::prepare`). Keeps the results, so that the compiler cannot drop the
 /// computation.
 using Kernel = std::function<void()>;
 
@@ -25,7 +25,7 @@ struct ScalarType {
 struct Solve3 {
   std::string_view in_words;
   std::string_view in_code;
-  int rank;  // lower is preferred; 0: the recommended solve
+  int rank;  // a lower rank is preferred; 0: the recommended solve
   bool pivots = false;
 };
 inline constexpr Solve3 recommended_solve{"LDLᵀ", "Ldlt", 0};
@@ -41,8 +41,8 @@ struct Method {
   ScalarType scalar = {};
   Solve3 solve = recommended_solve;  // unused if the law has no 3×3 system
   bool keeps_inertia_in_world = false;
-  /// Converts the collisions to contacts, which is not measured, and returns the kernel that solves all of them once.
-  /// Precondition: every collision is valid.
+  /// Converts the collisions to contacts, and returns the kernel that solves each contact once. The conversion is not
+  /// measured. Precondition: every collision is valid.
   std::function<Kernel(std::span<const Collision>)> prepare;
 };
 

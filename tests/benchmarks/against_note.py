@@ -12,15 +12,15 @@ import re
 import statistics
 import sys
 
-# On one host, the solvers take 1.6 and 2.1 times as long as the plain code. On another host, such a ratio differs by
-# less than a factor of two. A batch is useless if it is not faster than the plain code.
+# On one host, `frictionless` takes 1.6 times as long as the plain code, and `reflection` 2.1 times. On another host,
+# each ratio differs by less than a factor of two. A batch is useless if it is not faster than the plain code.
 LIMIT_OF_SOLVERS = 4
 LIMIT_OF_BATCHES = 1
 CONTACTS = 64  # fits in the first-level cache
 
 
 def nanoseconds(runs, pattern):
-    """The median time over the repetitions of a benchmark. If several benchmarks match, the smallest median."""
+    """The median time of the repetitions of a benchmark. If several benchmarks match, the least of their medians."""
     times = {}
     for run in runs:
         if run.get("run_type") == "iteration" and re.fullmatch(pattern, run["run_name"]):

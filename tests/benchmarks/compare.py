@@ -6,7 +6,7 @@ compare.py BEFORE AFTER [--rounds N] [--slower PERCENT] [-- BENCHMARK FLAGS]
 
 BEFORE and AFTER are programs of Google Benchmark. A disturbance of the machine affects both runs of a round. The
 output is the ratio AFTER / BEFORE of the times within a round: its median, lowest and highest value. The exit status
-is 1 if a benchmark is slower by more than PERCENT in every round, and 2 if one cannot run.
+is 1 if a benchmark is slower by more than PERCENT in every round, and 2 if a program cannot run.
 """
 import argparse
 import json

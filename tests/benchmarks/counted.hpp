@@ -24,7 +24,7 @@ class Counted {
 
   static inline Operations operations;
 
-  friend Counted operator-(const Counted& x) { return {-x.number_}; }  // a change of sign costs almost nothing
+  friend Counted operator-(const Counted& x) { return {-x.number_}; }  // a change of sign counts as free
   friend Counted operator+(const Counted& x, const Counted& y) {
     ++operations.additions;
     return {x.number_ + y.number_};
@@ -42,7 +42,7 @@ class Counted {
     return {x.number_ / y.number_};
   }
   friend Counted sqrt(const Counted& x) {
-    ++operations.divisions;  // takes as long as a division
+    ++operations.divisions;  // a root takes as long as a division
     return {std::sqrt(x.number_)};
   }
   Counted& operator+=(const Counted& y) { return *this = *this + y; }

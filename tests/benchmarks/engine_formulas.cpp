@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 // Compares the friction of the engines with formulas (docs/reference/engines.md): engine_formulas [CASES]
 //
-// Prints the distance of each engine's impulse from its formula, and from the law `coulomb`. The bodies are real, with
-// moments up to 1 : 100. They do not spin if the formula omits gyroscopic torque.
+// Prints the distance of each engine's impulse from its formula, and from the law `coulomb`. Bodies are real, and a
+// body's moments differ by a factor of at most 100. If the formula omits gyroscopic torque, the bodies do not spin.
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -37,7 +37,8 @@ bool is_slender(const Body& body) {
   return !body.immovable && body.principal_inertia.maxCoeff() > limit * body.principal_inertia.minCoeff();
 }
 
-/// Colliding contacts of the family `physical` whose bodies are not slender. Each contact occurs with every μ.
+/// Colliding contacts of the family `physical` whose bodies are not slender. Each contact occurs once for every μ of
+/// `frictions`.
 std::vector<Collision> contacts(std::uint64_t cases, bool spin) {
   const properties::Family* const family = properties::family_named("physical");
   std::vector<Collision> drawn;
@@ -96,8 +97,8 @@ Measured measure(const Subject& subject, const formulas::OutcomeOf& formula, std
         has_answer ? impulse_of(collision, *outcome) : Vector3<double>::Constant(HUGE_VAL);
     const Vector3<double> lawful = impulse::coulomb_impulse(impulse::make_contact<double>(collision)).on_a;
     const Vector3<double> computed = impulse_of(collision, formula(collision));
-    // Gyroscopic torque can make an engine return no impulse on a colliding contact. So the larger of both impulses
-    // scales the difference.
+    // Gyroscopic torque can make an engine and its formula give no impulse on a colliding contact. So the larger of the
+    // impulses by the formula and by the law scales the difference.
     const double size = std::max(computed.norm(), lawful.norm());
     measured.from_formula.of_norm.push_back((by_engine - computed).norm() / size);
     measured.from_law[i % frictions.size()].of_norm.push_back((by_engine - lawful).norm() / lawful.norm());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Measures the time that a gate needs to find a defect and to shrink its witness. The gate ends at the first violation.
+// Measures the time that a gate needs to find a defect and to shrink the witness. The gate ends at the first violation.
 //
 //  first_violation                    for the planted defects, in this process
 //  first_violation 'exec:PROGRAM…'    for a program, including its starts
@@ -34,7 +34,6 @@ struct Find {
   std::string violated;  // the invariant; empty if there is no violation
 };
 
-/// Processor time of this process and its finished children [ms].
 double processor_time() {
   double sum = 0;
   for (const int who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 // Compares the laws with friction (docs/findings/friction.md): friction_laws [CASES]
 //
-// Prints tables by μ and the condition number of the collision matrix. They show how many collisions have several
-// answers under `coulomb`, how often the first answer creates energy, and its distance from the answer of `rough` at
-// e_t = 0.
+// Prints tables by μ and the condition number of the collision matrix. The tables show how many collisions have several
+// answers under `coulomb`. For the first answer, they show how often it creates energy, and its distance from the
+// answer of `rough` at e_t = 0.
 #include <algorithm>
 #include <array>
 #include <atomic>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSL-1.0
-// Judges the same outcomes with all filters and in rational arithmetic alone, and counts equal verdicts:
+// Judges each outcome twice, with all filters and in rational arithmetic alone. Counts the equal verdicts:
 //
 //  judge_equality [--cases N] [--seed S] [--jobs J] [--relations-every R] [--wild-every W] [--long-every L]
 //  [--one-subject] [--laws L,L]
 //
-// One case in W (default 3) is wild: its numbers have extreme sizes. A family draws each other case. One in L of these
-// (default: each) keeps all digits. The rest are shortened, because the rational judge is faster on few digits. Each
-// case goes to all subjects, or with --one-subject to a random one. Subjects are built-in solvers, mutants, and made-up
-// outcomes at the edge of the permitted rounding. Relations are judged on one case in R. With --laws, only subjects of
-// these laws run. The exit status is 1 if a verdict differs.
+// One case in W (default 3) is wild: its numbers have extreme sizes. Families draw the rest. Of these cases, one in L
+// (default 1) keeps all digits. The others are shortened, because the rational judge is faster on few digits. Each case
+// goes to all subjects, or with --one-subject to a random subject. Subjects are built-in solvers, mutants, and made-up
+// outcomes at the edge of the permitted rounding. The judges judge relations on one case in R. With --laws, only
+// subjects of these laws run. The exit status is 1 if a verdict differs.
 #include <algorithm>
 #include <atomic>
 #include <chrono>

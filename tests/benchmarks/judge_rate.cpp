@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Measures judgements per second and core, in rational arithmetic alone and with filters. It also times the generation
 // of cases, and the whole gate for each number of threads. It takes the flags of Google Benchmark. The last lines print
-// the ratio of both rates and, for each invariant, the share of comparisons that each filter decided.
+// the ratio of the two rates. They also print, for each invariant, the share of comparisons that each filter decided.
 #include <algorithm>
 #include <ctime>
 #include <map>
@@ -37,7 +37,6 @@ std::vector<Subject> sound_subjects() {
   return subjects;
 }
 
-/// A subject's answers to a case and to all related collisions.
 struct Asked {
   Answer answer;
   std::vector<Answer> related;
@@ -180,8 +179,8 @@ void print_shares() {
       if (!is_claimed || claim.invariants.empty()) {
         continue;
       }
-      // Every invariant's judgement computes the exact outcome and the backward error. These comparisons count only for
-      // `backward_error`.
+      // The judgement of every invariant computes the exact outcome and the backward error. The comparisons for them
+      // count only for `backward_error`.
       for (const properties::Family& family : properties::all_families()) {
         const Prepared work = prepared({subject}, {claim}, family, cases, true);
         const oracles::StageCounts before = oracles::decided_by_stage();

@@ -25,7 +25,6 @@ class Recorder : public benchmark::BenchmarkReporter {
   bool ReportContext(const Context& context) override;
   void ReportRuns(const std::vector<Run>& runs) override;
 
-  /// Whether this benchmark ran. --benchmark_filter may exclude it.
   [[nodiscard]] bool has(const std::string& name) const { return measurements_.contains(name); }
   /// Precondition: has(name).
   [[nodiscard]] const Measurement& at(const std::string& name) const { return measurements_.at(name); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// This file is compiled once for each instruction set, whose name is CAROM_INSTRUCTION_SET.
+// The build compiles this file once for each instruction set, named by CAROM_INSTRUCTION_SET.
 #include "peak.hpp"
 
 #include <experimental/simd>

@@ -20,7 +20,6 @@ struct Matrix {
   std::array<Vector, 3> rows;
 };
 
-/// The momenta of a body, and the velocities that follow from them.
 struct Motion {
   Vector momentum;          // kg m/s
   Vector angular_momentum;  // kg m²/s, about the centre of mass

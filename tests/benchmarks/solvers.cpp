@@ -60,7 +60,6 @@ std::string threads_name(Law law, std::size_t size, unsigned threads) {
 std::string plain_name(Law law) { return fmt::format("plain/{}", name_of(law)); }
 std::string peak_name(InstructionSet set) { return fmt::format("peak/{}", name_of(set)); }
 
-/// The laws of the note.
 constexpr Law laws[]{Law::frictionless, Law::reflection};
 constexpr Law batch_laws[]{Law::frictionless, Law::reflection, Law::rough};
 
@@ -94,7 +93,6 @@ void register_methods() {
   }
 }
 
-/// The bodies are in consecutive memory.
 void register_plain() {
   static const std::vector<Collision> collisions = colliding(in_cache);
   static const std::vector<plain::RigidBody> bodies = [] {
@@ -266,7 +264,6 @@ void print_instruction_sets(const Recorder& recorder) {
   }
 }
 
-/// Compares the batches with the note in plain C++: with its solver of the same law, and with its reflection.
 void print_plain(const Recorder& recorder) {
   const std::string reflection = plain_name(Law::reflection);
   if (!recorder.has(reflection)) {
@@ -292,7 +289,6 @@ void print_plain(const Recorder& recorder) {
   }
 }
 
-/// About half of the bodies are slender.
 void print_slender(const Recorder& recorder) {
   const InstructionSet best = impulse::best_instruction_set();
   fmt::print("\nBatches in double with slender bodies, {} contacts in cache, {}\n", in_cache, name_of(best));

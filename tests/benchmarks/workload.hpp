@@ -13,10 +13,11 @@ inline constexpr std::size_t in_cache = 64;
 /// In double, this many contacts fit into no cache (384 MB).
 inline constexpr std::size_t out_of_cache = 1'000'000;
 
-/// Colliding contacts of general bodies with moments up to 1 : 4, from the start of a fixed sequence.
+/// The first `count` colliding contacts of a fixed sequence. The greatest moment of a body is at most 4 times its least
+/// moment.
 [[nodiscard]] std::vector<Collision> colliding(std::size_t count);
 
-/// Like colliding(), with moments up to 1 : 10⁸. About half of the bodies are plates or rods.
+/// Like colliding(), but the greatest moment is up to 10⁸ times the least. About half of the bodies are plates or rods.
 [[nodiscard]] std::vector<Collision> colliding_slender(std::size_t count);
 
 /// A batch of `count` contacts of these collisions. If the collisions are fewer, they repeat.
@@ -57,7 +58,6 @@ inline constexpr std::size_t bytes_of_contact = (impulse::contact_number_count +
 /// Computes z = x + s y for each array z of outcomes. x and y are arrays of contacts.
 void triad(Workload<double>& workload);
 
-/// Bytes that the triad reads and writes for each contact.
 inline constexpr std::size_t triad_bytes_of_contact = 3 * impulse::outcome_number_count * sizeof(double);
 
 }  // namespace carom::benchmarks

@@ -109,7 +109,7 @@ TEST(CollisionJson, TakesTheDefaultsOfOptionalFields) {
   EXPECT_EQ(c.tangential_restitution, 0);
 }
 
-/// The error message for the example with this change. "" without an error.
+/// The error message for the example after this change; "" if there is no error.
 template <class Change>
 std::string error_of(const Change& change, const std::string& place = {}) {
   json record = example();

@@ -19,7 +19,8 @@
 #include <carom/properties/trial/trial.hpp>
 #include <carom/scene/crossing.hpp>
 
-/// Some preconditions of each library, in header functions. So this program checks them even if the libraries do not.
+/// Tests some preconditions of each library. They are in header functions, so this program checks them even if the
+/// libraries are compiled without checks.
 namespace carom {
 namespace {
 

@@ -18,7 +18,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double tiny = std::numeric_limits<double>::denorm_min();
 
-/// The single defect that the change causes, "field: expected …". Else "none" or "several: …".
+/// The defect that the change causes: "field: expected …", "none" or "several: …".
 template <class Change>
 std::string defect_of(const Change& change) {
   Collision collision;

@@ -31,8 +31,9 @@ run(${WORK}/build/builtin)
 run(${WORK}/build/scene)
 run(${WORK}/installed/bin/carom subjects)
 
-# Every library is a component. The headers of oracles and scenes contain error bounds that need each product rounded by
-# itself. No other library changes the compile options of its user.
+# Every library is a component. The headers of oracles and scenes contain error bounds, which hold only if the compiler
+# rounds each product separately. Libraries that include these headers pass -ffp-contract=off to their users. No other
+# library passes an option.
 set(components collision impulse batch collision_json messages oracles properties judge report protocol subjects plan scene scene_json
                scene_polyhedra scene_properties kit conformance)
 list(JOIN components "," names)
@@ -45,7 +46,7 @@ foreach(component IN LISTS components)
     set(expected "-ffp-contract=off")
   endif()
   list(REMOVE_DUPLICATES options)
-  list(FILTER options EXCLUDE REGEX "^-D") # GoogleTest's own
+  list(FILTER options EXCLUDE REGEX "^-D") # definitions of GoogleTest
   if(NOT "${options}" STREQUAL "${expected}")
     message(FATAL_ERROR "carom::${component} asks its users for the options: ${options}")
   endif()
@@ -101,7 +102,8 @@ run_expecting(1 ${CMAKE_COMMAND} -E env CAROM_EXACT=maybe ${WORK}/conformance/so
 expect_output("CAROM_EXACT: expected" "[  FAILED  ] Textbook/Conformance.Holds/options")
 run_expecting(1 ${CMAKE_COMMAND} -E env RC_PARAMS=seed=x ${WORK}/conformance/sound_test)
 
-# The user's files may have any compile flags, so they must not compile code that the judge's bounds rest on.
+# A user's file may be compiled with any flags. So it must not contain compiled code on which the error bounds of the
+# judge rely.
 find_program(nm nm REQUIRED)
 file(GLOB_RECURSE objects ${WORK}/conformance/*.o)
 run(${nm} --demangle --defined-only ${objects})

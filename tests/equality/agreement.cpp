@@ -30,7 +30,6 @@ std::string_view name_of(Status status) {
   return "skipped";
 }
 
-/// A subject's answers to a case and to its related collisions.
 struct Answers {
   Answer first;
   std::vector<Answer> related;
@@ -116,7 +115,8 @@ void compare_judges(const properties::Case& one, std::span<Examined> subjects, R
     }
     const Claim claim = properties::claim_of(examined.subject, yardstick);
     const Answers answers = answers_of(judged_case, claim, examined.session, relations);
-    // An infinite `known` lets lower bounds of the sensitivity decide more often.
+    // The judge need not compute a backward error that is at most `known`. So if `known` is infinite, lower bounds of
+    // the sensitivity decide more often.
     const double known = choices.chance(2) ? 0 : std::numeric_limits<double>::infinity();
     compare(fast(claim, relations, answers, known, agreement.filtered),
             exact(claim, relations, answers, 0, agreement.rational), origin + ", " + examined.subject.name, agreement);

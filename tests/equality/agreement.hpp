@@ -45,8 +45,8 @@ struct Examined {
 };
 
 /// Asks each subject once for its answers to the case and to the related collisions. Both judges judge these answers,
-/// and each computes the facts of the case by itself. In one of three comparisons the yardstick is a number of digits
-/// instead of ulps. `origin` names the case in a reported difference.
+/// and each judge computes the facts of the case by itself. In one of three comparisons, the yardstick is a number of
+/// digits instead of ulps. `origin` names the case in a reported difference.
 void compare_judges(const properties::Case& one, std::span<Examined> subjects, Relations relations,
                     const std::string& origin, Agreement& agreement);
 

@@ -7,10 +7,10 @@ namespace carom::equality {
 
 inline constexpr std::uint64_t seed = 4;
 
-/// Compares the judges on `cases` cases of each family, and after about every fifth case on a wild case (wild.hpp).
+/// Compares the judges on `cases` cases of each family. After about every fifth case, it compares them on a wild case
+/// (wild.hpp), too.
 void compare_on_families(std::span<Examined> examined, std::uint64_t cases, Relations relations, Agreement& agreement);
 
-/// The differences, one per line.
 [[nodiscard]] std::string joined(const Agreement& agreement);
 
 }  // namespace carom::equality

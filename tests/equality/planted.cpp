@@ -43,7 +43,7 @@ ReportedOutcome planted_outcome(const oracles::ExactCase& exact_case, Law law, P
   const double near_the_limit = std::exp2(stream.between(-1, 1));
   const double times = stream.chance(2) ? near_the_limit : near_the_limit * std::exp2(stream.integer(-5, 6));
   const Vector3<double> direction = stream.direction();
-  // `coulomb` has no sensitivity of its own, so the sensitivity of `sticking` stands in.
+  // `coulomb` has no sensitivity, so the sensitivity of `sticking` replaces it.
   const Law like = law == Law::coulomb ? Law::sticking : law;
   const double sensitivity = exact_case.sensitivity(like, allowance)[k];
   if (std::isfinite(sensitivity)) {

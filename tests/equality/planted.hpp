@@ -6,9 +6,9 @@
 /// Planted outcomes, whose errors are near the permitted errors.
 namespace carom::equality {
 
-/// The exact outcome rounded to the precision, with one vector moved. In half of the cases the backward error is ½ to 2
-/// times the limit. In the other half, this error is multiplied by 2⁻⁵ to 2⁶, because invariants have different limits.
-/// Preconditions: the case is valid; the law is not `any`.
+/// The exact outcome rounded to the precision, with one vector moved. In half of the cases, the backward error is ½ to
+/// 2 times the limit. In the other half, another factor from 2⁻⁵ to 2⁶ multiplies this error, because invariants have
+/// different limits. Preconditions: the case is valid; the law is not `any`.
 [[nodiscard]] ReportedOutcome planted_outcome(const oracles::ExactCase& exact_case, Law law, Precision precision,
                                               double allowance, properties::Stream& stream);
 

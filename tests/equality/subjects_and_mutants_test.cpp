@@ -23,7 +23,7 @@ TEST(JudgeEquality, OfBuiltInSubjects) {
     }
   }
   constexpr int full = 50;
-  const std::uint64_t cases = unit::effort(full) == full ? full : 1;  // a case of all subjects takes 0.2 s
+  const std::uint64_t cases = unit::effort(full) == full ? full : 1;  // all subjects together take 0.2 s for a case
   Agreement agreement;
   compare_on_families(examined, cases, Relations::judged, agreement);
   EXPECT_EQ(joined(agreement), "");

@@ -14,8 +14,8 @@ namespace carom::equality {
 [[nodiscard]] properties::Case shortened(properties::Case one, properties::Stream& stream);
 
 /// A valid collision. Either each field of a family's case is scaled by its own power of two, up to 2^±k, or the
-/// numbers are random, with exponents up to ±k. k is at most 40. About one case in 64 has a larger k, up to 1000, or
-/// random bit patterns.
+/// numbers are random, with exponents up to ±k. Usually k ≤ 40. In about one case in 64, k is 100 to 1000, or the
+/// numbers are random bit patterns.
 [[nodiscard]] properties::Case wild_case(properties::Stream& stream);
 
 }  // namespace carom::equality

@@ -2,8 +2,8 @@
 // Measured rebound angles compared with the laws (docs/findings/impacts.md): oblique_impact DATA OUT
 //
 // DATA has comment lines that begin with '#', one line of column names, and lines "incidence,rebound". These are the
-// angles, in degrees, of the velocity of the contact patch before and after. The figure uses the sphere and the
-// coefficients of the measurement.
+// angles, in degrees, of the velocity of the contact patch before and after the impact. The figure uses the sphere and
+// the coefficients of the measurement.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>

@@ -15,7 +15,7 @@
 ///  below 128:     drawn, by a family beyond the claimed domain (claimed_domain.hpp)
 ///  128 and above: plain: a byte for the immovable body (1: A, 2: B), then the numbers of a collision, valid or not
 ///
-/// Kept inputs use the plain form, because it does not depend on the families.
+/// Inputs in corpora and regressions use the plain form, because it does not depend on the families.
 namespace carom::fuzz {
 
 struct ReadCase {

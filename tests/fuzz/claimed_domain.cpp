@@ -7,14 +7,14 @@ namespace carom::fuzz {
 
 bool is_in_claimed_domain(const Collision& collision, Law law) {
   constexpr double largest_ratio_of_moments = 1e8;
-  // The collision matrix is λI + T, with λ = 1/m_A + 1/m_B and the response T to torque. λI + T ⪯ 16 λI means T ⪯ 15
-  // λI. The limit is 14.5 λ, so that the rounding of this computation does not matter.
+  // The collision matrix is K = λI + T, with λ = 1/m_A + 1/m_B and the response to torque T = Σ [r]ᵀ J⁻¹ [r]. So K ⪯ 16
+  // λI means T ⪯ 15 λI. This function requires T ⪯ 14.5 λI, so that its rounding errors do not matter.
   constexpr double largest_response_to_torque = 14.5;
   if (!oracles::is_moderate(collision)) {
     return false;
   }
   double inverse_mass = 0;
-  double response_to_torque = 0;  // at least the norm of Σ [r]ᵀ J⁻¹ [r]
+  double response_to_torque = 0;  // an upper bound of ‖T‖
   for (const Body* body : {&collision.a, &collision.b}) {
     if (body->immovable) {
       continue;

@@ -13,8 +13,8 @@ namespace carom::fuzz {
 
 using Bytes = std::span<const std::uint8_t>;
 
-/// The fuzzer's input, read from the front. After the input, a fixed stream of numbers follows. So every input is long
-/// enough, and a family terminates if it repeats a draw until the draw fits.
+/// The fuzzer's input, read from the front. At the end of the input, a fixed stream of numbers continues it. So no
+/// input is too short. A family that repeats a draw until the draw fits terminates, too.
 class Input {
  public:
   explicit Input(Bytes bytes) : left_(bytes), beyond_(properties::stream_from(0)) {}
@@ -26,7 +26,6 @@ class Input {
 
   [[nodiscard]] double number() { return std::bit_cast<double>(word()); }
 
-  /// All remaining bytes, as text.
   [[nodiscard]] std::string_view text() const { return {reinterpret_cast<const char*>(left_.data()), left_.size()}; }
 
   /// A stream of the remaining words. The stream refers to this input.

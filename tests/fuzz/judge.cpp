@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// The first byte selects the yardstick. The second byte selects whether numbers keep all digits, and whether relations
-// are judged. The case follows, then the solver's claim and answers.
+// The first byte selects the yardstick. The second byte selects whether numbers keep all digits, and whether the target
+// judges relations. Then the case follows, and then the claim and answers of a made-up solver.
 #include <cmath>
 #include <span>
 

@@ -15,7 +15,6 @@
 namespace carom::fuzz {
 namespace {
 
-/// The exact outcome rounded to binary64, with one of its twelve numbers moved by up to 128 ulps.
 ReportedOutcome moved_truth(const oracles::ExactCase& exact_case, Law law, Input& input) {
   Outcome<double> outcome = exact_case.nearest_truth(law);
   const int which = input.byte() % 12;
@@ -30,7 +29,6 @@ ReportedOutcome any_outcome(Input& input) {
                                   [&](long double) { return static_cast<long double>(input.number()); });
 }
 
-/// The exact collision matrix, with the entry `place` moved by `ulps`.
 Matrix3<long double> moved_matrix(const Collision& collision, Precision precision, int place, int ulps) {
   Matrix3<long double> matrix;
   const Matrix3<oracles::Rational> exact = oracles::ExactCase(collision).collision_matrix();

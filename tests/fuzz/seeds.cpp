@@ -38,7 +38,8 @@ std::string with_head(std::initializer_list<std::size_t> head, const std::vector
   return text + std::string(bytes.begin(), bytes.end());
 }
 
-/// Writes the case in both forms. The bytes before the case are `number` or `number + 1`.
+/// Writes the case in both forms. Each byte before the case is `number` in the drawn form, and `number + 1` in the
+/// plain form.
 void write_cases(const fs::path& directory, std::size_t number, std::string_view family,
                  const std::vector<std::uint8_t>& drawn, const Collision& collision) {
   const std::string name(family);

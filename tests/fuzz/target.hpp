@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <string>
 
-/// The function that a fuzzing engine calls with each input, defined by every target. `fail`, an uncaught exception or
-/// a sanitizer ends the process, which is a finding.
+/// A fuzzing engine calls this function with each input. Every target defines it. `fail`, an uncaught exception or a
+/// sanitizer ends the process, which is a finding.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace carom::fuzz {

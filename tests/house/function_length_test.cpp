@@ -70,8 +70,8 @@ std::size_t lines_in(std::string_view text) {
   return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
 }
 
-/// The number of lines of the statement that returns a table, if the body `{…` ends with such a statement. A table is
-/// no code. Functions in its rows are measured separately.
+/// The number of lines of the statement that returns a table, if the body `{…` ends with such a statement; else 0. A
+/// table is no code. Functions in its rows are measured separately.
 std::size_t lines_of_returned_table(std::string_view body) {
   int depth = 0;
   std::size_t last = 1;

@@ -32,7 +32,6 @@ constexpr const char* listing =
     "    /usr/include/CGAL/Other.h\n"
     "\n";
 
-/// The text of a header. Gmpq.h is under the LGPL. The two other headers are under the GPL.
 std::string planted_text(const std::string& header) {
   const std::string licence = header == "/usr/include/CGAL/Gmpq.h" ? "LGPL-3.0-or-later" : "GPL-3.0-or-later";
   return "// Copyright (c) 2001\n// SPDX-License-Identifier: " + licence + " OR LicenseRef-Commercial\n#pragma once\n";

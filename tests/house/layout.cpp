@@ -159,10 +159,9 @@ bool is_standard(const std::string& name) {
                      [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; });
 }
 
-/// Standard headers for threads and files.
 const std::set<std::string> outside{"csignal", "filesystem", "fstream", "future", "thread"};
 
-/// Whether the file's component starts no process or thread and touches no file.
+/// Whether the file's component must start no process or thread and touch no file.
 bool stays_inside(const std::string& path) {
   static const std::vector<std::string> folders{"oracles/", "properties/", "src/collision/", "src/impulse/",
                                                 "src/report/"};
@@ -179,7 +178,8 @@ bool is_allowed(const Rule& rule, const std::string& name) {
   return rule.only ? named || is_standard(name) : !named;
 }
 
-/// Whether a file may include `name` in quotes. Then `name` is in the same folder or in an allowed neighbour.
+/// Whether the file at `path` may include `name` in quotes, because `name` is in the same folder or a permitted
+/// neighbour.
 bool is_neighbour(const std::string& path, const std::string& name) {
   const auto room =
       std::find_if(rooms().begin(), rooms().end(), [&](const Room& one) { return begins_with(path, one.folder); });

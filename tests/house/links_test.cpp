@@ -88,7 +88,6 @@ std::string offence_of(const fs::path& page, const std::string& target) {
   return {};
 }
 
-/// All pages, without dot-folders, build directories and third-party packages.
 std::vector<fs::path> pages() {
   std::vector<fs::path> found;
   auto walk = fs::recursive_directory_iterator(top);

@@ -6,8 +6,9 @@
 
 #include "layout.hpp"
 
-/// Families and features draw the same numbers on every machine. So they use no sum of Eigen, because Eigen chooses its
-/// order. They use no unary minus of Eigen, and only mathematical functions that every machine computes alike.
+/// Families and features draw the same numbers on every machine. So they use no sum of Eigen, because Eigen chooses the
+/// order of the terms. They negate no vector by the minus sign of Eigen. They use only mathematical functions that
+/// every machine computes alike.
 namespace carom::layout {
 namespace {
 
@@ -38,7 +39,7 @@ TEST(OrderedArithmetic, IsAllThatFamiliesAndFeaturesUse) {
   for (const SourceFile& file : source_files(CAROM_SOURCE_DIR)) {
     const bool draws = file.path.starts_with("properties/draws/") || file.path.starts_with("properties/families/") ||
                        file.path.starts_with("properties/features/");
-    // Exact arithmetic and printed numbers do not depend on the order.
+    // The first file computes exactly, and the second only prints. So their order of terms changes no draw.
     const bool is_exact = file.path == "properties/families/polyhedron.cpp";
     const bool is_printed = file.path == "properties/features/quantities.cpp";
     if (draws && !is_exact && !is_printed) {

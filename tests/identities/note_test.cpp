@@ -26,8 +26,8 @@ BasicCollision<Rational> newtons_cradle() {
   return c;
 }
 
-/// Eq. 9 and 13 reverse the normal velocity of each body separately: N·v⁺ = −ε N·v⁻. Then the resting B would stay at
-/// rest, but B takes over the velocity of A. Only eq. 17, the difference of eq. 9 and 13, is right.
+/// Eq. 9 and 13 reverse the normal velocity of each body separately: N·v⁺ = −ε N·v⁻. If they were right, the resting B
+/// would stay at rest. But B takes over the velocity of A. Only eq. 17, the difference of eq. 9 and 13, is right.
 TEST(Note, IsWrongThatEachBodyReversesItsOwnNormalVelocity) {
   const auto c = newtons_cradle();
   const auto contact = impulse::make_contact<Rational>(c);
@@ -48,7 +48,8 @@ ExactMatrix cross_matrix(const ExactVector& r) {
   return q;
 }
 
-/// The note's "yᵀQy ≥ 0, so Q is positive semidefinite" proves nothing, because Q is skew-symmetric.
+/// The note says "yᵀQy ≥ 0, so Q is positive semidefinite". This proves nothing: Q is skew-symmetric, so yᵀQy = 0 for
+/// every y.
 TEST(Note, IsWrongThatTheSkewMatrixIsSemidefinite) {
   properties::Stream stream = properties::stream_from(3);
   for (int i = 0; i < 500; ++i) {
@@ -74,7 +75,7 @@ TEST(Note, IsRightThatTheAngularPartOfTheCollisionMatrixIsSemidefinite) {
   }
 }
 
-/// The note's "λI is positive definite" needs a movable body, with λ = 1/m_A + 1/m_B.
+/// The note says "λI is positive definite", with λ = 1/m_A + 1/m_B. This holds only if a body is movable.
 TEST(Note, NeedsAMovableBodyForADefiniteCollisionMatrix) {
   auto c = newtons_cradle();
   c.a.immovable = true;
@@ -85,7 +86,7 @@ TEST(Note, NeedsAMovableBodyForADefiniteCollisionMatrix) {
   EXPECT_FALSE(oracles::is_positive_definite(k));
 }
 
-/// λI ⪯ K. The bound is sharp if both centres of mass are at the contact.
+/// λI ⪯ K. Both sides are equal if both centres of mass are at the contact point.
 TEST(Note, IsRightThatTheCollisionMatrixIsDefiniteWithTheMarginLambda) {
   int sharp = 0;
   for (const auto& [family, one] : unit::valid_cases(4)) {

@@ -17,13 +17,15 @@
 /// The laws as polynomial identities, proved except for a probability below 10⁻²⁶ (Schwartz–Zippel).
 ///
 /// The solver uses only + − × ÷, so each entry of its outcome is a quotient of polynomials in the numbers of the
-/// collision. Each law, cleared of denominators, says that a polynomial p is zero. If p is not zero and has degree d, p
-/// vanishes at a random point with probability at most d/s, with each variable uniform among s values.
+/// collision. Each law, cleared of denominators, says that a polynomial p is zero. The test evaluates p at a random
+/// point, with each variable uniform among s values. If p is not zero and has degree d, it vanishes there with
+/// probability at most d/s.
 ///
-/// Degrees of quotients are written numerator/denominator. I_A and I_B are the products of the three moments of A and
-/// B. D = m_A m_B |q_A|⁴ |q_B|⁴ I_A I_B has degree 2·(1 + 4 + 3) = 16.
+/// Degrees of quotients are written as numerator/denominator. I_A and I_B are the products of the three moments of A
+/// and B. D = m_A m_B |q_A|⁴ |q_B|⁴ I_A I_B has degree 2·(1 + 4 + 3) = 16.
 ///
-///  J⁻¹ has degree 6/7, because its entries are sums of R_ri R_ci / I_i with the rotation R of degree 2/2.
+///  J⁻¹ has degree 6/7. Its entries are sums of R_ri R_ci / I_i, with the rotation R of degree 2/2 and the common
+///  denominator |q|⁴ I₁ I₂ I₃.
 ///
 ///  K = K̂ / D. The term r·r J⁻¹ of K gives K̂ the degree (2 + 6) + (16 − 7) = 17.
 ///
@@ -34,12 +36,12 @@
 ///
 /// Energy has the highest degree: Δwᵀ J Δw is at most (62 + 62 + 5)/(60 + 60 + 4) = 129/124. The common denominator of
 /// both bodies is ((N·N) det K̂)² m_A m_B (|q_A|⁴ I_A)² |q_A|⁴ (|q_B|⁴ I_B)² |q_B|⁴, of degree 106 + 2 + 2·(14 + 4) =
-/// 144. Over this denominator, the numerator has degree 149. The denominators of the other side divide it. So d < 256
-/// for every law.
+/// 144. Over this denominator, the numerator has degree 149. The denominators of the other side of the equation divide
+/// this denominator. So d < 256 for every law.
 ///
-/// If the contact does not approach, the test uses −N. So the test evaluates p or p₋, which is p with −N. The product p
-/// p₋ is a polynomial of degree below 512 = 2⁹. With s = 2³² and four independent points, a false law passes with
-/// probability at most (2⁹⁻³²)⁴ = 2⁻⁹² < 10⁻²⁶.
+/// If the contact does not approach, the test replaces N by −N. So the test evaluates p or p₋, the polynomial p with −N
+/// in place of N. The product p p₋ is a polynomial of degree below 512 = 2⁹. With s = 2³² and four independent points,
+/// a false law passes with probability at most (2⁹⁻³²)⁴ = 2⁻⁹² < 10⁻²⁶.
 namespace carom::properties {
 namespace {
 
@@ -55,7 +57,8 @@ constexpr std::uint64_t seed = 20240301;
 /// Uniform in the 2³² integers from `lowest` on.
 Rational uniform(Stream& stream, double lowest) { return Rational(lowest + static_cast<double>(stream.bits() >> 32U)); }
 
-/// Restitution is any integer, because the identities hold outside [0, 1] too. Masses and moments are positive.
+/// The restitution is any integer, because the identities also hold for restitutions outside [0, 1]. Masses and moments
+/// are positive.
 RationalCollision random_point(Stream& stream) {
   RationalCollision c;
   for_each_number(
@@ -83,7 +86,7 @@ oracles::Sides<Rational, 3> tangential_equation(const RationalCollision& c, Law 
       return oracles::equation::ReflectionPlane{}(c, y);
     case Law::sticking:
       return oracles::equation::Sticks{}(c, y);
-    case Law::rough:  // combines two laws, and its factor is not a polynomial
+    case Law::rough:  // its impulse contains a square root
     case Law::coulomb:
     case Law::any:
       break;
@@ -91,7 +94,6 @@ oracles::Sides<Rational, 3> tangential_equation(const RationalCollision& c, Law 
   oracles::determines_no_outcome(law);
 }
 
-/// The energy change by a formula, without the outcome.
 Rational energy_gain(const RationalCollision& c, Law law) {
   const Matrix3<Rational> k = oracles::response_matrix(c);
   const Vector& n = c.normal;
@@ -182,8 +184,8 @@ TEST(PolynomialIdentities, TellTheLawsApart) {
             "the law's tangential equation");
 }
 
-/// xᵀKx − λ xᵀx = Σ (Qx)ᵀ J⁻¹ (Qx) with Qx = r × x. Each term is uᵀJu ≥ 0 with u = J⁻¹(Qx), so λI ⪯ K. The degree is
-/// below 32, because K has degree 17/16 and x enters twice.
+/// xᵀKx − λ xᵀx = Σ (Qx)ᵀ J⁻¹ (Qx) over the bodies, with λ = 1/m_A + 1/m_B and Qx = r × x. Each term is uᵀJu ≥ 0 with u
+/// = J⁻¹(Qx), so λI ⪯ K. The degree is below 32, because K has degree 17/16 and x enters twice.
 TEST(PolynomialIdentities, MakeTheMarginOfTheCollisionMatrixASumOfSquares) {
   Stream stream = stream_from(seed);
   for (int i = 0; i < points; ++i) {

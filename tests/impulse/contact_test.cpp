@@ -36,7 +36,7 @@ TEST(WithoutExtremeLength, IsAnExactPowerOfTwoScaling) {
   properties::Stream stream = properties::stream_from(1);
   for (int i = 0; i < 2000; ++i) {
     Vector3<double> vector = stream.direction();
-    // With components that differ by factors up to 2^60, the smallest stays a normal number.
+    // The components differ by factors up to 2^60, so none of them is subnormal after scaling.
     vector[stream.integer(0, 2)] *= std::ldexp(1.0, -stream.integer(0, 60));
     vector *= std::ldexp(1.0, stream.integer(-900, 1000));
     expect_scaled_by_power_of_two(vector, without_extreme_length<double>(vector));
@@ -122,8 +122,9 @@ TEST(Solvers, LeaveSeparatingAndInertContactsUnchangedBitForBit) {
   expect_unchanged_by(cases_of("both_immovable"), any_method);
 }
 
-/// Bodies of the family `resting` do not spin, so N·V is n0·(−n1 s) + n1·(n0 s), with a power of two s. The products
-/// round alike and cancel. Methods with a basis normalise N first, so their products may differ.
+/// Bodies of the family `resting` do not spin. With two components n0 and n1 of N, N·V is n0·(−n1 s) + n1·(n0 s), where
+/// s is a power of two. The products round alike and cancel. Methods with a basis normalise N first, so their products
+/// may differ.
 TEST(Solvers, LeaveRestingContactsUnchangedBitForBit) {
   expect_unchanged_by(cases_of("resting"),
                       [](const Subject& method) { return method.name.find("basis") == std::string::npos; });
@@ -185,8 +186,9 @@ TEST(Reflection, IsContinuousWhereTheTangentialVelocityVanishes) {
   EXPECT_GT(oblique[0], head_on[0]);
 }
 
-/// A contact in binary32, as at 10¹⁰ m from the origin. Lever arms are multiples of 512 m, but the moments are those of
-/// a body of one metre. The condition number of C exceeds 1/u, so the rounded C may be singular.
+/// A contact in binary32, with lever arms as if the bodies were 10¹⁰ m from the origin: they are multiples of 512 m.
+/// The moments are those of a body of one metre. The condition number of C exceeds 1/u, so the rounded C may be
+/// singular.
 Contact<float> contact_with_lost_lever_arms(properties::Stream& stream) {
   Collision c;
   c.a.principal_inertia = Vector3<double>{1, 1, 1} * std::ldexp(1.0, -stream.integer(0, 9));
@@ -249,7 +251,7 @@ TEST(TangentBasis, IsOrthonormalWellAwayFromHeadOn) {
     }
     ++checked;
     const Matrix3<double> basis = tangent_basis(contact);
-    // The error of T0 is below 8 roundings times ‖V‖ / v_t ≤ 16, or 2^-53 · 8 · 16.
+    // T0 has fewer than 8 roundings of 2^-53. Their errors grow by the factor ‖V‖ / v_t ≤ 16.
     const double bound = std::ldexp(1.0, -46);
     EXPECT_LE((basis.transpose() * basis - Matrix3<double>::Identity()).cwiseAbs().maxCoeff(), bound) << i;
   }

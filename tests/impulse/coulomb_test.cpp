@@ -51,8 +51,8 @@ TEST(Coulomb, KeepsWhatSeparates) {
   EXPECT_EQ(coulomb(make_contact<double>(c)).a.velocity, c.a.velocity);
 }
 
-/// The outcome equals an exact answer, up to the roundings of a solve times the condition number of K, at most 16 for
-/// real bodies.
+/// The outcome equals an exact answer, up to rounding. The condition number of K multiplies the rounding errors of a
+/// solve. For real bodies, this number is at most 16.
 TEST(Coulomb, FindsAnAnswer) {
   int slides = 0;
   for (const char* family : {"physical", "collinear_spheres"}) {

@@ -34,7 +34,8 @@ Outcome<double> outcome_of(Session& session, const Collision& collision) {
                              [](long double x) { return static_cast<double>(x); });
 }
 
-/// The number of valid collisions with a movable body for which the subject's outcome has N·V⁺ < 0, exactly.
+/// The number of valid collisions with a movable body for which the subject's outcome has N·V⁺ < 0, by exact
+/// arithmetic.
 int approaching_outcomes(const std::string& subject) {
   Session session = subjects::subject_named(subject)->open();
   int approaching = 0;

@@ -98,7 +98,7 @@ TEST(PrintedCollisionMatrix, EqualsTheCollisionMatrixInARationalOrthonormalBasis
   }
 }
 
-/// Eq. 27 of the note has λ twice in the entries (2,2) and (3,3).
+/// In eq. 27 of the note, the entries (2,2) and (3,3) contain 1/m_A + 1/m_B twice.
 TEST(PrintedCollisionMatrix, DiffersFromTheNoteWhichCountsLambdaTwice) {
   properties::Stream stream = stream_of(0);
   const auto contact = exact_contact(unit::small_collision(stream));
@@ -145,7 +145,8 @@ TYPED_TEST(Solve3, SolvesExactlyInAField) {
   }
 }
 
-/// No exact pivot is below the least eigenvalue, so a lower bound of pivots changes nothing.
+/// A solve raises pivots that are below its lower bound, λ = 1/m_A + 1/m_B. In ℚ, no pivot is below λ, so the bound
+/// changes nothing.
 TYPED_TEST(Solve3, SolvesTheMatricesOfEveryFamily) {
   for (const auto& [family, one] : unit::valid_cases(3)) {
     if (family == "both_immovable") {
@@ -265,14 +266,13 @@ void expect_rough_to_scale(int mass, int speed, S relative_rounding) {
             relative_rounding * usual.a.angular_velocity.norm() * scale);
 }
 
-/// Impulses of 2⁻¹⁰⁴⁰ N s keep 34 bits of binary64, and impulses of 2⁻¹³⁶ N s keep 13 bits of binary32. Rounding costs
-/// a few of these bits.
+/// Subnormal impulses have few bits: 34 at 2⁻¹⁰⁴⁰ N s in binary64, and 13 at 2⁻¹³⁶ N s in binary32. Rounding costs a
+/// few of these bits.
 TEST(Rough, SlipsByImpulsesThatAreSubnormal) {
   expect_rough_to_scale<double>(-1000, -40, 0x1p-30);
   expect_rough_to_scale<float>(-110, -26, 0x1p-9F);
 }
 
-/// Compares the solver of `rough`, with exact square roots, with the oracle's exact outcome.
 void expect_same_rough(const oracles::ExactCase& exact_case, const std::string& family) {
   using oracles::Radical;
   const auto contact = make_contact<Radical>(

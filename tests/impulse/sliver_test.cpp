@@ -21,9 +21,9 @@
 
 #include "support/cases.hpp"
 
-/// The cost of world coordinates for slender and flat bodies, with moments 1 : ρ. In world coordinates, each entry of
-/// J⁻¹ = R diag(1/I) Rᵀ has a rounding error of u ‖J⁻¹‖, with the unit roundoff u. Multiplied by J, this error is u ρ.
-/// In the body frame, the error is only as large as that of a rotation by u.
+/// The cost of world coordinates for slender and flat bodies, whose greatest moment is ρ times the least. In world
+/// coordinates, each entry of J⁻¹ = R diag(1/I) Rᵀ has a rounding error of u ‖J⁻¹‖, with the unit roundoff u. J times
+/// this error is u ρ. In the body frame, the error is only that of a rotation by the angle u.
 namespace carom::impulse {
 namespace {
 
@@ -48,7 +48,7 @@ Body compressed(const Body& body, const Vector3<double>& point, int axis, bool o
   return result;
 }
 
-/// Slivers (slender or flat bodies) with moments 1 : ρ, least ≤ ρ < 2 least, against bodies that are not slender.
+/// Slivers (slender or flat bodies with least ≤ ρ < 2 least) that hit bodies that are not slender.
 std::vector<Collision> slivers(double least, std::size_t count) {
   std::vector<Collision> result;
   properties::Stream stream = properties::stream_from(95);
@@ -80,7 +80,6 @@ double missed(const oracles::Equation& equation, const Collision& collision, con
   return comparison.holds ? 0 : least_that_is_shown * comparison.residual / comparison.allowed;
 }
 
-/// The largest residual of the equations that involve angular velocities.
 template <class S>
 double missed(const Collision& collision, const Outcome<S>& outcome) {
   return std::max({missed(oracles::equation::AngularMomentum{true}, collision, outcome),
@@ -166,8 +165,8 @@ bool is_blind(const Collision& c) {
   return oracles::ExactCase(c).permitted_inputs(allowance) != nullptr;
 }
 
-/// Lever arm, impulse and long axis are parallel, so the torque consists of rounding errors. Such a torque would spin
-/// the rod about its long axis, ρ times as fast as about the others.
+/// The lever arm, the impulse and the long axis are parallel, so the torque consists of rounding errors. Such a torque
+/// would spin the rod about its long axis, ρ times as fast as about another axis.
 TYPED_TEST(Slivers, DoNotSpinWhenStruckOnTheirTips) {
   properties::Stream stream = properties::stream_from(97);
   for (const double ratio : {8.0, 64.0, 1e4, 1e6, 1e8}) {
@@ -247,7 +246,8 @@ TEST(PrincipalInertia, OfEqualMomentsKnowsNoOrientation) {
   EXPECT_EQ(inertia.axes, Matrix3<double>::Identity());
 }
 
-/// A second impulse against an approach of a few ulps would change the spin about the long axis by many ulps.
+/// After the impulse, rounding may leave an approach of a few ulps. A second impulse against it would change the spin
+/// about the long axis by many ulps.
 TEST(SlenderBodies, KeepTheirSpinWhereTheApproachIsRoundedAway) {
   for (std::uint64_t i = 0; i < 2000; ++i) {
     properties::Stream stream = properties::case_stream(1, "physical", i);
@@ -259,7 +259,7 @@ TEST(SlenderBodies, KeepTheirSpinWhereTheApproachIsRoundedAway) {
   }
 }
 
-/// The family `physical` (a random generator) contains slender bodies, beyond 1 : 10⁷.
+/// The family `physical` also draws slender bodies, with ρ > 10⁷.
 TEST(PhysicalBodies, AreSlenderToo) {
   properties::Stream stream = properties::stream_from(96);
   double largest = 0;

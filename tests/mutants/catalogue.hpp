@@ -28,7 +28,7 @@ inline void PrintTo(const Mutant& mutant, std::ostream* out) { *out << mutant.na
 
 [[nodiscard]] Subject subject_of(const Mutant& mutant);
 
-/// The same subject without the defect.
+/// The subject of the mutant, without the defect.
 [[nodiscard]] Subject repaired(const Mutant& mutant);
 
 }  // namespace carom::mutants

@@ -47,7 +47,6 @@ void change_reversed(Vector& after, const Vector& before, int component) {
   after[component] = before[component] - (after[component] - before[component]);
 }
 
-/// The vector without its part along N.
 Vector across_normal(const Vector& vector, const Vector& normal) {
   return vector - normal * (normal.dot(vector) / normal.squaredNorm());
 }

@@ -40,7 +40,7 @@ Claims claims_of(Law law) {
   return claims;
 }
 
-/// The backward error [ulps] is 0 if the outcome is rejected.
+/// The backward error is in ulps, and 0 if the outcome is rejected.
 struct Judged {
   bool is_rejected;
   double backward_error;
@@ -74,7 +74,6 @@ std::size_t place_of(std::size_t x, std::size_t y) { return y * (y + 1) / 2 + x;
 
 std::size_t places() { return place_of(0, all_features().size()); }
 
-/// Calls f(place) for each listed feature and for each pair of listed features.
 template <class F>
 void for_each_place(const std::vector<std::size_t>& features, const F& f) {
   for (std::size_t i = 0; i < features.size(); ++i) {
@@ -120,8 +119,8 @@ void Detection::add(const JudgedCase& one, const Collision& previous) {
   ++cases_;
   oracles::Yardstick yardstick;
   yardstick.unit_roundoff = unit_roundoff(Precision::binary64);
-  // If `permitted_inputs` is not null, the judge accepts every answer of the law to a permitted input. So the judge may
-  // rightly accept a damaged outcome, and the case is left out.
+  // If `permitted_inputs` is not null, the judge accepts the law's answer to every permitted input. A damaged outcome
+  // may be such an answer, so the case is left out.
   if (properties::reason_unjudged(one.exact(), yardstick) ||
       one.exact().permitted_inputs(yardstick.allowance()) != nullptr) {
     return;
@@ -190,7 +189,8 @@ Detection detect(const DetectionOptions& options) {
   const auto work = [&](Detection& detection) {
     for (std::size_t i = next++; i < tasks.size(); i = next++) {
       const auto& [family, first, last] = tasks[i];
-      // Each task draws the case before its first one, so that the previous answer does not depend on the tasks.
+      // Each task also draws the case before its first case. So the previous answer does not depend on the division
+      // into tasks.
       Collision previous = first == 0 ? Collision{} : generated(*family, first - 1).collision;
       for (std::uint64_t index = first; index < last; ++index) {
         const JudgedCase one(generated(*family, index));

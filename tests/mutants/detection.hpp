@@ -9,8 +9,8 @@
 #include "damage.hpp"
 
 /// A conditional mutant is a sound solver that returns a damaged outcome if the collision has a given feature or pair
-/// of features. The gate rejects the mutant if it rejects the damaged outcome of any case with the feature. So one pass
-/// over the cases decides all mutants.
+/// of features. The feature or pair is the mutant's condition. The gate rejects the mutant if it rejects the damaged
+/// outcome of any case with the condition. So one pass over the cases decides all mutants.
 namespace carom::mutants {
 
 struct DetectionOptions {
@@ -20,10 +20,10 @@ struct DetectionOptions {
   std::vector<Law> laws{laws_with_truth.begin(), laws_with_truth.end()};
 };
 
-/// The result of all cases for a conditional mutant. The greatest result of a single case decides.
+/// The result of all cases for a conditional mutant: the last in this list among the results of single cases.
 enum class Sight : std::uint8_t {
-  no_case_judged,   // no case with the feature is judged
-  leaves_truth,     // in every case the damage leaves the exact outcome unchanged, so no judge can find it
+  no_case_judged,   // no case with the condition is judged
+  leaves_truth,     // the damage changes the exact outcome of no case, so no judge can find the mutant
   within_rounding,  // in some case the damage changes the outcome, but by no more than the allowed rounding
   killed,           // in some case an invariant is violated
 };
@@ -52,7 +52,6 @@ class Detection {
 
   [[nodiscard]] const std::vector<Law>& laws() const { return laws_; }
 
-  /// The numbers of recorded cases, of judged cases, and of sound outcomes that were rejected.
   [[nodiscard]] std::uint64_t cases() const { return cases_; }
   [[nodiscard]] std::uint64_t judged() const { return judged_; }
   [[nodiscard]] std::uint64_t sound_rejected() const { return sound_rejected_; }

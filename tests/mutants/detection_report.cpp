@@ -30,7 +30,6 @@ std::string_view in_words(Sight sight) {
   return "killed";
 }
 
-/// Calls visit(x, y) for every single feature (x = y) and every possible pair of features.
 template <class Visit>
 void for_each_condition(const Visit& visit) {
   for (std::size_t y = 0; y < all_features().size(); ++y) {
@@ -60,7 +59,7 @@ std::string kind_of(const properties::Feature& feature) {
   return of_a_body ? "X." + name.substr(2) : name;
 }
 
-/// Prints the survivors within rounding by the kinds of their features, the most frequent kinds first.
+/// Prints how many survivors `within_rounding` have features of each kind, the most frequent kinds first.
 void print_kinds(std::back_insert_iterator<std::string> out, const Detection& detection) {
   struct Kind {
     std::string names;

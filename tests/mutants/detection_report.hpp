@@ -34,7 +34,6 @@ struct Scores {
 [[nodiscard]] Scores scores_of(const Detection& detection, Law law, Damage damage);
 [[nodiscard]] Scores scores_of(const Detection& detection);
 
-/// A conditional mutant that was not killed.
 struct Survivor {
   Law law;
   Damage damage;

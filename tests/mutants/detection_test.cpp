@@ -72,7 +72,7 @@ TEST(Detection, KillsWhatCanBeSeenOfSingleFeaturesAndNearlyAllOfPairs) {
       EXPECT_GE(pair.percent(), is_slight ? 98.5 : 99) << name_of(law) << ' ' << name_of(damage);
     }
   }
-  // If no judge can find a mutant, its feature makes the damage harmless, as ε = 0 does for an ignored ε.
+  // No judge can find a mutant if its feature makes the damage harmless, as ε = 0 does if the damage ignores ε.
   EXPECT_GT(pairs.visible(), 100 * pairs.leaves_truth);
 }
 

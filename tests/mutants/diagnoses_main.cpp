@@ -10,7 +10,7 @@
 #include "catalogue.hpp"
 #include "io/threads.hpp"
 
-/// Prints the gate's diagnosis of each planted mutant, or of the named mutants, next to its defect.
+/// Prints the gate's diagnosis of each planted mutant, or of each named mutant, next to the defect.
 int main(int argc, char** argv) {
   using namespace carom;
   properties::GateOptions options;

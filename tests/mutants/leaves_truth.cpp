@@ -24,7 +24,6 @@ bool is_binary32(const T& number) {
   return std::isfinite(rounded) && T(static_cast<double>(rounded)) == number;
 }
 
-/// Like `leaves_truth`. T is the type of the numbers of the exact outcome.
 template <class T>
 bool leaves(Damage damage, const BasicCollision<T>& c, const oracles::Truth<T>& exact, Law law) {
   const Outcome<T>& truth = exact.outcome;
@@ -40,8 +39,9 @@ bool leaves(Damage damage, const BasicCollision<T>& c, const oracles::Truth<T>& 
     case Damage::torque_of_a_dropped:
       return a_keeps_spin;
     case Damage::turning_left_out_of_k:
-      // The damage puts λI in place of K. F·(K − λI) F = Σ (r × F)·J⁻¹(r × F) over the bodies, so K F = λF if and only
-      // if F turns neither body. The F of `rough` is a sum of two impulses, and neither may turn a body.
+      // The damage puts λI in place of K, with λ = 1/m_A + 1/m_B. F·(K − λI) F = Σ (r × F)·J⁻¹(r × F) over the bodies,
+      // so K F = λF if and only if F turns neither body. The F of `rough` is a sum of two impulses, and neither may
+      // turn a body.
       return a_keeps_spin && b_keeps_spin &&
              (law != Law::rough || are_equal<T>(c.normal.cross(exact.impulse), Vector3<T>{T(0), T(0), T(0)}) ||
               (is_at_centre(c.a) && is_at_centre(c.b)));

@@ -33,7 +33,7 @@ Vector beside(const Vector& vector) {
 }
 
 /// The basis {N, T0, T1} of J. R. Frisvad (Building an Orthonormal Basis from a 3D Unit Vector Without Normalization,
-/// 2012). Near its pole (0, 0, −1), it is orthonormal only at the pole itself.
+/// 2012). Near the pole N = (0, 0, −1), T0 and T1 are constant, so the basis is orthonormal only at the pole itself.
 Matrix basis_of_2012(const Vector& n) {
   constexpr double near_pole = -0.999;
   Matrix basis;
@@ -82,7 +82,7 @@ class Solver {
       return Refused{describe(refusal)};
     }
     if (has(Defect::demands_unit_normal)) {
-      constexpr double unit_tolerance = 1e-6;  // part of the defect, as in real engines; no judgement uses it
+      constexpr double unit_tolerance = 1e-6;  // part of the defect, as in real engines; the judge does not use it
       if (std::abs(collision.normal.squaredNorm() - 1) > unit_tolerance) {
         return Refused{"normal: expected a vector of length 1"};
       }
@@ -290,7 +290,6 @@ class Solver {
     return matrix;
   }
 
-  /// The part of `matrix` that the solver reports.
   [[nodiscard]] Matrix shown(const Matrix& matrix) const {
     if (has(Defect::one_triangle_shown)) {
       return matrix.triangularView<Eigen::Lower>();
@@ -368,7 +367,6 @@ class Solver {
     return has(Defect::friction_multiplied) ? contact.friction * contact.friction : contact.friction;
   }
 
-  /// F of the law `coulomb`.
   [[nodiscard]] Vector coulomb_impulse(const Contact& contact, double normal_velocity,
                                        const Vector& frictionless_impulse) const {
     const double friction = friction_of(contact);
@@ -406,7 +404,7 @@ class Solver {
     return impulse::times(basis, impulse);
   }
 
-  /// κ D of the law `rough` (impulse/rough.hpp).
+  /// The friction κ D of the law `rough` (impulse/rough.hpp defines κ and D).
   [[nodiscard]] Vector friction_impulse(const Contact& contact, const Vector& frictionless_impulse,
                                         double normal_velocity) const {
     const Vector& n = contact.normal;

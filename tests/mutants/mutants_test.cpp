@@ -79,7 +79,7 @@ TEST_P(Mutants, AreRejectedByTheInvariantsThatSpeakOfTheirDefect) {
 INSTANTIATE_TEST_SUITE_P(Each, Mutants, testing::ValuesIn(all_mutants().begin(), all_mutants().end()),
                          [](const auto& test) { return std::string(test.param.name); });
 
-/// All mutants share one solver, so repaired mutants differ only by their law.
+/// All mutants are defects of one solver, so repaired mutants differ only by their law.
 class Repaired : public testing::TestWithParam<Law> {
  protected:
   static void SetUpTestSuite() {

@@ -165,7 +165,7 @@ Solved reversed_across_impulse(const Contact& contact) {
   return {answer.outcome, answer.matrix};
 }
 
-/// Reports λI, as if no body turned.
+/// Reports λI with λ = 1/m_A + 1/m_B, as if no impulse turned a body.
 Solved matrix_of_masses_alone(const Contact& contact) {
   Reflected answer = reflected(contact);
   if (answer.matrix) {

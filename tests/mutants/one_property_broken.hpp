@@ -10,8 +10,8 @@
 
 namespace carom::mutants {
 
-/// A defect that breaks exactly one of the three properties. The subject claims the law `any`, so there is neither a
-/// truth nor a backward error.
+/// A defect that breaks exactly one of the three properties. The subject claims the law `any`, so its outcomes have
+/// neither a truth nor a backward error.
 struct BrokenProperty {
   std::string_view name;
   std::string_view property;               // the key in properties/three_properties.hpp

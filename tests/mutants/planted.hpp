@@ -25,19 +25,17 @@ struct Share {
   std::uint64_t rejects = 0;
   std::vector<std::string_view> misses;               // mutants that claim the invariant but are not rejected by it
   std::vector<std::string_view> alone;                // mutants that no other invariant rejects
-  std::vector<std::string_view> alone_without_truth;  // mutants that only this one and `backward_error` reject
+  std::vector<std::string_view> alone_without_truth;  // mutants that only the invariant and `backward_error` reject
 };
 
-/// The shares in the order of the catalogue of invariants.
 [[nodiscard]] std::vector<Share> shares_of(const std::vector<Rejected>& rejected);
 
 /// A greedy choice of invariants that together reject every rejected mutant.
 [[nodiscard]] std::vector<std::string_view> sufficient_invariants(std::vector<Rejected> rejected);
 
-/// The same mutants without the rejections by `backward_error`.
+/// The mutants of `rejected`, without the rejections by `backward_error`.
 [[nodiscard]] std::vector<Rejected> without_truth(std::vector<Rejected> rejected);
 
-/// The matrix of mutants and invariants, and the contribution of each invariant, in Markdown.
 [[nodiscard]] std::string to_markdown(const std::vector<Rejected>& rejected);
 
 }  // namespace carom::mutants

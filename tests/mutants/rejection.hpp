@@ -11,12 +11,11 @@
 
 namespace carom::mutants {
 
-/// The names of the invariants that reject a subject.
 using Rejecting = std::set<std::string_view>;
 
 /// The invariants that reject each subject. The gate's generator draws `cases` cases of each family, times the family's
-/// weight, from `seed`. Each invariant is evaluated until it rejects the subject. Rigorous bounds decide most passes;
-/// exact arithmetic decides every violation.
+/// weight, from `seed`. After an invariant rejects the subject, it is not evaluated again. Rigorous bounds decide most
+/// passes; exact arithmetic decides every violation.
 [[nodiscard]] std::vector<Rejecting> rejecting_invariants(std::span<const Subject> subjects,
                                                           std::span<const properties::Family> families,
                                                           std::uint64_t seed, std::uint64_t cases);

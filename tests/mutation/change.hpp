@@ -16,8 +16,9 @@
 ///    a && b    joined<7, "&&">([&] { return bool(a); }, [&] { return bool(b); })
 ///    3         number<7, "+ 1">(3)
 ///
-/// The new operators have the precedence of the old ones, so the script need not find the operands. Constexpr is true
-/// if the compiler may evaluate the enclosing function. No change is active during evaluation at compile time.
+/// The new operators have the precedence of the old ones, so the script need not find the operands. The parameter
+/// Constexpr is true if the compiler may evaluate the enclosing function at compile time. During such an evaluation, no
+/// change is active.
 namespace carom::mutation {
 
 /// An operator as written in the source. "left" and "right" return the left or right operand alone.

@@ -38,7 +38,7 @@ Place = collections.namedtuple("Place", "path i token instead lines name")  # on
 
 
 def tokens_of(text):
-    """The tokens of a C++ text. `before` and `after` tell whether a blank is there: only binary operators have both."""
+    """The tokens of a C++ text. `before`, `after`: whether a blank is there. Only binary operators have both blanks."""
     tokens, angles = [], 0
     for match in TOKEN.finditer(text):
         word, start, end, last = match.group(), match.start(), match.end(), tokens[-1].text if tokens else ""
@@ -127,7 +127,7 @@ def places_in(path, text):
 
 
 def drawn(seed, count):
-    """The number of places, and a numbered sample, one change per place. Editing a line redraws its own changes only."""
+    """The number of places, and a numbered sample, one change per place. An edited line redraws only its changes."""
     found, named, rank = [], collections.Counter(), lambda one: hashlib.sha256(f"{seed} {one.name}".encode()).digest()
     for path in sorted(path for folder in MUTATED for path in (ROOT / folder).glob("*.[ch]pp")):
         for changes in places_in(str(path.relative_to(ROOT)), path.read_text()):
@@ -162,7 +162,7 @@ def write_copy(places):
 
 
 def broken(log, places):
-    """The changes named by the first error of each file: number and error. Later errors may be consequences."""
+    """The changes that the first error of each file names, by number, with this error. Later errors may follow."""
     found = {}
     for file in log.split("FAILED: ")[1:]:
         lines = [line for line in file.splitlines() if not re.match(r" *\d* \|", line)]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSL-1.0
-"""A bare Debian 12 (debootstrap's minbase). Commands in it see no other installed packages."""
+"""A bare Debian 12 (debootstrap's minbase). Commands in it see none of the machine's packages."""
 
 import os
 import pathlib

@@ -2,7 +2,7 @@
 """ci_test.py SOURCE WORK [NAME…]: runs the scripts of docs/guide/ci.md unchanged in a bare Debian, with the last
 commit of Carom. Each job runs twice. The first run tests a solver with a defect: the job must fail and leave a
 report. The second run tests a sound solver, and must build nothing. NAME is one of action, github, gitlab, script,
-container; without it all run. The exit status is 77 if this machine cannot make a bare Debian.
+container; without NAME, all jobs run. The exit status is 77 if this machine cannot make a bare Debian.
 """
 
 import os

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSL-1.0
-"""The shell scripts of a job for GitHub, and the annotations in their output. No expression is evaluated:
-ci_parts_test.py requires that no script contains an expression, and that each condition is CACHE_MISS or ALWAYS.
+"""The shell scripts of a job for GitHub, and the annotations in their output. This file evaluates no GitHub
+expression: ci_parts_test.py requires that scripts contain none, and that each condition is CACHE_MISS or ALWAYS.
 """
 
 import re

@@ -11,7 +11,7 @@ file(MAKE_DIRECTORY "${WORK}/moved to")
 file(RENAME ${WORK}/installed "${prefix}")
 set(carom "${prefix}/bin/carom")
 
-# Without carom-scene beside it, the program refuses scenes, but still plans collisions.
+# If the program carom-scene is missing, the program carom refuses scenes, but still plans collisions.
 run_expecting(2 "${carom}" scene "${prefix}/share/carom/examples/scenes/cradle.json")
 expect_output("the program carom-scene is not in the directory of this program")
 run_expecting(2 "${carom}" plan "${prefix}/share/carom/examples/scenes/cradle.json")
@@ -24,11 +24,11 @@ if(paths)
   message(FATAL_ERROR "${carom} names the tree that it was built from: ${paths}")
 endif()
 
-# The program uses the adapters of its own prefix, and prints a command that works.
+# The program uses the adapters in its own prefix. The command that it prints works.
 run(${CMAKE_COMMAND} -E env --unset=CAROM_ENGINES "${carom}" subjects)
 expect_output("cannon-es is not installed: npm ci --prefix '${prefix}/share/carom/npm'")
 
-# It also uses the adapters of another folder. The example solver stands for an installed engine.
+# The program can also use the adapters of another folder. The example solver plays an installed engine.
 set(engines "${WORK}/my engines")
 file(COPY "${prefix}/share/carom/npm/" DESTINATION "${engines}")
 file(MAKE_DIRECTORY "${engines}/node_modules/cannon-es")
@@ -44,7 +44,7 @@ file(REMOVE "${engines}/cannon.mjs")
 run(${CMAKE_COMMAND} -E env "CAROM_ENGINES=${engines}" "${carom}" subjects)
 expect_output("${engines}/cannon.mjs does not exist; check CAROM_ENGINES")
 
-# If the folder is not writable, the command copies it first. The superuser can write to any folder.
+# If the folder is not writable, the printed command copies it first. The superuser can write to any folder.
 execute_process(COMMAND id -u OUTPUT_VARIABLE user OUTPUT_STRIP_TRAILING_WHITESPACE)
 if(NOT user STREQUAL "0")
   file(CHMOD "${prefix}/share/carom/npm" PERMISSIONS OWNER_READ OWNER_EXECUTE)
@@ -53,6 +53,6 @@ if(NOT user STREQUAL "0")
   expect_output("cp -r '${prefix}/share/carom/npm' ~/carom-engines && npm ci --prefix ~/carom-engines && ")
 endif()
 
-# The page of replays is part of the program.
+# The program contains the page of replays.
 set(scene "${prefix}/share/doc/carom/docs/examples/scenes/cradle.json")
 run("${carom}" scene "${scene}" --out "${WORK}/scene")

@@ -19,7 +19,8 @@ import sys
 import tempfile
 from fractions import Fraction
 
-# opposite_cone of friction.v: the general formula of κ, the factor of `rough`, divides by 0, although κ exists.
+# The collision of the lemma opposite_cone in friction.v. The formula of κ, the share of friction in `rough`, divides by
+# 0 here, although κ exists.
 ON_OPPOSITE_CONE = {
     "a": {"mass": 1, "principal_inertia": [0.25, 0.25, 0.25], "position": [0, 0, 0], "velocity": [-4, -2, 0],
           "angular_velocity": [0, 0, 0]},
@@ -55,7 +56,7 @@ def root(number):
 
 
 def parts(text):
-    """(p, signed square of q √s) of "p + q √(s)". Numbers are equal if and only if these parts are equal."""
+    """p and the signed square of q √s, for the text "p + q √(s)". Numbers are equal if and only if these parts are."""
     if match := RADICAL.fullmatch(text):
         rational, coefficient, under_root = (Fraction(part) for part in match.groups())
         whole = root(under_root)

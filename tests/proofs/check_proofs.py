@@ -4,11 +4,11 @@
 
 usage: check_proofs.py PROOFS BUILD [--each]
 
-With --each it prints the axioms of each theorem instead of those of all theorems together, and Coq's separate checker
-checks all compiled files again. This takes two minutes more.
+With --each, it prints the axioms of each theorem separately, instead of all axioms together. Then Coq's separate
+checker also checks all compiled files again. This takes two minutes more.
 
-It fails if a proof fails or is omitted (Admitted). It also fails if properties/proofs/theorems.txt lacks a theorem
-of the sources, lists something that is no theorem, or lacks an axiom that a theorem depends on.
+The check fails if a proof fails or is omitted (Admitted). It also fails if properties/proofs/theorems.txt lacks a
+theorem of the sources, lists something that is no theorem, or lacks an axiom that a theorem depends on.
 """
 
 import pathlib

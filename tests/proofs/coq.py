@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSL-1.0
-"""Checks the proofs in a separate directory, beside the sources."""
+"""Checks copies of the proofs, in a directory outside the sources."""
 
 import os
 import pathlib

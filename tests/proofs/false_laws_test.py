@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSL-1.0
-"""A false law makes a proof fail: the proof of the theorem about it.
+"""A false law makes the proof of the theorem about this law fail.
 
 usage: false_laws_test.py PROOFS BUILD
 """
@@ -53,8 +53,7 @@ TRUE_LAW = ("laws", "inverse_mass (body_a c) + inverse_mass (body_b c)", "invers
 
 class FalseLaws(unittest.TestCase):
     def compiled_with(self, file, right, wrong, *targets):
-        """The exit status and output of checking the proofs of the targets after replacing one text in a file.
-        """
+        """Replaces one text in a file, and checks the proofs of the targets. Returns the exit status and the output."""
         changed = coq.copied(proofs, build)
         text = (changed / f"{file}.v").read_text()
         self.assertEqual(text.count(right), 1, "it is not written so any more")

@@ -52,7 +52,6 @@ report::Run run_with(const properties::GateReport& report, bool is_shard) {
   return run_of(report, {true}, {}, environment, {"push@generic"}, is_shard);
 }
 
-/// The shard read back from the JSON of this report and its witnesses.
 ReadShard read_back(const properties::GateReport& report) {
   const report::Run run = run_with(report, true);
   ReadShard shard = shard_from(json::parse(report_record(run).dump()), "shard");
@@ -95,7 +94,7 @@ TEST(RunJson, KeepsWhatAComparisonNeeds) {
   EXPECT_EQ(read.exit_status(), run.exit_status());
 }
 
-/// The baseline has every violation, so only the error makes the run fail.
+/// The baseline contains all violations of the run, so only the error makes the run fail.
 TEST(RunJson, KeepsTheErrorOfAShardThatAlsoViolatesSomething) {
   properties::GateReport report = judged_report();
   const report::Run baseline = run_with(report, false);

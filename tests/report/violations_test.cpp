@@ -73,7 +73,7 @@ TEST(Violations, OfFamiliesHaveTheirShareOfJudgedCasesAndTheBackwardErrorInUlps)
   }
 }
 
-/// A diagnosis of too few cases has no `where` and no `look at`.
+/// If too few cases are violated, their diagnosis has no `where` and no `look at`.
 TEST(Violations, AreAnnotatedWithWhatTheDiagnosisSays) {
   report::Run run = violated_run();
   run.subjects[0].diagnosis = properties::diagnosis::Diagnosis{"restitution", 2, 2, "Only 2 were examined.", "", ""};

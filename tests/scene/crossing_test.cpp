@@ -103,7 +103,8 @@ TEST(Crossing, BoundsThatOfEveryQuadraticWithinTheRadii) {
       }
     }
   }
-  // A third of the quadratics is close to a double root, and radii go up to a hundredth.
+  // Some crossings are undecided: a third of the quadratics is close to a double root, and error radii go up to a
+  // hundredth.
   EXPECT_GT(decided, 1200);
   EXPECT_GT(crossed, 400);
 }
@@ -143,7 +144,7 @@ TEST(Crossing, OfSpheresThatTouchIsWhetherTheyRecede) {
 TEST(Crossing, OfWhatRecedesIsNone) {
   EXPECT_EQ(first_crossing({1, 1, 3, 0x1p-50, 0x1p-50, 0x1p-50}).decision, Decision::none);
   EXPECT_EQ(first_crossing({1, 1, 0, 0x1p-50, 0x1p-50, 0}).decision, Decision::none);
-  // The radii leave open whether the quadratic falls at first.
+  // The error radii leave open whether the quadratic falls at s = 0.
   EXPECT_EQ(first_crossing({0, 0x1p-51, 1, 0x1p-50, 0x1p-50, 0}).decision, Decision::undecided);
 }
 
@@ -161,7 +162,7 @@ TEST(Crossing, OfABallThatHasBouncedIsWhereItComesDownAgain) {
   ASSERT_EQ(found.decision, Decision::bounded);
   EXPECT_NEAR(found.s, 3, found.error);
   EXPECT_LE(found.error, 64 * roundoff * 3);
-  // The same quadratic with an error radius of c₀ has the same crossing.
+  // An error radius of 2⁻⁵⁰ for c₀ does not change the crossing.
   const Crossing state_at = first_crossing({0, 3, -1, 0x1p-50, 0, 0});
   ASSERT_EQ(state_at.decision, Decision::bounded);
   EXPECT_NEAR(state_at.s, 3, state_at.error);

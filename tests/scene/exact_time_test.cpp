@@ -85,7 +85,7 @@ TEST(ExactTime, BoundsAreTheDoublesBeside) {
   EXPECT_GT(found, 100);
 }
 
-/// The slowest speed that keep_apart can leave is the smallest positive double.
+/// The body moves at the smallest positive double, a speed that `keep_apart` can leave.
 TEST(ExactTimeDeathTest, OfWhatIsBeyondAllDoublesHasBounds) {
   const Path creeping = path_of({3, 0, 0}, {-std::numeric_limits<double>::denorm_min(), 0, 0}, at_rest, 0.5);
   const Reach wall{{1, 0, 0}, 0.5};

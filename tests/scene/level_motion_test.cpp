@@ -28,7 +28,6 @@ Arc next(const Arc& arc, const MaterialPair& pair) {
   return after_end(floor_level, pair, true, arc, arc.path.end, position_at(arc.path, arc.path.end));
 }
 
-/// v − R w × n
 Vector slip(const Vector& v, const Vector& w) { return v - ball_radius * w.cross(Vector(0, 0, 1)); }
 
 /// ½ v² + ½ (2/5) R² w² of a unit mass.

@@ -132,7 +132,7 @@ TEST(Plane, BoundsContainTheExactTime) {
 }
 
 TEST(Quartic, ThatTouchesZeroIsUndecided) {
-  // (t − 1/2)⁴, and the same plus 2⁻⁴⁰.
+  // (t − 1/2)⁴ touches 0, and (t − 1/2)⁴ + 2⁻⁴⁰ does not.
   const UncertainQuartic touching{{1.0 / 16, -1.0 / 16, 1.0 / 16, -1.0 / 16, 1.0 / 16}, 0x1p-50, 1};
   EXPECT_EQ(first_crossing(touching).decision, Decision::undecided);
   UncertainQuartic above = touching;
@@ -159,8 +159,8 @@ TEST(Quartic, FindsTheFirstOfFourRoots) {
   const Crossing found = first_crossing(with_four_roots(0.03));
   ASSERT_EQ(found.decision, Decision::bounded);
   EXPECT_NEAR(found.s, 0.125 - 0.03, found.error);
-  // The slope at the root is −3/32, so an error of 2⁻⁴⁸ in height is 11 · 2⁻⁴⁸ in time. Bisection reaches this within a
-  // factor of 8.
+  // The slope at the root is −3/32, so an error of 2⁻⁴⁸ in height is 11 · 2⁻⁴⁸ in time. Bisection reaches this error
+  // within a factor of 8.
   EXPECT_LE(found.error, 128 * 0x1p-48);
 }
 

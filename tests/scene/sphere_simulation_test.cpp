@@ -79,8 +79,8 @@ TEST(SphereSimulation, BouncesAtTheTimesOfTheClosedForm) {
   for (std::size_t bounce = 0; bounce < 10; ++bounce) {
     EXPECT_EQ(events[bounce].kind, EventKind::plane_impact);
     // The two bounds of a time differ by about 2 · 28 u of the height's terms, divided by the speed (u is `roundoff`).
-    // This difference is below 128 u = 2⁻⁴⁶. An event may be early by so much. Then its speed is too small by g times
-    // as much.
+    // This difference is below 128 u = 2⁻⁴⁶. An event may be early by this difference. Then its speed is too small by g
+    // times the difference.
     EXPECT_NEAR(events[bounce].time, time, static_cast<double>(bounce + 1) * 0x1p-46) << bounce;
     speed *= restitution;
     EXPECT_NEAR(events[bounce].a.after.path.velocity.z(), speed, static_cast<double>(bounce + 1) * g * 0x1p-46);
@@ -112,7 +112,7 @@ TEST(SphereSimulation, ThrowsABallFromWallToWall) {
       time += 8 / speed;
       speed *= restitution;
       EXPECT_EQ(events[k].plane, k % 2 == 0 ? 1U : 0U);
-      // An event may be early by 128 u of each flight, as in the test of bounces.
+      // An event may be early by 128 u times the duration of each flight, as in the test of bounces.
       EXPECT_NEAR(events[k].time, time, 128 * roundoff * time);
       EXPECT_EQ(events[k].a.after.path.velocity, Vector(k % 2 == 0 ? -speed : speed, 1, 0));
     }
@@ -197,8 +197,8 @@ TEST(SphereSimulation, TakesOfEqualTimesTheLowerSpheresFirst) {
     const std::size_t high = std::max(order[1], order[2]);
     EXPECT_EQ(events[1].a.body, std::min(high, order[0]));
     EXPECT_EQ(events[1].b->body, std::max(high, order[0]));
-    // The contact is at √(1 − 0.75²) from the centre. The three terms of the squared gap are up to 14, each accurate to
-    // about 28 u. The root of the discriminant is 1.3, so the time is accurate to 2 · 3 · 14 · 28 u/1.3.
+    // At the contact, the moving ball is at x = −√(1 − 0.75²). The three terms of the squared gap are up to 14, each
+    // accurate to about 28 u. The root of the discriminant is 1.3, so the time is accurate to 2 · 3 · 14 · 28 u/1.3.
     EXPECT_NEAR(events[0].time, 3 - std::sqrt(0.4375), 2048 * roundoff);
     EXPECT_NEAR(events[1].time, events[0].time, 2048 * roundoff);
   } while (std::next_permutation(order.begin(), order.end()));
@@ -386,7 +386,7 @@ TEST(SphereSimulation, LetsRollingBallsMeetWhereTheyTouch) {
     unit::add_sphere(scene, 0.5, {-1.875, 0, 0}, {2, 0, 0});
     scene.spheres[0].angular_velocity = {0, 4, 0};
     unit::add_sphere(scene, 0.5, {0, 0, 0}, {0, 0, 0});
-    // Far away, so that cells are wide and the duration ends the span.
+    // A sphere far away makes the cells wide, so that the duration ends the search.
     unit::add_sphere(scene, 0.5, {100, 100, 0}, {0, 0, 0});
     int impacts = 0;
     for (const Event& event : unit::events_of(scene, 1000)) {

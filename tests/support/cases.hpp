@@ -37,7 +37,7 @@ inline constexpr std::uint64_t seed = 20240607;
   return cases;
 }
 
-/// The same, with fewer cases of each family if the test is only sampled.
+/// Like valid_cases, with fewer cases of each family if the test is sampled (effort.hpp).
 [[nodiscard]] inline std::vector<std::pair<std::string_view, properties::Case>> sampled_cases(int of_each) {
   return valid_cases(static_cast<std::uint64_t>(effort(of_each)));
 }

@@ -66,7 +66,7 @@ template <class Derived, class OtherDerived>
   return impulse::make_contact<Rational>(oracles::lift(collision));
 }
 
-/// The relative velocity V⁻ of the contact points.
+/// The relative velocity V⁻ of the material points at the contact.
 [[nodiscard]] inline ExactVector velocity_before(const BasicCollision<Rational>& c) {
   return oracles::relative_velocity<Rational>(c, unchanged(c));
 }

@@ -13,7 +13,7 @@
 namespace carom::unit {
 namespace {
 
-/// A friction coefficient for which the impulse of `rough` lies on the surface of the cone, rounded.
+/// A friction coefficient for which the impulse of `rough` lies on the surface of the friction cone, up to rounding.
 double friction_on_surface(Collision c) {
   double outside = 0;
   double inside = 64;
@@ -24,8 +24,8 @@ double friction_on_surface(Collision c) {
   return inside;
 }
 
-/// A collision with N·D > 0, and with the friction for which the divisor ‖N × D‖ − μ N·D of `rough` is 0, rounded. The
-/// sign of N·D depends on the direction of the slip.
+/// A collision with N·D > 0, whose μ makes the divisor ‖N × D‖ − μ N·D of `rough` 0, up to rounding (impulse/rough.hpp
+/// defines D). The sign of N·D depends on the direction of the slip.
 Collision with_zero_divisor() {
   for (const double sign : {1.0, -1.0}) {
     Collision c = plain_collision();

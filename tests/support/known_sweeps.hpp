@@ -9,7 +9,8 @@
 
 namespace carom::unit {
 
-/// Collisions k = 0, 1, …, count − 1 that differ in one parameter, which grows or shrinks by powers of two.
+/// The collisions with the numbers k = 0, 1, …, count − 1. They differ in one parameter, which grows or shrinks by
+/// powers of two.
 struct Sweep {
   std::string name;
   int count;

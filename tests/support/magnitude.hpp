@@ -33,7 +33,7 @@ class Magnitude {
     }
   }
 
-  /// A number of at most this size, and a multiple of the last bit of a double of this size.
+  /// A number of at most this size. It is a multiple of the last bit of a double of this size.
   [[nodiscard]] static Magnitude at_most(double size) {
     Magnitude x(size);
     x.below_ = unknown;
@@ -52,8 +52,8 @@ class Magnitude {
   [[nodiscard]] double unit() const { return unit_; }
   [[nodiscard]] bool is_zero() const { return above_ == -infinity; }
 
-  /// While this object exists, a divisor without a known lower bound counts as at least 2^below. A theorem must justify
-  /// this bound.
+  /// While this object exists, a divisor without a known lower bound counts as a number of at least 2^below. A theorem
+  /// must justify this bound.
   class DivisorsAtLeast {
    public:
     explicit DivisorsAtLeast(double below) : outer_(divisors_below()) { divisors_below() = below; }

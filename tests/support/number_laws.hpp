@@ -23,8 +23,9 @@ namespace carom::unit {
 ///  static bool agrees(x, y, terms)      whether x and y can stand for the same real number
 ///  static double size(x)                about |x|; tests compute `terms` from sizes
 ///
-/// For an exact type, `agrees` tests equality. For a type with bounds, it tests whether the bounds overlap. For a type
-/// that rounds without a bound, it tests whether x and y differ by at most a few roundings of a number of size `terms`.
+/// For an exact type, `agrees` tests equality. For a type with bounds, `agrees` tests whether the bounds overlap. For a
+/// type that rounds without a bound, `agrees` tests whether x and y differ by at most a few roundings of a number of
+/// size `terms`.
 template <class T>
 struct NumberType;
 
@@ -48,7 +49,7 @@ class NumberLaws : public testing::Test {
 
 TYPED_TEST_SUITE_P(NumberLaws);
 
-/// x + y and y + x have the same bits, even after rounding. Their bounds may differ.
+/// x + y and y + x have the same bits, even if they are rounded. Their bounds may differ.
 TYPED_TEST_P(NumberLaws, CommuteBitForBit) {
   this->for_each_triple([&](const TypeParam& x, const TypeParam& y, const TypeParam&) {
     EXPECT_TRUE(NumberType<TypeParam>::same_value(x + y, y + x));

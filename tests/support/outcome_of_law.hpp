@@ -10,8 +10,8 @@ namespace carom::unit {
 [[nodiscard]] inline const oracles::Rational& nearly(const oracles::Rational& x) { return x; }
 [[nodiscard]] inline oracles::Rational nearly(const oracles::Radical& x) { return oracles::approximately(x); }
 
-/// The exact outcome of the law. For `coulomb`, the first answer. Irrational square roots are rounded far beyond any
-/// judged precision.
+/// The exact outcome of the law; for `coulomb`, the first of its answers. Irrational square roots are rounded, to far
+/// more digits than the judge compares.
 [[nodiscard]] inline Outcome<oracles::Rational> outcome_of_law(const oracles::ExactCase& exact_case, Law law) {
   const auto rational = []<class T>(const oracles::Truth<T>& truth) {
     return map_outcome<oracles::Rational>(truth.outcome, [](const T& x) { return nearly(x); });
@@ -27,7 +27,7 @@ namespace carom::unit {
       map_outcome<long double>(exact_case.nearest_truth(law), [](double x) { return static_cast<long double>(x); })};
 }
 
-/// The same with the collision matrix, rounded to binary64.
+/// Like reported_outcome, but also with the collision matrix, rounded to binary64.
 [[nodiscard]] inline ReportedOutcome reported_outcome_with_matrix(const oracles::ExactCase& exact_case, Law law) {
   ReportedOutcome reported = reported_outcome(exact_case, law);
   reported.collision_matrix = exact_case.collision_matrix().unaryExpr(

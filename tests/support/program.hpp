@@ -15,7 +15,6 @@ struct RunResult {
   std::string errors;
 };
 
-/// Runs `carom ARG…` without a shell.
 [[nodiscard]] RunResult run_carom(const std::vector<std::string>& arguments);
 
 [[nodiscard]] std::string carom_program();
@@ -28,7 +27,6 @@ struct RunResult {
 /// Waits for a started process. Returns its exit status, or -1 if a signal ended it.
 [[nodiscard]] int wait_for(pid_t process);
 
-/// A new directory, which the destructor removes.
 class TemporaryDirectory {
  public:
   TemporaryDirectory();

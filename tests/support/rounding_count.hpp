@@ -11,9 +11,9 @@ namespace carom::bounds {
 
 /// A scalar that bounds the rounding error of the code that computes with it. The exact result is a sum of terms t.
 /// Each rounding multiplies terms by a factor 1 + δ with |δ| ≤ u, the unit roundoff. The class tracks Σ|t|, and the
-/// largest number n of factors of a term. So the error is at most γ_n Σ|t|, with γ_n = n u / (1 − n u) (N. Higham,
-/// Accuracy and Stability of Numerical Algorithms, §3.1). Operations with 0, and products and quotients with powers of
-/// two, are exact. Precondition: any other divisor is at least 1 and a sum of positive terms.
+/// largest number n of such factors in one term. So the error is at most γ_n Σ|t|, with γ_n = n u / (1 − n u) (N.
+/// Higham, Accuracy and Stability of Numerical Algorithms, §3.1). Operations with 0, and products and quotients with
+/// powers of two, are exact. Precondition: any other divisor is at least 1 and a sum of positive terms.
 class RoundingCount {
  public:
   RoundingCount() = default;

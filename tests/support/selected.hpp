@@ -7,8 +7,8 @@
 
 namespace carom::unit {
 
-/// Whether GoogleTest's filter and shard select a test of the current suite with this parameter's name. Call it in
-/// SetUpTestSuite, to compute only the shared results that the selected tests need.
+/// Whether GoogleTest's filter and shard select a test of the current suite with this parameter's name. SetUpTestSuite
+/// calls this function, to compute only the shared results that the selected tests need.
 [[nodiscard]] inline bool is_selected(std::string_view parameter) {
   const testing::TestSuite& suite = *testing::UnitTest::GetInstance()->current_test_suite();
   for (int i = 0; i < suite.total_test_count(); ++i) {

@@ -30,8 +30,8 @@ std::string unescaped(std::string text) {
   return text;
 }
 
-/// GitHub's interpretation of a log. A line that begins with "::", after blanks, is a command, unless the log has
-/// stopped commands.
+/// GitHub's interpretation of a log. A line that begins with "::", after optional blanks, is a command, unless the log
+/// has stopped commands.
 std::vector<Command> commands_in(const std::string& log) {
   std::vector<Command> commands;
   std::string token;

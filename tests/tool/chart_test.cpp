@@ -126,7 +126,7 @@ TEST_F(Chart, EveryPictureIsSvgWithoutScripts) {
     EXPECT_FALSE(document.select_nodes("//*[local-name()='path']").empty()) << entry.path();
     EXPECT_TRUE(std::filesystem::exists(out() / "gnuplot" / entry.path().stem().concat(".gp")));
   }
-  // For each law: two pictures of time against accuracy, one of deadlines, and one for each sweep.
+  // Each of the two laws has two pictures of time against accuracy, one of deadlines, and one for each sweep.
   EXPECT_EQ(pictures, 2 * (3 + record().at("sweeps").size()));
 }
 

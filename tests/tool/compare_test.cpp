@@ -24,7 +24,6 @@ json& count_of(json& report, const char* invariant) {
   return report.at("subjects").at(0).at("families").at(0).at("invariants").at(invariant);
 }
 
-/// Changes the report so that the sound subject violates restitution in head_on.
 json with_a_violation(json report) {
   count_of(report, "restitution") = {{"holds", 29}, {"violated", 1}, {"skipped", 0}};
   report.at("subjects").at(0)["status"] = "violated";

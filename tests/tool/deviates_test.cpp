@@ -72,7 +72,7 @@ TEST(Deviates, IsShownInEveryReport) {
   EXPECT_NE(content_of(out.path() / "report.json").find("energy@head_on"), std::string::npos);
 }
 
-/// A method claims the invariants of the collision matrix only if it forms the matrix.
+/// Only a method that forms the collision matrix claims the invariants about this matrix.
 TEST(NotClaimed, IsWhatIsSaidOfAMatrixThatIsNotShown) {
   const TemporaryDirectory out;
   const RunResult result = run_carom({"gate", "frictionless-double", "reflection-double", "reflection-batch-double",

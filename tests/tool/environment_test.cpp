@@ -66,7 +66,6 @@ std::string target_of(const std::vector<std::string>& words) {
   return object.substr(begin, object.find(".dir/", begin) - begin);
 }
 
-/// The flags of `left` that `right` also has, in the order of `left`.
 Flags common(const Flags& left, const Flags& right) {
   Flags both;
   std::set_intersection(left.definitions.begin(), left.definitions.end(), right.definitions.begin(),
@@ -77,7 +76,6 @@ Flags common(const Flags& left, const Flags& right) {
   return both;
 }
 
-/// For each target, the flags that all its compile lines share.
 std::map<std::string, Flags> compiled_flags() {
   std::map<std::string, Flags> all;
   for (const nlohmann::json& entry : nlohmann::json::parse(tests::content_of(CAROM_COMPILE_COMMANDS))) {

@@ -187,7 +187,7 @@ TEST(GateCommand, SaysHowManyCasesABudgetWasEnoughFor) {
 }
 
 TEST(GateCommand, DigitsDecideInPlaceOfUlps) {
-  // A hundredth of an ulp is less than any rounding. Three digits are half of the digits of binary32.
+  // The limit of a hundredth of an ulp is less than any rounding. Three digits are half of the digits of binary32.
   const std::vector<std::string> strict{"gate", "frictionless-float", "--families", "elastic", "--cases",
                                         "40",   "--limit-ulps",       "0.01"};
   EXPECT_EQ(run_carom(strict).exit_status, 1);

@@ -21,7 +21,7 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-/// ESC, C1 and characters that reverse the writing direction may hide text.
+/// Characters that may hide text: ESC, the control characters C1, and characters that reverse the writing direction.
 constexpr const char* controls = "\x1b[31m\u009b31m\u202e\u2066\u200f";
 
 void expect_harmless(const RunResult& run) {
@@ -130,8 +130,8 @@ TEST(HostileInput, WhereMemoryEndsWhatWasJudgedUntilThenIsReported) {
   const TemporaryDirectory directory;
   const std::string out = (directory.path() / "report").string();
   int reports = 0;
-  // With the least limit, the program cannot start. The greatest limit is more than enough. Between them, memory runs
-  // out during the run.
+  // With the least limit of memory, the program cannot start. The greatest limit is more than enough. With some limits
+  // between them, memory runs out during the run.
   for (int kilobytes = 40'000; kilobytes < 120'000 && reports < 3; kilobytes += 2'000) {
     fs::remove_all(out);
     const RunResult run =

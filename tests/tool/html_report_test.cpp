@@ -32,7 +32,6 @@ struct Page {
   [[nodiscard]] std::string text_of(const char* path) const { return document.select_node(path).node().text().get(); }
 };
 
-/// The page of a run, read by a strict parser of XML.
 std::unique_ptr<Page> page_of(std::vector<std::string> arguments) {
   auto page = std::make_unique<Page>();
   arguments.insert(arguments.end(), {"--out", page->directory.path().string()});

@@ -22,7 +22,8 @@ bool is_requested_soon(const std::stop_token& stop) {
   return stop.stop_requested();
 }
 
-/// Signals as `timeout` does: the program, its group (here the program again), and at last SIGCONT.
+/// Sends the signals that `timeout` sends: one to the program, one to its group (here the program again), and at last
+/// SIGCONT.
 [[noreturn]] void be_signalled_at_once() {
   const std::stop_token stop = stop_on_interrupt();
   kill(getpid(), SIGTERM);

@@ -67,7 +67,6 @@ class Merge : public testing::Test {
     return {path("shard2"), path("shard1"), path("shard3")};
   }
 
-  /// The directory of a copy of the second shard whose report `change` changed.
   [[nodiscard]] static std::string changed_shard(const std::function<void(json&)>& change) {
     const fs::path changed = directory_->path() / "changed";
     fs::remove_all(changed);
@@ -82,7 +81,7 @@ class Merge : public testing::Test {
   static inline TemporaryDirectory* directory_ = nullptr;
 };
 
-/// Each shard chooses its own witnesses, so their cases may differ.
+/// Each shard chooses its own witnesses, so their cases may differ from those of the whole run.
 json without_what_may_differ(json report) {
   report.at("environment").erase("date");
   for (json& subject : report.at("subjects")) {

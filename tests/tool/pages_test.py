@@ -13,7 +13,7 @@ TOP = pathlib.Path(__file__).resolve().parents[2]
 CAROM = sys.argv[1]
 PAGES = {str(file.relative_to(TOP)): file.read_text(encoding="utf-8")
          for file in [TOP / "README.md", *sorted((TOP / "docs").rglob("*.md"))]}
-# These pages describe the current version; others may describe an earlier run.
+# These pages describe the current version. The other pages may describe an earlier run.
 OF_TODAY = [page for page in PAGES if re.match("README|docs/(guide|reference)/|docs/[A-Za-z]*.md", page)
             and page != "docs/CHANGELOG.md"]
 WORDS = ["none", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"]

@@ -130,8 +130,8 @@ TEST(Plan, RefusesFloatForOneContactFarFromTheOriginAndNamesItsLine) {
 
 TEST(Plan, FailsWhereNothingServes) {
   const TemporaryDirectory directory;
-  // The change of velocity is small beside the common velocity of both bodies. So an outcome in binary64 cannot hold 18
-  // digits of the change.
+  // The change of velocity is small compared with the common velocity of both bodies. So an outcome in binary64 cannot
+  // hold 18 digits of the change.
   json fast = crate(0);
   fast["a"]["velocity"] = {1e9 + 0.5, -1.25, 0};
   fast["b"]["velocity"] = {1e9, 0, 0};

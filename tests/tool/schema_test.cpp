@@ -22,7 +22,6 @@ RunResult validate(const std::string& report) {
   return run_program(python, {"-W", "ignore", "-m", "jsonschema", "-i", report, schema});
 }
 
-/// The name of a subject that is not installed, or nothing.
 std::vector<std::string> absent_subject() {
   for (const json& subject : json::parse(run_carom({"subjects", "--format", "json"}).output)) {
     if (!subject.at("absent").get<std::string>().empty()) {

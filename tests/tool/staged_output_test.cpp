@@ -136,7 +136,7 @@ TEST(StagedOutput, AReportStandsWithItsWitnessesWheneverTheRunIsKilled) {
   const auto whole = std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - start);
   std::mt19937 random(7);
   for (int round = 0; round < 12; ++round) {
-    // Most signals come towards the end, when the program writes files.
+    // Two of three signals come towards the end, when the program writes files.
     const auto earliest = round % 3 == 0 ? 0 : 7 * whole.count() / 10;
     std::uniform_int_distribution<std::int64_t> moment(earliest, 11 * whole.count() / 10);
     const pid_t gate = start_carom(finding_gate(out.path()));

@@ -9,7 +9,7 @@
 namespace carom::tests {
 namespace {
 
-/// The exit status and the standard error of a command whose standard output the script breaks.
+/// The exit status and the standard error of a command. The script breaks the standard output of the command.
 std::string said_by(const std::string& script, const std::vector<std::string>& arguments) {
   std::vector<std::string> words{"-c", script + R"(; echo "status $?" >&2)", "sh", carom_program()};
   words.insert(words.end(), arguments.begin(), arguments.end());

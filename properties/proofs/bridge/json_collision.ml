@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: BSL-1.0 *)
 
-(* The reader of collisions, in the form of the subject protocol. What it reads is trusted to mean what was written. *)
+(* The reader of collisions, in the form of the subject protocol. No theorem covers it: it has to be trusted. *)
 
-(* Before the extracted module of the same name hides it. *)
+(* Zarith's Z, which the extracted module Z would hide. *)
 module Integer = Z
 open Answers
 
@@ -11,7 +11,7 @@ exception Invalid of string
 let member = Yojson.Safe.Util.member
 let fail place what = raise (Invalid (place ^ ": " ^ what))
 
-(* The rational number that the nearest binary64 number is. *)
+(* The binary64 number nearest to the number in the text, as a rational number. *)
 let rational place json =
   let number =
     match json with

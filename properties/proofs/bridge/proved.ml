@@ -4,7 +4,7 @@
    Without an argument: reads collisions, one a line, and writes the answers of all laws, one line each.
    With the name of a law: a subject of Carom's protocol that follows it, each component rounded to binary64. *)
 
-(* Before the extracted module of the same name hides it. *)
+(* Zarith's Z, which the extracted module Z would hide. *)
 module Integer = Z
 open Answers
 
@@ -25,7 +25,7 @@ let text { rational; coefficient; radicand } =
   if Q.sign coefficient = 0 then rational
   else Printf.sprintf "%s + %s √(%s)" rational (Q.to_string coefficient) (Q.to_string radicand)
 
-(* To the nearest: of a root so many bits are taken that what is left of it does not count, but for a tie. *)
+(* Rounds to the nearest binary64 number. The root has so many bits that its error matters only near a tie. *)
 let nearest { rational; coefficient; radicand } =
   if Q.sign coefficient = 0 then Q.to_float rational
   else begin

@@ -32,9 +32,9 @@ using WideJson =
 /// one object, or if values nest deeper than 64 levels.
 [[nodiscard]] nlohmann::json parse_json(std::string_view text);
 
-/// Parses a reply of a subject that computes in `precision`. An integer within 64 bits stays an integer. If `precision`
-/// is `extended`, any other number becomes a long double. Otherwise it is rounded once to binary64, and is infinite
-/// beyond the range. Throws FormatError as parse_json does, except for overflow.
+/// Parses a reply of a subject that computes in `precision`. An integer within 64 bits stays an integer. Any other
+/// number becomes a long double if `precision` is `extended`. Otherwise the number is rounded once to binary64, and to
+/// infinity beyond the range. Throws FormatError as parse_json does, but not for overflow.
 [[nodiscard]] WideJson parse_reply(std::string_view text, Precision precision);
 
 /// A finite number as itself; otherwise "nan", "inf" or "-inf".

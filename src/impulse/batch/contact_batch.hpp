@@ -32,9 +32,10 @@ struct PageAllocator {
   friend bool operator==(const PageAllocator&, const PageAllocator&) { return true; }
 };
 
-/// Arrays of one length in one piece of memory. Each array begins at a cache line. The first array begins as far into a
-/// page as if `before` other arrays preceded it. OutcomeBatch sets `before` to the number of arrays of a ContactBatch,
-/// so the offsets within a page differ. At the same offset, a load would wait for a recent store to another page.
+/// Arrays of one length in one piece of memory. Each array begins at a cache line. The first array begins at the offset
+/// within a page that it would have after `before` other arrays. OutcomeBatch sets `before` to the number of arrays of
+/// a ContactBatch, so that contacts and outcomes have different offsets. A load waits for a recent store to another
+/// page if both have the same offset.
 template <class S>
 class ArraysInOnePiece {
  public:

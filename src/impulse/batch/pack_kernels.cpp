@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 // Compiled once for each instruction set, which CAROM_INSTRUCTION_SET names.
 
-// A check would leave a function that is not inlined. solve.cpp checks the preconditions.
+// This unit checks no preconditions, because a check calls a function that is not inlined. solve.cpp checks the
+// preconditions.
 #undef CAROM_CHECK_PRECONDITIONS
 #define CAROM_CHECK_PRECONDITIONS 0
 
@@ -19,7 +20,8 @@ void solve_by_law(const PackTask<S>& task, Law law) {
 
 }  // namespace
 
-// Everything is inlined. Otherwise the linker could use a function of this unit in a unit of a narrower set.
+// Everything is inlined. Otherwise the linker could use a function of this unit in a unit of a narrower instruction
+// set.
 [[gnu::flatten]] void solve_packs(const PackTask<float>& task, Law law) { solve_by_law(task, law); }
 [[gnu::flatten]] void solve_packs(const PackTask<double>& task, Law law) { solve_by_law(task, law); }
 

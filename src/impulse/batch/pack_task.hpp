@@ -7,8 +7,8 @@
 
 namespace carom::impulse {
 
-/// The beginnings of the arrays, in the order of for_each_array, for exchange between units of different instruction
-/// sets.
+/// Pointers to the beginnings of the arrays, in the order of for_each_array. Units of different instruction sets share
+/// this type.
 template <class S>
 struct PackTask {
   const S* contacts[contact_number_count];

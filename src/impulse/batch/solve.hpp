@@ -14,21 +14,21 @@
 /// same bits as the scalar solvers compiled without contraction of a·b + c. The library is carom::batch.
 namespace carom::impulse {
 
-/// Solves every contact. An array of outcomes may be the array of the velocities that it replaces; otherwise no two
-/// arrays overlap. Preconditions: each contact was made from a valid collision; the law is one of `laws_with_truth`.
-/// Throws std::invalid_argument for any other law, for arrays of different lengths, and for an instruction set that is
-/// not available.
+/// Solves every contact. An array of outcomes may be the array of the contacts' velocities that it replaces. Otherwise
+/// no two arrays overlap. Preconditions: each contact was made from a valid collision; the law is one of
+/// `laws_with_truth`. Throws std::invalid_argument for any other law, for arrays of different lengths, and for an
+/// instruction set that is not available.
 void solve(const ContactArrays<const float>& contacts, Law law, const OutcomeArrays<float>& outcomes,
            InstructionSet set = best_instruction_set());
 void solve(const ContactArrays<const double>& contacts, Law law, const OutcomeArrays<double>& outcomes,
            InstructionSet set = best_instruction_set());
 
-/// Solves arrays of the length `task.count`. Preconditions and other errors are as above.
+/// Solves arrays of the length `task.count`. Preconditions and other errors are those of the functions above.
 void solve(const PackTask<float>& task, Law law, InstructionSet set = best_instruction_set());
 void solve(const PackTask<double>& task, Law law, InstructionSet set = best_instruction_set());
 
-/// Solves a batch. For few contacts, this takes a quarter of the time of a call with ContactArrays, because no lengths
-/// are checked. Throws std::invalid_argument if the sizes of the batches differ.
+/// Solves a batch. For few contacts, this takes a quarter of the time of a call with ContactArrays, because it checks
+/// no lengths of arrays. Throws std::invalid_argument if the sizes of the batches differ.
 template <class S>
 void solve(const ContactBatch<S>& contacts, Law law, OutcomeBatch<S>& outcomes,
            InstructionSet set = best_instruction_set()) {

@@ -109,8 +109,8 @@ void write_outcome_of(const PackTask<typename P::value_type>& task, std::size_t 
   write_outcome(outcome, writer<P>(task, i));
 }
 
-/// Solves `Packs` packs of contacts from i on. Each impulse is a long chain of dependent operations, so all impulses
-/// are found first, and the processor interleaves their chains.
+/// Solves `Packs` packs of contacts from i on. Computes the impulses of all packs before it writes an outcome. Each
+/// impulse is a long chain of dependent operations, and the processor interleaves the chains.
 template <class P, class Inertia, std::size_t Packs, class Solver>
 void solve_as(const PackTask<typename P::value_type>& task, std::size_t i, const Solver& solver) {
   std::array<std::invoke_result_t<const Solver&, const Contact<P, Inertia>&>, Packs> answers;
@@ -124,8 +124,8 @@ void solve_as(const PackTask<typename P::value_type>& task, std::size_t i, const
   }
 }
 
-/// Solves one pack with slender bodies. Not inlined, so that it takes no registers from the usual case. Its type P
-/// names the instruction set, so no other unit uses it.
+/// Solves one pack with slender bodies. Not inlined, so that it takes no registers from the usual case. Each
+/// instruction set has its own type P, so the linker uses this function in no other unit.
 template <class P, class Solver>
 [[gnu::noinline, gnu::flatten]] void solve_slender(const PackTask<typename P::value_type>& task, std::size_t i,
                                                    const Solver& solver) {
@@ -190,16 +190,16 @@ struct OnePack {
 
 }  // namespace detail
 
-/// Applies `solver` to all contacts. For a Contact<P>, it returns a ContactImpulse<P>, NormalImpulse<P>,
-/// RoughImpulse<P> or (slower) an Outcome<P>. An array of outcomes may be the array of the velocities that it replaces;
-/// otherwise no two arrays overlap.
+/// Applies `solver` to all contacts. `solver` maps a Contact<P> to a ContactImpulse<P>, NormalImpulse<P>,
+/// RoughImpulse<P> or (slower) an Outcome<P>. An array of outcomes may be the array of the contacts' velocities that it
+/// replaces. Otherwise no two arrays overlap.
 template <class P, class Solver>
 void solve_packs(const PackTask<typename P::value_type>& task, const Solver& solver) {
   constexpr std::size_t width = P::size();
   const detail::BlockPrefetch prefetch(task);
   const bool is_large = prefetch.pays();
   std::size_t i = 0;
-  // For large arrays, two packs at a time are slower by an eighth than one.
+  // For large arrays, two packs at a time take an eighth longer than one pack at a time.
   for (; !is_large && i + 2 * width <= task.count; i += 2 * width) {
     detail::solve_from<P, 2>(task, i, solver);
   }

@@ -40,8 +40,9 @@ template <class S>
   }
 }
 
-/// x y − `product`, exactly, with `product` the rounded x y (T. J. Dekker, "A floating-point technique for extending
-/// the available precision", Numerische Mathematik 18, 1971). Not exact within a factor of 2³³ of the largest number.
+/// x y − `product`, exactly, if `product` is the rounded x y (T. J. Dekker, "A floating-point technique for extending
+/// the available precision", Numerische Mathematik 18, 1971). Not exact if |x| or |y| exceeds 2⁻³³ times the largest
+/// number.
 [[nodiscard]] inline long double error_of_product(long double x, long double y, long double product) {
   static_assert(std::numeric_limits<long double>::radix == 2);
   constexpr int half = (std::numeric_limits<long double>::digits + 1) / 2;
@@ -57,10 +58,10 @@ template <class S>
 
 /// a b − c d, with an error of at most 3/2 ulps unless a product overflows or underflows (W. Kahan; C.-P. Jeannerod, N.
 /// Louvet, J.-M. Muller, "Further analysis of Kahan's algorithm for the accurate computation of 2 × 2 determinants",
-/// Mathematics of Computation 82, 2013). For long double, without fma, the relative error is at most 2 u (M. Cornea, J.
-/// Harrison, P. T. P. Tang; C.-P. Jeannerod, "A radix-independent error analysis of the Cornea-Harrison-Tang method",
-/// ACM Transactions on Mathematical Software 42, 2016). Other types carry more digits than needed, and evaluate the
-/// expression as written.
+/// Mathematics of Computation 82, 2013). For long double, without fma, the relative error is at most 2 u with the unit
+/// roundoff u (M. Cornea, J. Harrison, P. T. P. Tang; C.-P. Jeannerod, "A radix-independent error analysis of the
+/// Cornea-Harrison-Tang method", ACM Transactions on Mathematical Software 42, 2016). Other types have digits to spare,
+/// and evaluate the expression as written.
 template <class S>
 [[nodiscard]] S difference_of_products(const S& a, const S& b, const S& c, const S& d) {
   if constexpr (std::is_same_v<S, long double>) {

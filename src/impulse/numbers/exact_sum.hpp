@@ -52,8 +52,8 @@ class ExactSum {
     return carry < 0 ? -1 : (carry > 0 || !zero ? 1 : 0);
   }
 
-  /// The sum, 0 or infinite beyond the range of double. If it is normal, its relative error is at most 2⁻⁵⁰: two
-  /// additions are rounded, and the omitted digits are below 2⁻⁶⁴ of the sum.
+  /// The sum, rounded; 0 or infinite if it is beyond the range of double. If the result is a normal number, its
+  /// relative error is at most 2⁻⁵⁰: two additions are rounded, and the omitted digits are below 2⁻⁶⁴ of the sum.
   [[nodiscard]] double approximately() const {
     const int s = sign();
     std::int64_t carry = 0;
@@ -82,9 +82,9 @@ class ExactSum {
   static constexpr int lowest_bit = 3 * least_exponent;
   static constexpr std::size_t digit_count = (3 * (least_exponent + 1024)) / digit_bits + 3;
 
-  // `add` adds at most two numbers below 2³² to each digit. `sign()` adds a carry below 2³².
+  // For each product, `add` adds at most two numbers below 2³² to each digit. `sign()` adds a carry below 2³².
   static_assert(most_products <= (std::numeric_limits<std::int64_t>::max() - digit_mask) / (2 * digit_mask));
-  // The place of a double is at most 2045. A product has six digits and a carry.
+  // `Parts::place` is at most 2045. A product has six digits and a carry.
   static_assert((3 * 2045) / digit_bits + 7 <= digit_count);
 
   /// x = sign · (digits[0] + 2³² digits[1]) · 2^(place − 1074).

@@ -33,7 +33,7 @@ struct Measurements {
 
 [[nodiscard]] nlohmann::json chart_record(const Measurements& measurements);
 
-/// The methods over all families, and the value in each sweep at which a method exceeds the limit, as Markdown.
+/// As Markdown: the methods over all families, and the value in each sweep at which each method exceeds the limit.
 [[nodiscard]] std::string tables_markdown(const Measurements& measurements);
 
 }  // namespace carom::report

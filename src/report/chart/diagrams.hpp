@@ -43,8 +43,8 @@ inline constexpr std::array deadline_digits{3, 6, 9, 12, 15, 18};
 
 [[nodiscard]] std::vector<DeadlineStep> deadline_steps(std::span<const MethodMeasurement> of_one_law, double digits);
 
-/// The indices, below `count`, of the sound methods that no sound method beats in both time and digits, the quickest
-/// first.
+/// The sound methods that no other sound method beats in both time and digits, the quickest first. A method is an index
+/// below `count`.
 template <class Nanoseconds, class Digits, class IsSound>
 [[nodiscard]] std::vector<std::size_t> pareto(std::size_t count, const Nanoseconds& nanoseconds, const Digits& digits,
                                               const IsSound& is_sound) {

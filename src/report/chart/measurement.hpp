@@ -83,7 +83,7 @@ class ExactnessBuilder {
  public:
   /// If the outcome is not finite, `backward_error` is infinite and `digits` is 0.
   void add(double backward_error, double digits, bool within_limit);
-  /// For a law without a backward error. Without `digits`, only `holds` is added.
+  /// For a law without a backward error. The second overload adds a case without digits.
   void add(double digits, bool holds);
   void add(bool holds);
   ExactnessBuilder& operator+=(const ExactnessBuilder& other);

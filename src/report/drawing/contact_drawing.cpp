@@ -43,7 +43,7 @@ Velocities seen(const Plane& plane, const ContactPicture& picture, const Pick& p
   return velocities;
 }
 
-/// The longest velocity [m/s], which scales all arrows. Computed velocities count only if all others are 0.
+/// The longest velocity [m/s], which scales all arrows. Computed velocities count only if all other velocities are 0.
 long double longest_of(const std::vector<Velocities>& all) {
   long double true_ones = 0;
   long double computed = 0;

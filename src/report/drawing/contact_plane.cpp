@@ -16,7 +16,7 @@ Direction unit(const Direction& vector) {
   return largest > 0 ? Direction((vector / largest).normalized()) : Direction(Direction::Zero());
 }
 
-/// The unit vector of a vector, without its component along the normal.
+/// The unit vector of `vector`, without the component along the normal.
 Direction askew(const Direction& vector, const Direction& normal) {
   const Direction direction = unit(vector);
   return direction - direction.dot(normal) * normal;

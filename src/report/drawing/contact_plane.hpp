@@ -18,8 +18,8 @@ struct Plane {
   std::string_view spanned_by;  // in words
 };
 
-/// The plane of the normal N and the vector that is least parallel to N: the relative velocity, or a movable body's
-/// lever arm. Precondition: the numbers are finite and the normal is not zero.
+/// The plane of the normal N and of a second vector. The second vector is the relative velocity or a movable body's
+/// lever arm, whichever is least parallel to N. Precondition: the numbers are finite and the normal is not zero.
 [[nodiscard]] Plane contact_plane(const Collision& collision, const Vector3<double>& relative_velocity);
 
 [[nodiscard]] Place projected(const Plane& plane, const Direction& vector);

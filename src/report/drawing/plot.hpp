@@ -107,7 +107,8 @@ inline constexpr double name_distance = 1.35;
 /// The colour, darkened until text in it on white has a contrast of 4.5 (WCAG 2.2, 1.4.3).
 [[nodiscard]] std::string readable(std::string_view colour);
 
-/// Moves heights, sorted from the greatest, down until they are at least `gap` apart, and those below `least` up again.
+/// Moves heights down until they are at least `gap` apart. Then moves the heights below `least` up again. Precondition:
+/// the heights are sorted from the greatest.
 void spread(std::vector<double>& heights, double gap, double least);
 
 /// A gnuplot command for tics on an axis of times, at 1, 2 and 5 times the powers of ten if there is room, as plain

@@ -111,7 +111,6 @@ std::vector<std::string> families_of(const Run& run) {
 
 std::string list_of(const std::vector<std::string>& words) { return words.empty() ? "none" : listed(words); }
 
-/// The words of the first list that are not in the second.
 std::vector<std::string> without(const std::vector<std::string>& words, const std::vector<std::string>& others) {
   std::vector<std::string> rest;
   std::copy_if(words.begin(), words.end(), std::back_inserter(rest),

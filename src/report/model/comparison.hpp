@@ -88,8 +88,8 @@ struct Comparison {
   std::vector<Difference> differences;
   std::vector<ComparedSubject> subjects;  // of the newer report, then those only in the older one
 
-  /// The number of violations with this change. `count_new` also counts the subjects that can no longer be judged.
-  /// `counting_alone` restricts `count_new` to the subjects that count.
+  /// `count` is the number of violations with this change. `count_new` is the number of new violations and of subjects
+  /// that can no longer be judged. With `counting_alone`, only subjects that count contribute.
   [[nodiscard]] std::size_t count_new(bool counting_alone) const;
   [[nodiscard]] std::size_t count(Change change) const;
 };

@@ -9,8 +9,8 @@
 /// The words that all forms of a comparison share.
 namespace carom::report {
 
-/// The violated and judged cases: "12 of 1000"; for a violation of both reports with different counts, "12 of 1000 → 15
-/// of 1000"; for a violation of the older report alone, "12 of 1000 before".
+/// The violated and judged cases: "12 of 1000"; for a violation in both reports with different counts, "12 of 1000 → 15
+/// of 1000"; for a violation in the older report alone, "12 of 1000 before".
 [[nodiscard]] std::string counts_in_short(const ComparedViolation& violation);
 
 /// "Carom 0.1.0, 2026-11-23T18:00:00Z, seed 1, 1000 cases of each of 35 families".
@@ -32,7 +32,7 @@ struct ChangedNumber {
 /// A setting that differs between the runs: "seed: 1 before, 2 now".
 [[nodiscard]] std::string difference_in_words(const Difference& difference);
 
-/// The consequence of different settings, as a text.
+/// The text that explains what different settings mean for the comparison.
 extern const char* const differences_mean;
 
 }  // namespace carom::report

@@ -9,7 +9,7 @@ namespace carom::report {
 /// The text for a missing number.
 inline constexpr const char* no_number = "–";
 
-/// The numbers of correct digits that 50 %, 99 % and all cases reach. None if no number of digits was measured.
+/// The numbers of correct digits that 50 %, 99 % and 100 % of the cases reach. None if no digits were measured.
 struct Digits {
   std::optional<double> p50;
   std::optional<double> p99;

@@ -35,7 +35,7 @@ class Field {
   [[nodiscard]] std::optional<double> optional_number() const;  // none for null
   [[nodiscard]] bool flag() const;
 
-  /// Throws FormatError that says that something else was expected here.
+  /// Throws FormatError, which says that `expected` was expected at this place.
   [[noreturn]] void fail(const std::string& expected) const;
 
  private:

@@ -96,7 +96,6 @@ void require_all_once(const std::vector<ReadShard>& shards) {
   }
 }
 
-/// Adds the results of a shard.
 void add(SubjectResult& sum, const SubjectResult& part) {
   CAROM_EXPECTS(sum.subject.name == part.subject.name && sum.families.size() == part.families.size(), sum.subject.name,
                 part.subject.name);
@@ -126,7 +125,7 @@ void add(SubjectResult& sum, const SubjectResult& part) {
   sum.witnesses.insert(sum.witnesses.end(), part.witnesses.begin(), part.witnesses.end());
 }
 
-/// The number of cases of the witness's family that violate its invariant.
+/// The number of cases in the witness's family that violate the witness's invariant.
 std::uint64_t violated_beside(const Witness& witness, const SubjectResult& result,
                               const std::vector<const properties::Family*>& families) {
   for (std::size_t f = 0; f < families.size(); ++f) {

@@ -15,10 +15,10 @@ class MergeError : public std::runtime_error {
 };
 
 /// The run that consists of the shards. Its counts, coverage, worst backward errors and cases, digits and sample are
-/// those of a run without shards. A witness is the worst one of the shards, from the family with the most violations.
-/// The time of a solve is the mean over the shards, weighted by their cases. The date and the machine are those of the
-/// first shard. Throws MergeError that says what differs if the shards do not belong together, if one is missing, or if
-/// one occurs twice.
+/// those of a run without shards. For each invariant, it has one witness: the worst witness of the shards from the
+/// family with the most violations. The time of a solve is the mean over the shards, weighted by their cases. The date
+/// and the machine are those of the first shard. Throws MergeError that says what differs if the shards do not belong
+/// together, if one is missing, or if one occurs twice.
 [[nodiscard]] Run merged_run(const std::vector<ReadShard>& shards);
 
 }  // namespace carom::report

@@ -31,7 +31,7 @@ struct Environment {
 
 struct Settings {
   std::uint64_t seed = 1;
-  std::optional<std::uint64_t> cases;    // of each family; none if a budget decided
+  std::optional<std::uint64_t> cases;    // of each family; none if a time budget decides the number
   std::optional<double> budget_seconds;  // in place of `cases`
   oracles::Yardstick yardstick;
   bool fail_fast = false;
@@ -79,7 +79,8 @@ struct JudgedSubject {
   properties::SubjectResult::WorstFamily worst;
   Digits digits;
   std::vector<Violation> violations;
-  /// The invariants of the collision matrix, if the subject shows no matrix. None if a report does not list them.
+  /// The invariants that the subject does not claim because it shows no collision matrix. None if the report that was
+  /// read does not list them.
   std::optional<std::vector<std::string>> not_claimed;
   std::optional<properties::diagnosis::Diagnosis> diagnosis;  // of a subject with a violation
 
@@ -98,12 +99,12 @@ struct Run {
   std::vector<FamilyBeyondDomain> beyond_domain;
   Features features;
   std::vector<JudgedSubject> subjects;
-  std::vector<Subject> absent;           // not installed; the command line or the default names them
+  std::vector<Subject> absent;           // chosen by the command line or by default, but not installed
   std::optional<Comparison> baseline{};  // of this run with an earlier one
 
   /// 2 if a subject that counts could not be judged at all, if no subject counts, or if the run was interrupted.
-  /// Otherwise 1 if an invariant is violated or a subject could not be judged to the end. Otherwise 0. With a baseline,
-  /// known violations do not count.
+  /// Otherwise 1 if a subject that counts violates an invariant or could not be judged to the end. Otherwise 0. With a
+  /// baseline, known violations do not count.
   [[nodiscard]] int exit_status() const;
 };
 

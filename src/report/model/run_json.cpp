@@ -124,7 +124,7 @@ inline const properties::Family* known_family(const Field& name) {
   return family;
 }
 
-/// Throws FormatError if the name is unknown, and the archive reads a shard (Reading::whole).
+/// Throws FormatError if the archive reads a shard (Reading::whole) and the name is unknown.
 template <class A>
 void require_known_invariant(const A& archive, const char* field, const std::string& name) {
   if constexpr (A::reads) {

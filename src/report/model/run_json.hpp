@@ -16,9 +16,9 @@ namespace carom::report {
 /// The report.json that docs/reference/schemas/report.schema.json describes.
 [[nodiscard]] nlohmann::json report_record(const Run& run);
 
-/// Reads the run that report_record wrote, as far as a comparison needs it. Other fields of a subject's families may be
-/// missing, and families and invariants may be unknown. Throws FormatError that names the place if a field is missing
-/// or has another type, or if a subject or a family occurs twice.
+/// Reads the fields of a report that a comparison needs. The other fields of a subject's families may be missing. The
+/// names of families and invariants may be unknown. Throws FormatError that names the place if a field is missing or
+/// has another type, or if a subject or a family occurs twice.
 [[nodiscard]] Run run_from(const nlohmann::json& record);
 
 /// A shard that was read, as a run and as the gate's report.

@@ -19,7 +19,7 @@ std::string name_of(const ComparedSubject& subject) {
   return subject.name + (subject.counts || !subject.now ? "" : " (does not count)");
 }
 
-/// Adds a row for each invariant of a subject with this change, with its families: "generic (12 of 1000), …".
+/// Adds a row for each invariant that has this change, with the families: "generic (12 of 1000), …".
 void add_rows(Table& table, const ComparedSubject& subject, Change change) {
   std::string last;
   for (const ComparedViolation& violation : subject.violations) {

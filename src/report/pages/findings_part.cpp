@@ -15,8 +15,8 @@ using properties::SubjectResult;
 using properties::Witness;
 using properties::diagnosis::Diagnosis;
 
-/// The families with violations, with their share of judged cases and worst backward error, the largest share first.
-/// Invalid collisions have no backward error.
+/// The families with violations, the largest share of judged cases first. Each has its share and its worst backward
+/// error. Invalid collisions have no backward error.
 std::string families_in_words(const Run& run, const SubjectResult& result) {
   struct Share {
     std::size_t family;

@@ -67,7 +67,8 @@ Cell invariant_cell(const Run& run, std::size_t s, const properties::Invariant& 
                          : signed_cell("nothing", "○", "no case");
 }
 
-/// The shades of the matrix of backward errors. Each is for errors up to its bound times the limit of the yardstick.
+/// The shades of the matrix of backward errors. Each shade is for errors up to `bound` times the limit of the
+/// yardstick.
 struct Shade {
   const char* look;
   double bound;

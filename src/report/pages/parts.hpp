@@ -37,8 +37,8 @@ enum class Subjects { counting, all };
 /// The worst backward error of each subject in each family.
 [[nodiscard]] Document families_part(const Run& run);
 
-/// For families beyond the domain that solvers claim: the boundary from which each subject fails, which is no verdict.
-/// Empty if no such family was posed.
+/// For families beyond the domain that solvers claim: the value of the quantity from which each subject fails. This
+/// boundary is no verdict. Empty if no such family was posed.
 [[nodiscard]] Document beyond_domain_part(const Run& run, Subjects which);
 
 /// The boundary of one subject on one family beyond the domain: "from 3.2e+07 on: 412 of 1000".

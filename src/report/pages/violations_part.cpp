@@ -26,7 +26,7 @@ void add_upright(Table& table, const std::vector<std::string>& names) {
   }
 }
 
-/// "12 of 1000, #7". If the witness is of this family, the number of the worst case links to it.
+/// "12 of 1000, #7". #7 is the worst case. It links to the witness if the witness is of this family.
 Cell family_cell(const Run& run, std::size_t s, std::size_t f, const std::string& invariant) {
   const SubjectResult& result = run.subjects[s].result;
   const FamilyResult& family = result.families[f];

@@ -23,7 +23,6 @@ std::string vector_text(const Quaternion<double>& q) {
   return fmt::format("({}, {}, {}, {})", in_words(q[0]), in_words(q[1]), in_words(q[2]), in_words(q[3]));
 }
 
-/// An empty table of values with these columns.
 Table numbers_table(std::string caption, const std::vector<std::string>& columns) {
   Table table{std::move(caption), {}, {}, "numbers"};
   for (const std::string& column : columns) {

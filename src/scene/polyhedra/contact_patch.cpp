@@ -15,7 +15,7 @@ namespace {
 
 using Vector = Vector3<double>;
 
-/// A plane perpendicular to a normal. Its axes x and y are counterclockwise as seen from the tip of the normal.
+/// A plane perpendicular to a normal. x, y and the normal are right-handed axes.
 struct Plane {
   Vector normal;
   Vector x;

@@ -25,9 +25,9 @@ struct ContactPatch {
 };
 
 /// The patch between two shapes that are separated along separation.normal. In each shape, the vertices within
-/// `flatness` [m] of the greatest height towards the other shape form the feature that touches: a vertex, an edge or a
-/// face. The patch is the overlap of the projections of both features along the normal. It is one point for a vertex or
-/// a crossing of edges, a segment for an edge along an edge or over a face, and a polygon for two faces. The patch
+/// `flatness` [m] of the foremost vertex along the normal form the feature that touches: a vertex, an edge or a face.
+/// The patch is the overlap of the projections of both features along the normal. It is one point for a vertex or a
+/// crossing of edges, a segment for an edge along an edge or over a face, and a polygon for two faces. The patch
 /// extends at most `flatness` beyond each side of a feature. Two edges count as parallel if they diverge by at most
 /// `flatness` over the length of the shorter edge. Precondition: the flatness is positive, and small compared with the
 /// sides of the faces.

@@ -16,7 +16,7 @@ struct ConvexShape {
 
 [[nodiscard]] ConvexShape convex_shape(const PolyhedralBody& body);
 
-/// A ball about 0. Precondition: the radius [m] is positive.
+/// A ball about the origin. Precondition: the radius [m] is positive.
 [[nodiscard]] ConvexShape ball_shape(double radius);
 
 /// All points x with normal · x ≤ offset, in the world.
@@ -40,10 +40,10 @@ struct Placement {
 /// The largest distance by which the errors of the placement move a vertex [m].
 [[nodiscard]] double placement_error(const ConvexShape& shape, const Placement& placement);
 
-/// An upper bound of the rounding error of (x − y) · n [m], for placed vertices x and y of shapes with these core radii
-/// at this distance, and n of length 1 within rounding. In units of 2⁻⁵³, each number of the rotation matrix has an
-/// error of at most 8, and a rotated vertex of at most 17 times its length. In units of 2⁻⁵³ (distance + radii), the
-/// positions add 2, the product with n adds 4, and the length of n adds 4. The sum is 27; the function uses 64.
+/// Let x and y be placed vertices of two shapes with these core radii at this distance, and n a vector of length 1
+/// within rounding. Returns an upper bound of the rounding error of (x − y) · n [m]. In units of 2⁻⁵³ (distance +
+/// radii), the rotations add 17 (each number of a rotation matrix has an error of at most 8 · 2⁻⁵³). The positions add
+/// 2, the product with n adds 4, and the length of n adds 4. The sum is 27; the function uses 64.
 [[nodiscard]] inline double rounding_of_gap(double distance, double radius_a, double radius_b) {
   return 0x1p-47 * (distance + radius_a + radius_b);
 }

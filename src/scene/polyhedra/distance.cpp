@@ -24,24 +24,24 @@ using Points = std::vector<Vector>;
 // The constants come from measurements on 1000 pairs of boxes and 1000 pairs of hulls, with gaps of 1, 10⁻², …, 10⁻¹² m
 // and size ratios from 1 : 1 to 1 : 10⁻⁶.
 
-/// The tolerance of FCL's iteration, relative to the smaller body. With 10⁻⁶, the gap at the size ratio 1 : 10⁻⁴ is too
-/// small by 3 × 10⁻⁷ of the sizes. With this tolerance, only the rounding of
-/// directions makes the gap too small, by 10⁻¹² of the sizes.
+/// The tolerance of FCL's iteration, relative to the smaller body. A tolerance of 10⁻⁶ makes the gap at the size ratio
+/// 1 : 10⁻⁴ too small by 3 × 10⁻⁷ of the sizes. With the tolerance below, only the rounding of directions makes the gap
+/// too small, by 10⁻¹² of the sizes.
 constexpr double fcl_tolerance = 1e-12;
 
-/// A gap is accepted if it is less than FCL's distance by at most this share, because the true distance lies between
-/// the two. Otherwise the search tries the features (faces and edges) at FCL's points. Without features, the gap is too
-/// small by up to 6 × 10⁻¹⁰ of the sizes at a gap of 10⁻⁶ m.
+/// The true distance lies between the gap and FCL's distance. If the gap is smaller by at most this share, the search
+/// accepts the gap. Otherwise it tries the features (faces and edges) at FCL's nearest points. Without features, the
+/// gap is too small by up to 6 × 10⁻¹⁰ of the sizes at a gap of 10⁻⁶ m.
 constexpr double share_that_is_distance = 1e-12;
 
-/// The search tries features within this distance of FCL's points, relative to the sizes. The error of the points is at
-/// most 10⁻¹², except for 1 of 1000 pairs at the size ratio 1 : 10⁻⁶. All tolerances from 10⁻¹² to 10⁻⁶ give the same
-/// gaps.
+/// The search tries features within this distance of FCL's nearest points, relative to the sizes. The error of these
+/// points is at most 10⁻¹², except for 1 of 1000 pairs at the size ratio 1 : 10⁻⁶. All tolerances from 10⁻¹² to 10⁻⁶
+/// give the same gaps.
 constexpr double feature_tolerance = 1e-9;
 
-/// If a gap is smaller than FCL's distance by more than this share, FCL has failed, and the search tries every
-/// direction. FCL's distance is wrong by 0.2 of the sizes for 1 of 1000 pairs that are far apart and have size ratios
-/// of 1 : 100 or less. With a share of 10⁻¹², the search tries every direction for up to 5 of 1000 pairs.
+/// If the gap is smaller than FCL's distance by more than this share, FCL has failed, and the search tries every
+/// direction. In the measurements, FCL's distance is wrong by 0.2 of the sizes for up to 1 of 1000 pairs that are far
+/// apart. With a share of 10⁻¹², the search tries every direction for up to 5 of 1000 pairs.
 constexpr double share_that_is_failure = 1e-6;
 
 /// A placed polyhedron, relative to the position of B.
@@ -140,9 +140,9 @@ Features all_features(const PlacedPolyhedron& body) {
   return features;
 }
 
-/// Tries every possible direction between two nearest points if one of the points lies on a face or an edge. `between`
-/// is the direction from the nearest point of B to that of A. For an edge and a corner, the direction is the part of
-/// `between` perpendicular to the edge.
+/// Tries every direction that the features of A and B suggest: each face normal, and each cross product of an edge of A
+/// and an edge of B. For an edge against a corner, the direction is the part of `between` perpendicular to the edge.
+/// `between` leads from the nearest point of B to the nearest point of A.
 void try_features(Search& search, const Features& a, const Features& b, const Vector& between) {
   for (const Vector& normal : a.normals) {
     search.try_direction(-normal);

@@ -28,7 +28,7 @@ Vector3<double> crosswise(const Vector3<double>& x, const Vector3<double>& y) {
   return {x[1] * y[2], x[2] * y[0], x[0] * y[1]};
 }
 
-/// The derivative of ω' in Euler's equations with respect to ω. a holds the aᵢ of RotationPath.
+/// ∂ω'/∂ω in Euler's equations. a holds the aᵢ of RotationPath.
 Matrix3<double> derivative(const Vector3<double>& a, const Vector3<double>& w) {
   Matrix3<double> b;
   b << 0, a[0] * w[2], a[0] * w[1],  //
@@ -38,7 +38,7 @@ Matrix3<double> derivative(const Vector3<double>& a, const Vector3<double>& w) {
 }
 
 /// The derivative of ω at the end of a step with respect to ω at its beginning: the Taylor series of the variational
-/// equation. A step has max |aᵢ| ‖ω‖ length ≤ 0.14, so the remainder after nine terms is below 2⁻⁴⁰.
+/// equation. In each step, max |aᵢ| ‖ω‖ length ≤ 0.14, so the remainder after nine terms is below 2⁻⁴⁰.
 template <class Coefficients>
 Matrix3<double> derivative_of_step(const Vector3<double>& a, const Coefficients& rate, double length) {
   constexpr int terms = 9;

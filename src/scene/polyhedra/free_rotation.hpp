@@ -26,21 +26,22 @@ struct BoundedRotation {
   double rate_error = 0;   // upper bound of the distance of body_rate from the exact rate [rad/s]
 };
 
-/// The free rotation of a body over a duration. It solves Euler's equations I₁ ω₁' = (I₂ − I₃) ω₂ ω₃ (and so on) and q'
-/// = ½ q ω by Taylor series of high order, step after step. The series are stored, so the state at any time is one
-/// evaluation. The angular velocity is stored along the body axes, because a slender body would lose its digits along
-/// other axes.
+/// The free rotation of a body over a duration. Taylor series of high order, step after step, solve q' = ½ q ω and
+/// Euler's equations I₁ ω₁' = (I₂ − I₃) ω₂ ω₃ (and so on). Here q is the orientation, ω the angular velocity along the
+/// body axes, and I the moments. The series are stored, so the state at any time is one evaluation. Along other axes,
+/// the ω of a slender body would lose digits.
 ///
 /// Let aᵢ = (Iⱼ − Iₖ)/Iᵢ for cyclic i, j, k, and α = max |aᵢ| ≤ 1 (`a` in the code). Let W = ‖ω‖ at the beginning of a
-/// step. The Taylor coefficients of ω are at most those of W/(1 − α W t), and the coefficients of q at most those of (1
-/// − α W t)^(−1/(2α)), by induction from ‖(x₂y₃, x₃y₁, x₁y₂)‖ ≤ ‖x‖ ‖y‖. So a geometric series bounds the remainder of
-/// each series. A recurrence like that of the coefficients bounds the rounding errors of the coefficients.
+/// step. The norms of the Taylor coefficients of ω are at most the coefficients of W/(1 − α W t). The norms of those of
+/// q are at most the coefficients of (1 − α W t)^(−1/(2α)). Both follow by induction from ‖(x₂y₃, x₃y₁, x₁y₂)‖ ≤ ‖x‖
+/// ‖y‖. So a geometric series bounds the remainder of each series. A similar recurrence bounds the rounding errors of
+/// the coefficients.
 ///
-/// An error of ω grows at most by Gronwall's bound exp ∫Λ, with Λ the greatest eigenvalue of the symmetric part of the
-/// derivative of the equation. If the error is below 2⁻²⁰ ‖ω‖, the derivatives of the steps also bound its growth, in
-/// orthogonal frames (R. Lohner, "Enclosing the solutions of ordinary initial and boundary value problems", 1987). The
-/// smaller bound is used. An error e of ω [rad/s] changes the orientation by at most the angle e each second. Errors of
-/// the orientation do not grow.
+/// The class uses the smaller of two bounds of the factor by which an error of ω grows. Gronwall's bound is exp ∫Λ,
+/// with Λ the greatest eigenvalue of the symmetric part of ∂ω'/∂ω. The second bound applies to errors below 2⁻²⁰ ‖ω‖:
+/// it multiplies the derivatives of the steps, in orthogonal frames (R. Lohner, "Enclosing the solutions of ordinary
+/// initial and boundary value problems", 1987). An error e of ω [rad/s] changes the orientation by at most the angle e
+/// each second. Errors of the orientation do not grow.
 class RotationPath {
  public:
   /// Preconditions: the moments are positive, and each is at most the sum of the others (within rounding). The duration

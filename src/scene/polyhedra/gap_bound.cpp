@@ -48,8 +48,8 @@ double time_open(const GapBound& bound, double least, double limit) {
   }
   constexpr int most_rounds = 30;  // about five suffice
   for (int round = 0; round < most_rounds && closed - open > 1e-3 * open; ++round) {
-    // If h is linear, h at the end of the whole chord is `least` up to rounding, perhaps less. So the chord is
-    // shortened slightly, and more if necessary.
+    // If h (gap_bound.hpp) is linear, h at the end of the whole chord is `least` up to rounding, perhaps less. So the
+    // search shortens the chord slightly, and more if necessary.
     const double whole = (closed - open) * (excess / (excess + (least - last.gap)));
     double chord = open + whole * (1 - 0x1p-30);
     double excess_there = value_at(bound, chord).gap - least;

@@ -23,12 +23,13 @@ struct GapBound {
   double curvature = 0;  // ≥ 0 [m/s²]
 };
 
-/// A time of at most `limit` [s], up to which h stays at least `least`; 0 if h(0) ≤ least. h is concave, so the ends of
-/// chords approach the time of h = least from below.
+/// A time of at most `limit` [s] up to which h ≥ least; 0 if h(0) ≤ least. h is concave and lies above its chords. So a
+/// search along chords approaches the time of h = least from below.
 [[nodiscard]] double time_open(const GapBound& bound, double least, double limit);
 
 /// The speed at which the gap certainly opens at Δ = 0 [m/s]: the least speed of A's points minus the greatest speed of
-/// B's points. Only points of A within `band` [m] of the lowest count, and points of B within `band` of the highest.
+/// B's points. Only points of A within `band` [m] of A's lowest point count, and points of B within `band` of B's
+/// highest.
 [[nodiscard]] double opening_speed(const GapBound& bound, double band);
 
 }  // namespace carom::scene

@@ -212,7 +212,7 @@ std::variant<MassProperties, ShapeDefect> sphere_mass_properties(double radius, 
   if (!std::isfinite(radius) || radius <= 0) {
     return ShapeDefect{"the radius is not a positive finite number"};
   }
-  // π = 0x1.921fb54442d18p+1 + 0x1.1a62633145c07p-53, with a relative error of 2⁻¹⁰⁷.
+  // `pi` has a relative error of 2⁻¹⁰⁷.
   const DoubleDouble pi = DoubleDouble::of_parts(0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53);
   const DoubleDouble squared = DoubleDouble(radius) * DoubleDouble(radius);
   const DoubleDouble volume = DoubleDouble(4) * pi * squared * DoubleDouble(radius) / DoubleDouble(3);

@@ -20,7 +20,7 @@ struct MassProperties {
 };
 
 /// A body in its own frame, with the centre of mass at 0 and the principal axes along x, y and z. If the given axes are
-/// principal axes, they are kept in order.
+/// principal axes, they stay, in their order.
 struct PolyhedralBody {
   ConvexPolyhedron shape;  // in the body frame [m]
   MassProperties properties;

@@ -47,9 +47,9 @@ int orientation(const Vector3<double>& a, const Vector3<double>& b, const Vector
                            std::abs(z[2]) * (std::abs(x[0] * y[1]) + std::abs(x[1] * y[0]));
   const double largest = std::max({x.cwiseAbs().maxCoeff(), y.cwiseAbs().maxCoeff(), z.cwiseAbs().maxCoeff()});
   constexpr double unit_roundoff = 0x1p-53;
-  // Roundings cost at most (7 + 56 u) u times the permanent (Shewchuk 1997). An underflow in a product of two
-  // differences costs at most 2⁻¹⁰⁷⁴ times the third difference. Within these limits, underflow costs less than
-  // 2⁻⁹⁹⁰, which is less than (1 − 56 u) u times the permanent.
+  // With the unit roundoff u, roundings cost at most (7 + 56 u) u times the permanent (Shewchuk 1997). An underflow in
+  // a product of two differences costs at most 2⁻¹⁰⁷⁴ times the third difference. Under the two conditions below,
+  // underflows cost less than 2⁻⁹⁹⁰, which is less than (1 − 56 u) u times the permanent.
   constexpr double relative_error = 8 * unit_roundoff;
   if (permanent > 0x1p-900 && largest < 0x1p+75 && std::abs(determinant) > relative_error * permanent) {
     return determinant > 0 ? 1 : -1;

@@ -15,8 +15,9 @@ using PlanePolygon = std::vector<PlanePoint>;
 /// if its length is at most `slack`.
 [[nodiscard]] PlanePolygon hull_in_plane(std::vector<PlanePoint> points, double slack);
 
-/// The part of a polygon within `slack` of another polygon, which has at least three corners (I. Sutherland, G.
-/// Hodgman, "Reentrant polygon clipping", Commun. ACM 17, 1974). Corners nearer to each other than `slack` are merged.
+/// The part of a polygon within `slack` of the polygon `by` (I. Sutherland, G. Hodgman, "Reentrant polygon clipping",
+/// Commun. ACM 17, 1974). Corners nearer to each other than `slack` are merged. Precondition: `by` has at least three
+/// corners.
 [[nodiscard]] PlanePolygon clipped(PlanePolygon polygon, const PlanePolygon& by, double slack);
 
 /// The common part of two segments that overlap or cross: the shared segment if they are parallel within `slack`,

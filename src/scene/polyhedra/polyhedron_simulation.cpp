@@ -41,8 +41,8 @@ RigidBody body_of(const Scene& scene, std::size_t index) {
   return std::get<RigidBody>(std::move(body));
 }
 
-/// A time up to which the bounding sphere of a body certainly does not overlap another sphere or a plane. `gap` is
-/// positive while the two are apart.
+/// A time up to which the bounding sphere of a body certainly overlaps neither another bounding sphere nor a plane.
+/// `gap` is positive while the two are apart.
 double balls_touch_from(const UncertainQuadratic& gap, double now) {
   if (!(gap.c0 > gap.e0)) {
     return now;

@@ -18,14 +18,14 @@
 
 namespace carom::scene {
 
-/// Runs a scene that has polyhedra, one event at a time. All bodies fly, also spheres: nothing slides, rolls or rests.
-/// If an approach is slower than the least speed (least_speed.hpp), the impact is elastic, and the bodies part at the
-/// least speed. So a body that would lie at rest hops instead.
+/// Runs a scene that has polyhedra, one event at a time. All bodies fly, including spheres: nothing slides, rolls or
+/// rests. If an approach is slower than the least speed (least_speed.hpp), the impact is elastic, and the bodies part
+/// at the least speed. So a body that would lie at rest hops instead.
 ///
 /// A contact is the first instant at which two bodies are within `contact_tolerance` of each other and do not draw
-/// apart. Even then, the bodies certainly do not touch (time_of_contact.hpp). If all corners of the contact patch
-/// (contact_patch.hpp) approach, the impulse acts at the middle of the patch, otherwise at the corner that approaches
-/// fastest. Other corners that approach have their own impact at the same time. When a body has turned by
+/// apart. Even then, the bodies certainly do not touch (time_of_contact.hpp). If the bodies approach at all corners of
+/// the contact patch (contact_patch.hpp), the impulse acts at the centroid of the patch, otherwise at the corner of the
+/// fastest approach. Other corners with an approach have their own impacts at the same time. When a body has turned by
 /// `longest_turn`, a renewal stores its state. Of events at one time, renewals come first and impacts on planes last;
 /// within one kind, lower body indices come first.
 class PolyhedronSimulation {
@@ -35,7 +35,7 @@ class PolyhedronSimulation {
 
   /// The next event, an impact or a renewal; null after the scene's duration. The pointer is valid until the next call.
   /// Throws SceneError if impacts at one instant do not end, if bodies are not certain to be apart, or if positions are
-  /// not accurate to the tolerance. The last event remains in effect.
+  /// not accurate to the tolerance. After an error, the last event remains in effect.
   [[nodiscard]] const Event* advance();
 
   /// Makes `advance` end early and return null once a stop is requested.
@@ -81,7 +81,7 @@ class PolyhedronSimulation {
   [[nodiscard]] bool is_along_normal(const Where& where) const;
   void keep_spins_of_balls(const Where& where, const Collision& before, Outcome<double>& outcome) const;
   void begin_change(Change& change, std::size_t body) const;
-  /// Stores the state of the body at this time, with these velocities.
+  /// Stores the state of the body at the present time, with these velocities.
   void end_change(Change& change, const BodyVelocity<double>& velocity);
   [[nodiscard]] double tolerance_of(const Where& where) const;
   [[nodiscard]] std::string description_of(const Where& where) const;
@@ -91,7 +91,7 @@ class PolyhedronSimulation {
   double now_ = 0;
   std::vector<TumblingBody> bodies_;
   std::vector<std::size_t> changed_;             // bodies whose predictions are outdated
-  std::vector<std::optional<ShapePair>> pairs_;  // entry i (i − 1)/2 + k: bodies i > k; made once they come near
+  std::vector<std::optional<ShapePair>> pairs_;  // entry i (i − 1)/2 + k: bodies i > k; made when they come near
   std::vector<Prediction> predictions_;          // indexed like pairs_
   std::vector<HalfSpace> grounds_;               // one for each plane
   std::vector<Reach> reaches_;                   // entry i · planes + k: body i and plane k

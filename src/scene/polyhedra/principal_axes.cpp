@@ -18,8 +18,8 @@ DoubleDouble absolute(const DoubleDouble& x) { return x < DoubleDouble(0) ? -x :
   return matrix.cast<double>().cwiseAbs().maxCoeff();
 }
 
-/// The tangent t, |t| ≤ 1, of the rotation that makes the off-diagonal number zero: t² + 2 t θ − 1 = 0 (G. Golub, C.
-/// Van Loan, "Matrix Computations", §8.5.2).
+/// The tangent t, |t| ≤ 1, of the rotation that makes the off-diagonal number zero: t² + 2 t θ − 1 = 0, with θ as below
+/// (G. Golub, C. Van Loan, "Matrix Computations", §8.5.2).
 DoubleDouble tangent_of_rotation(const DoubleDouble& on_p, const DoubleDouble& on_q, const DoubleDouble& off) {
   const DoubleDouble theta = (on_q - on_p) / (DoubleDouble(2) * off);
   if (std::abs(theta.high()) > 0x1p200) {  // the square could overflow

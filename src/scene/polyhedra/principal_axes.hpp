@@ -13,9 +13,9 @@ struct PrincipalAxes {
 };
 
 /// The principal axes of an inertia J by Jacobi's rotations. Each rotation is at most an eighth of a turn, so axes that
-/// are almost right are not exchanged. The error ‖J − axes diag(moments) axesᵀ‖ is at most 2⁻⁹⁵ ‖J‖, because few sweeps
-/// suffice, and each rotation adds at most about 2⁻¹⁰⁰ ‖J‖. Precondition: J is symmetric, and its entry of greatest
-/// size is between 2⁻¹⁰⁰ and 2¹⁰⁰.
+/// are almost principal axes keep their order. The error ‖J − axes diag(moments) axesᵀ‖ is at most 2⁻⁹⁵ ‖J‖, because
+/// few sweeps suffice, and each rotation adds at most about 2⁻¹⁰⁰ ‖J‖. Precondition: J is symmetric, and its entry of
+/// greatest size is between 2⁻¹⁰⁰ and 2¹⁰⁰.
 [[nodiscard]] PrincipalAxes principal_axes(Matrix3<impulse::DoubleDouble> inertia);
 
 /// The quaternion of a rotation matrix, whose columns are a right-handed frame. The component of greatest size is

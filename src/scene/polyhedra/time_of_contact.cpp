@@ -56,7 +56,7 @@ Moving moving(const ConvexShape& shape, const FreeFlight& motion, double time) {
 }
 
 /// The search tries this number of later times to find a direction along which the shapes draw apart. Each time is a
-/// quarter as far ahead as the time before.
+/// quarter as far ahead as the preceding time.
 constexpr int most_trials = 24;
 
 /// The gap along a direction n that turns at a constant rate Ω, up to a time `limit`. Speeds of vertices are relative
@@ -134,9 +134,9 @@ GapBound from_certified(GapBound bound, double certified) {
   return bound;
 }
 
-/// Conservative advancement. `separation_at(time)` returns a certified separation, `open_for(time, separation, least,
-/// limit)` how long a gap is certain to stay above `least`, and `opens(time, separation)` whether the shapes draw
-/// apart.
+/// Conservative advancement. `separation_at(time)` returns a certified separation. `open_for(time, separation, least,
+/// limit)` returns how long a gap certainly stays above `least`. `opens(time, separation)` returns whether the shapes
+/// draw apart.
 template <class SeparationAt, class OpenFor, class Opens>
 TimeOfContact advance(const SeparationAt& separation_at, const OpenFor& open_for, const Opens& opens, double begin,
                       double horizon, double tolerance) {
@@ -161,8 +161,8 @@ TimeOfContact advance(const SeparationAt& separation_at, const OpenFor& open_for
       result.status = ContactStatus::misses;
       return result;
     }
-    // If the gap is within the tolerance, it opens here. Then the step is half of `whole`, because only half the gap
-    // might be left at the end of `whole`.
+    // If the gap is within the tolerance, `opens` is true here. Then the step is half of `whole`, because at the end of
+    // `whole` only half the gap may remain.
     const double whole = open_for(result.time, separation, within ? separation.certified / 2 : tolerance / 2, limit);
     const double step = within && whole < limit ? whole / 2 : whole;
     // Rounded down.
@@ -177,7 +177,6 @@ TimeOfContact advance(const SeparationAt& separation_at, const OpenFor& open_for
   return result;
 }
 
-/// The result for bodies that do not move relative to each other.
 TimeOfContact at_rest(const Separation& separation, double begin, double horizon) {
   const bool is_apart = separation.certified > 0;
   return {is_apart ? ContactStatus::misses : ContactStatus::overlaps, is_apart ? horizon : begin, separation, 1};

@@ -27,8 +27,9 @@ struct TimeOfContact {
 ///
 /// Conservative advancement (B. Mirtich, "Impulse-based dynamic simulation of rigid body systems", 1996) starts from a
 /// certified separation along n at a time s. It advances the time while the gap along n certainly stays open, and then
-/// finds a new n. Mirtich's step is gap / (greatest speed of any point), which is of first order. Here the bound uses
-/// the velocity of each vertex along n, and bounds only the changes of velocities. So the steps are of second order:
+/// finds a new n. Mirtich's bound of first order uses the greatest speed of any point. The bound here is of second
+/// order: it uses the velocity of each vertex along n at s, and bounds only accelerations. The gap of two vertices
+/// after the time Δ is
 ///
 ///     n·(x_v(s+Δ) − y_u(s+Δ)) ≥ n·(x_v − y_u) + Δ n·(ẋ_v − ẏ_u) + ½ Δ² n·(a_A − a_B) − ½ Δ² (C_A + C_B),
 ///     C = r ω² (1 + α/√3).
@@ -37,16 +38,16 @@ struct TimeOfContact {
 /// the greatest distance of a vertex from the centre, ω is the greatest rate of the whole motion, and ‖ω'‖ ≤ α ω²/√3
 /// (RotationPath).
 ///
-/// The search also tries directions n that turn at a constant rate Ω. The rate Ω is the angular velocity of A or of B,
-/// so that n stays normal to a face, or a rate that keeps n perpendicular to an edge of each body. In axes that turn
-/// with n, the velocity of a point x relative to B's centre is ẋ − Ω × x, and C_A + C_B + ‖a_A − a_B‖ + 2 ‖Ω‖ ‖ẋ‖ +
-/// ‖Ω‖² ‖x‖ bounds the second derivative. The search takes the longest step. The shapes draw apart if the gap opens
+/// The search also tries directions n that turn at a constant rate Ω. If Ω is the angular velocity of A or of B, n
+/// stays normal to a face. Another Ω keeps n perpendicular to an edge of each body. In axes that turn with n, a point x
+/// relative to B's centre has the velocity ẋ − Ω × x. The second derivative of the gap is at most C_A + C_B + ‖a_A −
+/// a_B‖ + 2 ‖Ω‖ ‖ẋ‖ + ‖Ω‖² ‖x‖. The search takes the longest step over all n. The shapes draw apart if the gap opens
 /// along one of these n.
 ///
 /// Bodies that do not move relative to each other never meet. Preconditions: both motions start at `begin` or before,
-/// and end at the horizon or later; the tolerance is positive. If the tolerance is less than about 2⁻⁴⁴ of sizes and
-/// distance, plus the errors of the placements, the answer may be `undecided`. Then `time` is the last time up to which
-/// the shapes are certainly apart.
+/// and end at the horizon or later; the tolerance is positive. If the tolerance is below the errors (about 2⁻⁴⁴ of
+/// sizes and distance, plus the errors of the placements), the answer may be `undecided`. Then `time` is the last time
+/// up to which the shapes are certainly apart.
 [[nodiscard]] TimeOfContact time_of_contact(const ShapePair& pair, const FreeFlight& a, const FreeFlight& b,
                                             double begin, double horizon, double tolerance);
 

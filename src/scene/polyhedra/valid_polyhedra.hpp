@@ -10,7 +10,8 @@ namespace carom::scene {
 
 /// The first defect of a scene's polyhedra; nothing if they are valid. Valid numbers are finite and in range, and valid
 /// vertices are the corners of a convex body. Every body is certain to be apart from all others and from the planes, so
-/// bodies that only touch are a defect. Precondition: the scene is valid otherwise (valid_scene.hpp).
+/// bodies that only touch are a defect. Precondition: the scene has no other defect (`first_defect` in
+/// valid_scene.hpp).
 [[nodiscard]] std::optional<SceneDefect> first_polyhedron_defect(const Scene& scene);
 
 }  // namespace carom::scene

@@ -33,8 +33,8 @@ struct Settings {
   bool friction = false;
 };
 
-/// ERP, split impulse and warm start have no effect on a new contact of depth 0. As shipped, friction has ten
-/// iterations and one direction.
+/// ERP, split impulse and warm start have no effect on a new contact of depth 0. As shipped, the solver makes ten
+/// iterations, with one direction of friction.
 inline Settings settings_of(const EngineSetting& setting) {
   Settings settings;
   settings.friction = setting.law == Law::coulomb;

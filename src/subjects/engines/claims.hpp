@@ -11,8 +11,8 @@ namespace carom::subjects {
 
 /// The law and the settings of an engine's subject.
 struct EngineSetting {
-  Law law;  // frictionless, or coulomb
-  bool configured;
+  Law law;          // frictionless, or coulomb
+  bool configured;  // false: the defaults of the engine, "as shipped"
 
   /// The arguments of a program that runs the engine.
   [[nodiscard]] std::vector<std::string> words() const {
@@ -28,7 +28,7 @@ struct EngineSummary {
   std::string name;        // of the configured, frictionless subject; the other names begin with it
   std::string engine;      // the engine, and the part of it that is judged
   std::string configured;  // the settings of the configured subjects
-  std::string friction;    // the engine's friction law in place of coulomb
+  std::string friction;    // the engine's own friction law, which differs from `coulomb`
 };
 
 /// The subjects of an engine, before `open` or `absent` is set. No subject is expected to pass. Even the configured
@@ -61,7 +61,7 @@ struct EngineSummary {
                        Precision::binary64);
 }
 
-/// The claims of an engine that this program was built without.
+/// The claims of an engine, if this program was built without the engine.
 [[nodiscard]] inline std::vector<Subject> absent(std::vector<Subject> claims, const std::string& package) {
   for (Subject& claim : claims) {
     claim.absent = package + " was not found when this program was built";

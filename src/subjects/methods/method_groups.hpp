@@ -17,7 +17,7 @@ namespace carom::subjects {
 [[nodiscard]] std::vector<Method> pivoting_float_methods();
 [[nodiscard]] std::vector<Method> pivoting_double_methods();
 
-/// Solved in float and refined once in double.
+/// Methods that solve in float and refine once in double.
 [[nodiscard]] std::vector<Method> refined_methods();
 
 /// Methods whose exact N·V⁺ is never negative.

@@ -63,7 +63,7 @@ inline constexpr Solve3 solve3<impulse::EigenLlt>{"LLT of Eigen", "EigenLlt", 2}
 template <>
 inline constexpr Solve3 solve3<impulse::EigenLdlt>{"LDLT of Eigen", "EigenLdlt", 3};
 
-/// The basis-free reflection with the 3×3 solve `Solve`. The summary calls it `solve`.
+/// The basis-free reflection with the 3×3 solve `Solve`. `solve` is the name of the 3×3 solve in the summary.
 template <class S, class Solve>
 [[nodiscard]] Method reflection_method(const std::string& name, const std::string& solve) {
   Method method = solver_method<S>(
@@ -105,10 +105,10 @@ template <class S>
       [](const impulse::Contact<S>& contact, const auto& see) { return impulse::coulomb(contact, see); });
 }
 
-/// Why a solve fails in binary32 if its error is small only relative to the norm of K. Far from the origin, rounded
-/// positions may move the contact off a thin body. Then κ(K) u ≥ 1, with the condition number κ(K) and the unit
-/// roundoff u, and the computed K may have eigenvalues below λ = 1/m_A + 1/m_B. The impulse pulls the bodies together,
-/// or does nothing.
+/// Why some solves fail in binary32: their error is small only relative to the norm of K. Let κ(K) be the condition
+/// number of K, and u the unit roundoff. Far from the origin, rounding of positions may move the contact off a thin
+/// body, so that κ(K) u ≥ 1. The computed K may then have eigenvalues below λ = 1/m_A + 1/m_B. The impulse pulls the
+/// bodies together, or does nothing.
 inline constexpr const char* stable_by_norms_alone = "stable only in norm: loses the margin λ of K if κ(K) u ≥ 1";
 
 template <class S>

@@ -43,7 +43,7 @@ template <class S, class Solve, class Input>
   return outcome;
 }
 
-/// A kernel that applies `solve` to each input and an observer of the collision matrix, and keeps the outcomes.
+/// A kernel that calls `solve` with each input and an UnseenMatrix, and keeps the outcomes.
 template <class S, class Input, class Solve>
 [[nodiscard]] Kernel kernel_of(std::vector<Input> inputs, Solve solve) {
   struct Memory {
@@ -71,7 +71,7 @@ struct MethodFacts {
   std::string name;
   std::string summary;
   Law law = Law::any;
-  bool forms_matrix = true;  // whether it forms the collision matrix if the contact collides
+  bool forms_matrix = true;  // whether it forms the collision matrix of a colliding contact
 };
 
 /// A method in S. `lay_out` makes an input from a collision. `solve` maps the input and an observer of the collision

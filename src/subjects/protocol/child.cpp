@@ -59,7 +59,7 @@ struct AsProgramsExpect : process::extend::handler {
   }
 };
 
-/// Serialises starts, because a child that inherits the pipes of another one keeps them open.
+/// Serialises starts, because a child that inherits the pipes of another child keeps them open.
 std::mutex& start_mutex() {
   static std::mutex mutex;
   return mutex;

@@ -16,8 +16,8 @@ struct ExecOptions {
   ChildLimits limits;
   /// A request to stop ends every wait for the program.
   std::stop_token stop;
-  /// The spelling (way to write a collision, spelling.hpp) of every request, less than spelling_count. If it is empty,
-  /// the spelling changes from call to call.
+  /// The spelling of every request (a way to write a collision, spelling.hpp), less than spelling_count. If this is
+  /// empty, the spelling changes from call to call.
   std::optional<unsigned> spelling = {};
 };
 
@@ -33,9 +33,9 @@ struct ExecOptions {
 inline constexpr std::string_view exec_prefix = "exec:";
 
 /// A program that speaks the protocol, from its specification "exec:PROGRAM ARG…". The words are split as a POSIX shell
-/// does, but no shell is run. The program is started once to introduce itself and to serve the first session, and once
-/// for each further session. If the start fails, the returned subject has the specification as its name, and its `open`
-/// throws the reason. A failed session throws SessionFailure with the request and the reason. Precondition: the
+/// does, but no shell is run. The first start serves the introduction and the first session. Each further session
+/// starts the program again. If the first start fails, the returned subject has the specification as its name, and its
+/// `open` throws the reason. A failed session throws SessionFailure with the request and the reason. Precondition: the
 /// specification begins with exec_prefix.
 [[nodiscard]] Subject exec_subject(const std::string& specification, const ExecOptions& options);
 

@@ -10,7 +10,8 @@
 namespace carom::subjects::protocol {
 
 const std::string& mark_of_children() {
-  // The mark is an environment variable. Its name is random, so a subject that itself runs Carom sets another variable.
+  // The mark is an environment variable. Its name is random, so if a subject runs Carom, that Carom sets another
+  // variable.
   static const std::string mark = [] {
     std::random_device source;
     std::string name = "CAROM_CHILD";

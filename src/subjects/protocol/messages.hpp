@@ -37,8 +37,8 @@ struct Introduction {
 [[nodiscard]] Answer answer_from(std::string_view line, std::uint64_t id, Precision precision,
                                  bool shows_matrix = false);
 
-/// Whether a subject that reports its matrix must report it with this outcome: the contact collides and a velocity
-/// changed in this precision.
+/// Whether a subject that reports its matrix must report it with this outcome: the contact collides, and the outcome
+/// changes a velocity in this precision.
 [[nodiscard]] bool owes_matrix(const Collision& collision, const Outcome<long double>& outcome, Precision precision);
 
 [[nodiscard]] std::string introduction_reply(const Introduction& introduction);

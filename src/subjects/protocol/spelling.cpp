@@ -116,7 +116,7 @@ class Writer {
 
   static bool is_zero(double x) { return x == 0 && !std::signbit(x); }
 
-  /// A number from 0 to count − 1; 0 if the spelling is plain.
+  /// A number from 0 to count − 1; always 0 in spelling 0.
   std::size_t choice(std::size_t count) {
     if (is_plain_) {
       return 0;
@@ -125,7 +125,7 @@ class Writer {
     return static_cast<std::size_t>(mixed(state_) % count);
   }
 
-  /// Leaves out a default value in half of the spellings.
+  /// Leaves out a default value in spelling 0, and in about half of the others.
   template <class Value>
   void add_unless_left_out(Fields& fields, std::string_view name, bool is_default, const Value& value) {
     if (!is_default || choice(2) == 1) {

@@ -23,7 +23,7 @@ using Chosen = std::function<int()>;
 void add_gate(CLI::App& app, Chosen& chosen);
 void add_lists(CLI::App& app, Chosen& chosen);  // subjects, invariants, families, features
 void add_chart(CLI::App& app, Chosen& chosen);
-void add_plan(CLI::App& app, Chosen& chosen);  // of collisions
+void add_plan(CLI::App& app, Chosen& chosen);  // of collisions; refuses scenes
 void add_compare(CLI::App& app, Chosen& chosen);
 void add_merge(CLI::App& app, Chosen& chosen);
 void add_table(CLI::App& app, Chosen& chosen);

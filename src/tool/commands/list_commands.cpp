@@ -207,7 +207,6 @@ int list_features(const std::string& format) {
   return exit_all_hold;
 }
 
-/// Adds a command that prints a list in one of the formats.
 void add_list(CLI::App& app, Chosen& chosen, const char* name, const char* summary, std::vector<std::string> formats,
               int (*print)(const std::string& format)) {
   const auto format = std::make_shared<std::string>("text");

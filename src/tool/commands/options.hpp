@@ -17,7 +17,7 @@ namespace carom::tool {
 struct YardstickArguments {
   double limit_ulps = 32;
   std::optional<int> digits;
-  bool exact = false;  // in ℚ alone
+  bool exact = false;  // whether to judge in ℚ alone, without the filters
 
   [[nodiscard]] oracles::Yardstick yardstick() const;
 };

@@ -196,7 +196,6 @@ ReadCollision numbered_case(const ReplayArguments& arguments) {
           properties::drawn_case(family, arguments.seed, arguments.case_number), std::nullopt};
 }
 
-/// The output for one collision, as JSON and as text.
 struct Shown {
   json record;
   std::string text;

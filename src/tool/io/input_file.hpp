@@ -28,14 +28,14 @@ struct ReadCollision {
   std::string contact_class = {};  // the field `class`; empty if there is none
 };
 
-/// Whether to keep a collision whose only defect is an ε, μ or e_t out of range.
+/// Whether to keep a collision whose only defects are ε, μ or e_t out of range.
 enum class OutOfRange { refused, kept };
 
 /// The collision to read from a witness: the shrunk one, or the one that the family drew.
 enum class OfWitness { shrunk, drawn };
 
-/// Passes each collision of the file to `visit`, in order. The file is a witness, a collision, an array of these, or
-/// JSON Lines of these; each line is visited before the next is read. The field `class` of a collision, or of the
+/// Passes each collision of the file to `visit`, in order. The file is one witness or collision, an array of them, or
+/// JSON Lines of them. Each line is visited before the next line is read. The field `class` of a collision, or of the
 /// record that holds it, names the class of the contact. Throws UsageError that names the file, the place, and what was
 /// expected. An invalid collision is an error, too, unless its witness is about invalid collisions. If `of_witness` is
 /// `drawn`, every record must be a witness.

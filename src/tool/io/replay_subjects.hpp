@@ -27,8 +27,8 @@ struct ReplayedCase {
   std::string spelt = {};              // the collision in the spelling of the answer
 };
 
-/// A subject with its sessions. A program has a session for each spelling (a way to write a request in JSON,
-/// subjects/protocol/spelling.hpp), because its reader may have a fault.
+/// A subject with its sessions. A program has one session for each spelling (a way to write a request in JSON,
+/// subjects/protocol/spelling.hpp), because a fault of its JSON reader may show in one spelling alone.
 class ReplaySubject {
  public:
   /// Throws UsageError if the subject cannot be run.

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The result of `read` for the content of the file. A message about the file's format starts with its name and
+/// The result of `read` for the content of the file. An error message about the format starts with the file's name and
 /// `is_no`.
 template <class Read>
 auto read_from(const std::string& file, const char* is_no, const Read& read) {

@@ -7,8 +7,8 @@ namespace carom::tool {
 /// gone, as fmt::print does. Throws UsageError if the output cannot be written for another reason.
 void flush_output();
 
-/// Ends the process by SIGPIPE, as if it did not ignore this signal. A shell with `pipefail` then reports an error,
-/// because nobody read the verdict.
+/// Ends the process by SIGPIPE, as if the process did not ignore this signal. A shell with `pipefail` then reports an
+/// error, because nobody read the verdict.
 [[noreturn]] void end_by_closed_pipe();
 
 }  // namespace carom::tool

@@ -22,7 +22,7 @@ using ContactsOfScene =
     std::function<RecordedContacts(const std::string& text, const std::string& file, const std::stop_token& stop)>;
 
 /// The contacts of a file: the collisions that for_each_collision reads, or the impacts of a scene if
-/// `contacts_of_scene` is set. A collision whose only defect is an ε, μ or e_t out of range is kept. Throws UsageError
+/// `contacts_of_scene` is set. A collision is kept if its only defects are ε, μ or e_t out of range. Throws UsageError
 /// that names the file, the place, the field, and what was expected. Throws UsageError, too, if the user stopped.
 [[nodiscard]] RecordedContacts contacts_of_file(const std::string& file, const ContactsOfScene& contacts_of_scene,
                                                 const std::stop_token& stop);

@@ -31,7 +31,8 @@ std::string class_of(const scene::Scene& scene, const scene::Event& event) {
                      scene.materials[scene.planes[event.plane].material]);
 }
 
-/// Keeps every `stride`-th contact, and drops every second contact if it holds twice most_contacts_of_scene.
+/// Keeps every `stride_`-th contact. At 2 · most_contacts_of_scene contacts, drops every second one and doubles
+/// `stride_`.
 class Sampled {
  public:
   void add(ClassedCollision contact) {

@@ -9,8 +9,8 @@
 
 namespace carom::tool::plan {
 
-/// A plan is certified on fewer than twice this number of impacts of a scene. If there are more, only every n-th one is
-/// used.
+/// A plan is certified on fewer than twice this number of impacts of a scene. If a scene has more impacts, only every
+/// n-th impact is used.
 inline constexpr std::size_t most_contacts_of_scene = 10'000;
 
 /// Runs the scene. Returns its law, and its impacts, classed by bodies and materials. Throws UsageError like

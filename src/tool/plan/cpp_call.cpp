@@ -42,7 +42,8 @@ void write_call_of_law(const Method& method, CppCall& code) {
   }
 }
 
-/// Writes the call of a method's form. A form without a plain 3×3 solve gets a greater `solve_rank` than any 3×3 solve.
+/// Writes the C++ call of a method by its form. A form without a plain 3×3 solve gets a greater `solve_rank` than any
+/// 3×3 solve.
 void write_call(const Method& method, CallableCandidate& one) {
   Candidate& candidate = one.candidate;
   CppCall& code = one.code;

@@ -16,8 +16,8 @@ export function ticks(least, greatest, about) {
 }
 
 /**
- * The path of a series. If several points are in one column of the screen, it has only the first, the least, the
- * greatest and the last of them. The picture is the same.
+ * The path of a series. If several points are in one column of the screen, the path has only the first, the
+ * least, the greatest and the last of them. The picture is the same.
  */
 export function path_of(t, y, x_of, y_of) {
   const points = [];
@@ -43,7 +43,7 @@ export function path_of(t, y, x_of, y_of) {
   return points.map((i, n) => `${n ? "L" : "M"}${x_of(t[i]).toFixed(2)} ${y_of(y[i]).toFixed(2)}`).join("");
 }
 
-/** The value of a series at a time, interpolated linearly. Of two points at one time, the later one counts. */
+/** The value of a series at a time, interpolated linearly. If two points have one time, the later one counts. */
 export function value_at(t, y, time) {
   let low = 0;
   let high = t.length;
@@ -62,7 +62,7 @@ export function value_at(t, y, time) {
   return y[low - 1] + (y[low] - y[low - 1]) * share;
 }
 
-/** The heights moved apart to at least `gap`, in their order. The highest (the least) is at `least` or lower. */
+/** The heights, moved at least `gap` apart in their order, and if there is room between `least` and `greatest`. */
 export function spread(heights, gap, least, greatest) {
   const order = heights.map((_, i) => i).sort((a, b) => heights[a] - heights[b]);
   const moved = [];

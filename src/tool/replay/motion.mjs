@@ -30,7 +30,7 @@ export class Motion {
     return this.numbers[index * numbers];
   }
 
-  /** The last arc that has begun at this time; the first arc if none has begun. */
+  /** The index of the last arc that has begun at this time; 0 if none has begun. */
   arc_at(time) {
     // From one frame to the next, the arc stays the same or is the next one.
     for (let index = this.latest; index < Math.min(this.latest + 2, this.count); ++index) {

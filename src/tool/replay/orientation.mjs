@@ -5,9 +5,10 @@ import { cross, normalized, product, turn } from "./quaternion.mjs";
 const tolerance = 1e-5;
 
 /**
- * The number of equal steps that `turned` takes through an arc of this duration, with the angular velocity w + b s. The
- * Magnus series, truncated after the term of order h³, has an error of |w|³ |b| h⁵ / 720 a step. The errors of the
- * steps add up. A step turns by at most half a radian, well within the radius of convergence.
+ * The number of equal steps that `turned` takes through an arc of this duration. At the time s after the start of the
+ * arc, the angular velocity is w + b s. Let h be the duration of a step. The Magnus series, truncated after the term of
+ * order h³, has an error of |w|³ |b| h⁵ / 720 a step. The errors of the steps add up. A step turns by at most half a
+ * radian, well within the radius of convergence.
  */
 export function steps_of(w, b, duration) {
   const sideways = Math.hypot(...cross(w, b));

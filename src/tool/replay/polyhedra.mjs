@@ -28,7 +28,6 @@ function geometry_of({ vertices, faces }) {
   return geometry;
 }
 
-/** All polyhedra of a replay. */
 export class Polyhedra {
   /** @param bodies [{ body, index }] */
   constructor(bodies) {

@@ -24,7 +24,7 @@ function filled(corners, material) {
   return new Mesh(geometry, material);
 }
 
-/** Floors, with a grid and shadows, and walls, as edges and a faint colour. */
+/** Floors with a grid and shadows. Walls as edges and a faint colour. */
 export class Surroundings {
   constructor(replay, box, up) {
     this.group = new Group();

@@ -204,7 +204,7 @@ TYPED_TEST(Batch, TakesALawThatMakesAnImpulseOrAnOutcome) {
   }
 }
 
-/// A pack must keep a pivot that is NaN, as the scalar solver does.
+/// Like the scalar solver, a pack must keep a pivot that is NaN.
 TYPED_TEST(Batch, BoundsEachNumberFromBelowAsTheScalarDoes) {
   using S = TypeParam;
   constexpr S nan = std::numeric_limits<S>::quiet_NaN();
@@ -247,8 +247,8 @@ TEST(ContactBatch, BeginsEachArrayAtACacheLine) {
   }
 }
 
-/// A solver uses the numbers of a contact and its outcome together. So their addresses modulo a page lie in different
-/// cache lines.
+/// A solver uses the numbers of a contact and of its outcome together. So the addresses of these numbers modulo a page
+/// lie in different cache lines.
 TEST(ContactBatch, KeepsApartWithinPagesWhatIsReadAndWrittenTogether) {
   constexpr std::uintptr_t page = 4096;
   for (const std::size_t size : {1U, 64U, 256U, 1000U, 4096U}) {

@@ -14,7 +14,7 @@ foreach(object IN LISTS OBJECTS)
   endif()
   string(REGEX MATCHALL "[^\n]+" lines "${symbols}")
   foreach(line IN LISTS lines)
-    # nm marks global symbols with capital letters, `i` or `u`. The reference to the exception handler is data.
+    # nm marks global symbols with capital letters, `i` or `u`. The reference to the exception handler is only data.
     if(line MATCHES " [A-Ziu] " AND NOT line MATCHES " ${own}" AND NOT line MATCHES " V DW.ref.__gxx_personality_v0$")
       message(FATAL_ERROR "another unit could be linked with what ${object} defines: ${line}")
     endif()

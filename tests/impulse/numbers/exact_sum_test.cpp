@@ -21,7 +21,6 @@ double draw(properties::Stream& stream, int least, int most) {
   return std::ldexp(stream.between(-1, 1), stream.integer(least, most));
 }
 
-/// Compares sums of products with ℚ.
 void compare(int least, int most) {
   for (std::uint64_t i = 0; i < 300; ++i) {
     properties::Stream stream = properties::case_stream(unit::seed, "exact_sum", i);

@@ -8,7 +8,8 @@
 #include "support/exact.hpp"
 #include "support/rounding_count.hpp"
 
-/// Checks the constants and the inequalities (1) to (5) of oracles/numbers/approximation.hpp.
+/// Checks the constants and the inequalities (1) to (5) of oracles/numbers/approximation.hpp. That header defines the
+/// symbols.
 namespace carom::bounds {
 namespace {
 
@@ -23,10 +24,10 @@ TEST(ApproximationBounds, RoundUpByMoreThanTheirRoundings) {
   const int of_sum = approximation::radius_of_sum(any_radius, any_radius, any_radius).roundings() + 1;
   const int of_product =
       approximation::radius_of_product(any_radius, any_radius, any_radius, any_radius, any_radius).roundings();
-  // In (4), the quotient q replaces x̂ / ŷ. |x̂ / ŷ| ≤ (1 + u) |q| adds a rounding.
+  // In (4), the rounded quotient q replaces x̂ / ŷ. As |x̂ / ŷ| ≤ (1 + u) |q|, this adds a rounding.
   const int of_quotient =
       approximation::radius_of_quotient(any_radius, any_radius, any_radius, any_radius).roundings() + 1;
-  // In (5), the root ẑ replaces √x̂. ẑ ≤ (1 + u) √x̂ adds a rounding.
+  // In (5), the rounded root ẑ replaces √x̂. As ẑ ≤ (1 + u) √x̂, this adds a rounding.
   const int of_root = approximation::radius_of_root(any_radius, any_radius).roundings() + 1;
   const int of_size = approximation::above(any_radius, any_radius).roundings();
   const int most = std::max({of_sum, of_product, of_quotient, of_root, of_size});
@@ -35,8 +36,8 @@ TEST(ApproximationBounds, RoundUpByMoreThanTheirRoundings) {
   EXPECT_TRUE(covers(1 - approximation::down, approximation::below(any_radius, any_radius).roundings() * u, 128));
 }
 
-/// Underflow costs each operation on a bound at most half the least number. No formula has more operations than that of
-/// a product.
+/// By underflow, each operation on a bound loses at most half the least number. No formula has more operations than the
+/// formula for a product.
 TEST(ApproximationBounds, HaveALeastThatCoversUnderflow) {
   constexpr int operations = 8;
   EXPECT_GE(approximation::least, operations * 0x1p-1074 / 2);
@@ -59,7 +60,8 @@ testing::AssertionResult contains_quotients(const Approximation& x, const Approx
   return testing::AssertionSuccess();
 }
 
-/// For divisors near zero, |q| r_y underflows. The division by |ŷ| − r_y, down to 2⁻¹⁰⁴⁰, enlarges the loss.
+/// For divisors near zero, |q| r_y underflows. The divisor |ŷ| − r_y may be as small as 2⁻¹⁰⁴⁰, so the division
+/// enlarges the loss.
 TEST(ApproximationBounds, ContainQuotientsWhoseBoundUnderflows) {
   int tried = 0;
   for (int k = 1; k <= 40; ++k) {

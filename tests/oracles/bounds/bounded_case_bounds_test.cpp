@@ -10,7 +10,7 @@
 #include "normalised_collision.hpp"
 #include "support/exact.hpp"
 
-/// Checks the inequalities and constants of oracles/filters/bounded_case_bounds.hpp.
+/// Checks the inequalities and constants of oracles/filters/bounded_case_bounds.hpp. That header defines the symbols.
 namespace carom::bounds {
 namespace {
 
@@ -22,7 +22,7 @@ constexpr double ten_to_minus_6 = 1e-6;
 TEST(BoundedCase, KnowANormalVelocityToSixDigits) {
   const int n = oracles::normal_velocity_before(normalised_collision<RoundingCount>()).roundings();
   EXPECT_EQ(bounded_case_bounds::roundings_of_normal_velocity, n);
-  // S, the sum of the |terms|, has a relative rounding error below a thousandth.
+  // S is the sum of the absolute terms. Its relative rounding error is below a thousandth.
   EXPECT_TRUE(
       covers(ten_to_minus_6, n * u / (1 - n * u) * 1.001 / bounded_case_bounds::known_share_of_normal_velocity, 8));
   EXPECT_TRUE(covers(ten_to_minus_6, bounded_case_bounds::known_radius_of_normal_velocity + u, 1.1));
@@ -41,7 +41,8 @@ BasicCollision<oracles::Dual<S, 8>> with_inertia_as_inputs(BasicCollision<oracle
   return c;
 }
 
-/// Inequality (1) for K: Σ_j x_j ∂K/∂x_j = −K over masses and moments x_j, exactly.
+/// Inequality (1) for K follows from Σ_j x_j ∂K/∂x_j = −K over the masses and moments x_j. This test checks the
+/// equation exactly.
 TEST(BoundedCase, RestOnAMatrixThatIsHomogeneous) {
   using T = oracles::Dual<oracles::Rational, 8>;
   properties::Stream stream = properties::stream_from(71);

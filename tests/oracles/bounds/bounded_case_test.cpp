@@ -33,15 +33,15 @@ Rational condition_bound(const Collision& c) {
   return t * t * t / (Rational(4) * unit::ExactVector(k.col(0)).dot(unit::ExactVector(k.col(1)).cross(k.col(2))));
 }
 
-/// BoundedCase rounds its bound, so the test skips a thousandth around the threshold 2²⁰.
+/// BoundedCase rounds its bound, so the test skips bounds within a thousandth of the threshold 2²⁰.
 TEST(BoundedCase, IsWellConditionedUpToTheBoundInRationals) {
   properties::Stream stream = properties::stream_from(77);
   int well = 0;
   int ill = 0;
   for (int i = 0; i < 400; ++i) {
     const Vector3<double> arm = stream.direction();
-    // With s = r·r/J, K = I + (r·r I − r rᵀ)/J has the trace t = 3 + 2 s and the determinant (1 + s)². So t³ / (4 det
-    // K) is about 2 s.
+    // With the moment J and s = r·r/J, K = I + (r·r I − r rᵀ)/J has the trace t = 3 + 2 s and the determinant (1 + s)².
+    // So t³ / (4 det K) is about 2 s.
     const double s = 0x1p19 * stream.between(0.9, 1.1);
     const Collision c = against_a_wall(arm, arm.squaredNorm() / s);
     const Rational share = condition_bound(c) / Rational(0x1p20);
@@ -57,8 +57,9 @@ TEST(BoundedCase, IsWellConditionedUpToTheBoundInRationals) {
   EXPECT_GT(ill, 100);
 }
 
-/// The spins are along z, all positions along y, and the normal along x. So the length of each product is the product
-/// of lengths. The bound is ‖N‖ Σ (2 ‖v‖ + ‖w‖ (2 ‖r‖ + ‖P‖ + ‖X‖ + s)) over the bodies, with the extent s.
+/// The spins are along z, all positions along y, and the normal along x. So the length of each vector product is the
+/// product of the lengths. The sensitivity of N·V⁻ is ‖N‖ Σ (2 ‖v‖ + ‖w‖ (2 ‖r‖ + ‖P‖ + ‖X‖ + s)) over the bodies, with
+/// the extent s.
 TEST(BoundedCase, HasTheSensitivityOfTheNormalVelocityWhereNothingIsAslant) {
   Collision c;
   c.normal = {3, 0, 0};
@@ -84,7 +85,7 @@ TEST(BoundedCase, KnowsTheSignOfTheNormalVelocity) {
   EXPECT_EQ(BoundedCase(c).normal_velocity()->value, 1);
   c.a.velocity = {1, 0, 0};
   EXPECT_EQ(BoundedCase(c).normal_velocity()->sign, 0);
-  // All but 2⁻⁴⁰ of the velocity cancels. Binary64 keeps four digits of the rest, and an enclosure keeps twenty.
+  // The velocities cancel except for 2⁻⁴⁰. Binary64 keeps four digits of this rest, and an enclosure keeps twenty.
   c.b.velocity = {0, 0, 1};
   c.a.velocity = {0, 0, 1 + 0x1p-40};
   ASSERT_TRUE(BoundedCase(c).normal_velocity());

@@ -18,8 +18,8 @@ namespace {
 namespace closeness = oracles::closeness_bounds;
 using SlopeDual = oracles::Dual<RoundingCount, oracles::outcome_inputs>;
 
-/// The norm of the rounding errors of ∂g/∂ŷ_k for each k, in units of u, without the roundings of this norm. Velocities
-/// are at most one.
+/// For each k, the norm of the rounding errors of ∂g/∂ŷ_k, in units of u. The roundings of the norm itself do not
+/// count. Velocities are at most one.
 template <class OneEquation>
 PerVector<double> errors_of_slopes(const OneEquation& equation, bool against_wall = false) {
   BasicCollision<SlopeDual> c = normalised_collision<SlopeDual>();
@@ -51,8 +51,8 @@ PerVector<double> errors_of_slopes(const OneEquation& equation, bool against_wal
 /// The roundings of a norm of up to six components: the squares, their sum and the root.
 constexpr double roundings_of_norm = 6;
 
-/// Inequality (3). Here max I, m, ‖r‖ and ‖N‖ are one. So the slopes ‖J‖ ≥ max I, ‖m [r]‖ ≥ m ‖r‖ and ‖N × (· × r)‖ ≥
-/// ‖N‖ ‖r‖ are at least one, and absolute errors bound their relative errors.
+/// Inequality (3). Here max I, m, ‖r‖ and ‖N‖ are one. The slopes are ‖J‖ ≥ max I, ‖m [r]‖ ≥ m ‖r‖ and ‖N × (· × r)‖ ≥
+/// ‖N‖ ‖r‖, so they are at least one. So the relative error of a slope is at most its absolute error.
 TEST(ClosenessBounds, CoverTheRoundingOfSlopes) {
   namespace equation = oracles::equation;
   double most = 0;
@@ -70,7 +70,7 @@ TEST(ClosenessBounds, CoverTheRoundingOfSlopes) {
   EXPECT_TRUE(covers(closeness::rounding_of_slope, most * u, 4));
 }
 
-/// Inequality (4). The errors are relative to t_k, which is a product of ones here.
+/// Inequality (4). The errors are relative to t_k. Here t_k = 1, as a product of ones.
 TEST(ClosenessBounds, CoverTheNoiseOfSlopesThatCancel) {
   const PerVector<double> of_moment = errors_of_slopes(oracles::equation::Restitution{});
   EXPECT_TRUE(covers(

@@ -29,4 +29,9 @@ inline constexpr double u = 0x1p-53;
   return testing::AssertionSuccess();
 }
 
+/// Whether `power`, a power of two, is the least one that is at least 2^`needed`.
+[[nodiscard]] inline testing::AssertionResult is_least_that_covers(double power, double needed) {
+  return covers(std::log2(power), needed, 1 + 1 / std::abs(needed));
+}
+
 }  // namespace carom::bounds

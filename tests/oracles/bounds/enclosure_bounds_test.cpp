@@ -23,7 +23,7 @@ using oracles::Rational;
 
 const RoundingCount any_part = RoundingCount::input(3);
 
-/// The inputs of the radius formulas count as exact, because `above` has rounded them up.
+/// The inputs of the formulas for radii count as exact, because `above` rounds them up first.
 TEST(EnclosureBounds, RoundUpByMoreThanTheirRoundings) {
   const int of_sum = enclosure::radius_of_result(any_part + any_part, any_part, any_part, 3).roundings();
   const int of_product =
@@ -37,14 +37,15 @@ TEST(EnclosureBounds, RoundUpByMoreThanTheirRoundings) {
   EXPECT_TRUE(covers(1 - enclosure::down, enclosure::below(any_part, any_part, any_part).roundings() * u, 16));
 }
 
-/// z is the computed product, and p the exact one: |z − p| ≤ 7u² |p|, with |p| ≤ |z| / (1 − 7u²). The computed 16u² |z|
-/// covers this error.
+/// Let z be the computed product, and p the exact product. Then |z − p| ≤ 7u² |p|, and |p| ≤ |z| / (1 − 7u²). The
+/// computed radius 16u² |z| covers this error.
 TEST(EnclosureBounds, CoverTheRoundingOfDoubleDouble) {
   constexpr double of_product = 7 * u * u;
   EXPECT_TRUE(covers(enclosure::rounding, of_product / (1 - of_product) / (1 - 4 * u), 4));
 }
 
-/// A product or quotient takes fewer than 2⁶ operations. Underflow costs each at most the least number, 2⁻¹⁰⁷⁴.
+/// A product or quotient takes fewer than 2⁶ operations. By underflow, each operation loses at most the least number,
+/// 2⁻¹⁰⁷⁴.
 TEST(EnclosureBounds, HaveALeastThatCoversUnderflow) {
   EXPECT_GE(enclosure::least, 0x1p6 * 0x1p-1074);
   // The last bit of a long double of size `least` is in the range of binary64.

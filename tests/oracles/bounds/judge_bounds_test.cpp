@@ -42,16 +42,17 @@ TEST(JudgeBounds, TryApproximationsWhereTheyMayDecide) {
   EXPECT_TRUE(covers(oracles::least_allowance_for_approximations, most * u, 64));
 }
 
-/// The invariant `homogeneous` (relations.cpp) permits the most: the allowance times four sensitivities.
+/// The largest permitted residual of any invariant is that of `homogeneous` (relations.cpp): the allowance times four
+/// sensitivities.
 TEST(JudgeBounds, AllowAFiniteNumberOfModerateCollisions) {
   for (const double largest : {oracles::largest_scale_of_moderate, oracles::largest_sensitivity_of_moderate}) {
     EXPECT_LE(oracles::largest_allowance_for_bounds * (3 * largest + largest), std::numeric_limits<double>::max());
   }
 }
 
-/// Underflow costs a square at most half the least number. A norm ‖∂y/∂q‖ has up to twelve squares, and is multiplied
-/// by ‖q‖. With the largest moderate direction D and number M, ‖q‖ is at most 2 D for the three directions, and 3 M for
-/// the other 18 quantities.
+/// By underflow, a square loses at most half the least number. A norm ‖∂y/∂q‖ is the root of up to twelve squares, and
+/// the sum contains ‖∂y/∂q‖ ‖q‖. With the largest moderate direction D and number M, ‖q‖ is at most 2 D for the three
+/// directions, and at most 3 M for the other 18 quantities.
 TEST(JudgeBounds, KeepTenDigitsOfSumsBySquares) {
   const double lost = std::sqrt(12 * 0x1p-1074 / 2) *
                       (3 * 2 * oracles::largest_moderate_direction + 18 * 3 * oracles::largest_moderate);

@@ -97,12 +97,12 @@ TEST(ModerateBounds, CoverTheScaleOfEveryLaw) {
       largest.scale = std::max(largest.scale, scale.above());
     });
   }
-  EXPECT_TRUE(covers(std::log2(oracles::largest_scale_of_moderate), largest.scale, 1.01));
+  EXPECT_TRUE(is_least_that_covers(oracles::largest_scale_of_moderate, largest.scale));
   EXPECT_LE(largest.on_the_way, std::log2(oracles::largest_on_the_way_of_moderate));
 }
 
-/// Inequalities (2) and (4) for friction. The judge accepts the scale, and the equation does not overflow. Squares
-/// within the scale may overflow, because the judge then computes the scale in extended precision.
+/// Inequalities (2) and (4) for friction. The judge accepts the scale, and the equation does not overflow. Squares in
+/// the computation of the scale may overflow, because the judge then uses extended precision.
 TEST(ModerateBounds, CoverTheScaleOfFriction) {
   Largest largest;
   for (const Corner& corner : corners()) {
@@ -116,7 +116,7 @@ TEST(ModerateBounds, CoverTheScaleOfFriction) {
       largest.on_the_way = std::max(largest.on_the_way, sides.left[0].above());
     });
   }
-  EXPECT_TRUE(covers(std::log2(oracles::largest_scale_of_moderate_friction), largest.scale, 1.01));
+  EXPECT_TRUE(is_least_that_covers(oracles::largest_scale_of_moderate_friction, largest.scale));
   EXPECT_LE(oracles::largest_scale_of_moderate_friction, oracles::largest_scale);
   EXPECT_LE(largest.on_the_way, std::log2(oracles::largest_on_the_way_of_moderate));
 }
@@ -127,7 +127,7 @@ Magnitude sensitivity(const std::vector<const MagnitudeDual*>& y, const std::vec
 }
 
 /// Inequalities (1), (3) and (4) for the linear laws. (bounded_case_bounds.hpp covers `rough`.) Masses and moments
-/// occur only in denominators, so only the smallest matter.
+/// occur only in denominators, so the smallest give the largest results.
 TEST(ModerateBounds, CoverTheSensitivityOfTheTruth) {
   Largest largest;
   const double log_of_lambda = -std::log2(oracles::largest_moderate_mass);
@@ -158,12 +158,12 @@ TEST(ModerateBounds, CoverTheSensitivityOfTheTruth) {
       EXPECT_LE(of_matrix.above(), largest.scale);
     }
   }
-  EXPECT_TRUE(covers(std::log2(oracles::largest_sensitivity_of_moderate), largest.scale, 1.01));
-  EXPECT_TRUE(covers(std::log2(oracles::largest_on_the_way_of_moderate), largest.on_the_way, 1.01));
+  EXPECT_TRUE(is_least_that_covers(oracles::largest_sensitivity_of_moderate, largest.scale));
+  EXPECT_TRUE(is_least_that_covers(oracles::largest_on_the_way_of_moderate, largest.on_the_way));
   EXPECT_LE(std::log2(oracles::largest_on_the_way_of_moderate), std::numeric_limits<double>::max_exponent - 1);
 }
 
-/// Inequality (4) for Cramer's rule in binary64, with det K ≥ λ³.
+/// Inequality (4) for Cramer's rule in binary64. With λ = 1/m_A + 1/m_B, det K ≥ λ³.
 TEST(ModerateBounds, CoverWhatCramersRuleComputesOnTheWay) {
   for (const Corner& corner : corners()) {
     if (!corner.is_light) {
@@ -181,8 +181,8 @@ TEST(ModerateBounds, CoverWhatCramersRuleComputesOnTheWay) {
   }
 }
 
-/// Inequality (5). A slope with an inertia tensor is at least its largest moment. Other slopes are multiples of a power
-/// of two.
+/// Inequality (5). A slope that contains an inertia tensor is at least the largest moment of the tensor. Other slopes
+/// are multiples of a power of two.
 TEST(ModerateBounds, CoverTheSlopesOfAffineEquations) {
   using T = oracles::Dual<Magnitude, oracles::outcome_inputs>;
   constexpr double tiny = oracles::smallest_moderate_direction;

@@ -11,9 +11,9 @@
 
 #include "support/magnitude.hpp"
 
-/// Collisions whose numbers are all at the limits of `is_moderate`. Tests run the laws on them with `Magnitude`. The
-/// largest result over all moderate collisions is at one of these, because the logarithm of a result is convex in the
-/// logarithms of the inputs (docs/internals/bounds.md).
+/// Collisions whose numbers are all at the limits of `is_moderate`. Tests run the laws on them with `Magnitude`. One of
+/// these collisions gives the largest result of all moderate collisions, because the logarithm of a result is convex in
+/// the logarithms of the inputs (docs/internals/bounds.md).
 namespace carom::bounds {
 
 /// A corner of the moderate domain. Numbers in numerators have the largest size. Masses, moments and directions also
@@ -109,8 +109,9 @@ namespace carom::oracles {
 
 using MagnitudeDual = Dual<bounds::Magnitude, collision_inputs>;
 
-/// Bounds x of K x = b and its derivative dx by λI ⪯ K (ExactCase::is_definite), because the bound by Cramer's rule is
-/// useless: ‖x‖ ≤ ‖b‖ / λ and ‖dx‖ ≤ (‖db‖ + ‖dK‖ ‖x‖) / λ. λ is at least 1/M, with the largest moderate mass M.
+/// Bounds the solution x of K x = b and its derivative dx without Cramer's rule, whose bounds are useless. As λI ⪯ K
+/// (ExactCase::is_definite), ‖x‖ ≤ ‖b‖ / λ and ‖dx‖ ≤ (‖db‖ + ‖dK‖ ‖x‖) / λ. λ = 1/m_A + 1/m_B is at least 1/M, with
+/// the largest moderate mass M.
 template <>
 inline Vector3<MagnitudeDual> cramer<MagnitudeDual>(const Matrix3<MagnitudeDual>& k, const Vector3<MagnitudeDual>& b) {
   using bounds::Magnitude;

@@ -20,7 +20,8 @@ int roundings_of_distance() {
   return nearness::distance_above<RoundingCount>(any, any, RoundingCount::input(3)).roundings();
 }
 
-/// Inequalities (3) and (4). M (1 + 8u) is at least ‖x − y‖₁, despite five roundings.
+/// Inequalities (3) and (4). M is the computed ‖x − y‖₁. M (1 + 8u) is at least the exact ‖x − y‖₁, despite five
+/// roundings of each term.
 TEST(NearnessBounds, RoundUpByMoreThanTheirRoundings) {
   EXPECT_TRUE(covers(static_cast<double>(nearness::up - 1), roundings_of_distance() * u_of_long_double, 2));
 }

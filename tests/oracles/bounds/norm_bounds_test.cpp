@@ -31,8 +31,8 @@ RoundingCount six_squares() {
                                                     [](const RoundingCount& x) { return x; });
 }
 
-/// With components a and r = `rounding`, counts the roundings of (3), Σ a² (1 + r) ≤ bound² (1 − r), and of norm_above,
-/// √(Σ a²) (1 + r) + lost.
+/// Counts roundings of two formulas, with components a and r = `rounding`: (3), Σ a² (1 + r) ≤ bound² (1 − r), and
+/// norm_above, √(Σ a²) (1 + r) + `lost`.
 TEST(NormBounds, RoundByMoreThanTheirRoundings) {
   const RoundingCount factor = RoundingCount::input(1 + norm_bounds::rounding);
   const RoundingCount bound = RoundingCount::input(3);
@@ -41,14 +41,15 @@ TEST(NormBounds, RoundByMoreThanTheirRoundings) {
   EXPECT_TRUE(covers(norm_bounds::rounding, std::max(by_squares, of_root) * u, 64));
 }
 
-/// Inequalities (1) and (2). The error of the C library's hypot is at most one ulp, 2u, or the least number. Two
-/// roundings follow.
+/// Inequalities (1) and (2). A hypot of the C library has an error of at most one ulp: 2u of the result, or the least
+/// number. Two roundings follow.
 TEST(NormBounds, RoundByMoreThanHypotenuses) {
   EXPECT_TRUE(covers(norm_bounds::rounding, (2 * most_components + 2) * u, 64));
   EXPECT_TRUE(covers(norm_bounds::lost_by_hypotenuses, (most_components + 1) * 0x1p-1074, 4));
 }
 
-/// Underflow costs a square at most half the least number. The sum of these losses is less than a rounding of bound².
+/// By underflow, a square loses at most half the least number. The sum of these losses is less than a rounding of
+/// bound².
 TEST(NormBounds, CoverWhatSquaresLose) {
   constexpr double squares_lose = most_components * 0x1p-1074;
   EXPECT_GE(norm_bounds::least_by_squares * norm_bounds::least_by_squares * u, squares_lose);
@@ -72,8 +73,8 @@ bool expect_as_in_rationals(const std::array<double, 3>& vector, double bound) {
   return decided.has_value();
 }
 
-/// Bounds inside and outside the range of (3), and among the last subnormal numbers, where hypot(η, η) = η for the
-/// least number η.
+/// Tests bounds inside and outside the range of (3), and bounds among the least subnormal numbers. For the least number
+/// η, hypot(η, η) = η.
 TEST(NormBounds, DecideAsRationalsDo) {
   properties::Stream stream = properties::stream_from(61);
   for (const int exponent : {-1074, -1073, -1070, -1060, -1022, -540, -401, -399, 0, 399, 401, 900}) {

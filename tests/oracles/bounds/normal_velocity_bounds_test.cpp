@@ -49,8 +49,8 @@ TEST(NormalVelocityBounds, CountTheRoundingsOfATerm) {
   EXPECT_EQ(detail::roundings_of_normal_velocity, counted_normal_velocity().value.roundings());
 }
 
-/// Inequalities (2) and (3). T has three more roundings than its sum: the conversion from S, the product with 16 ρ, and
-/// the sum with the bound of underflow.
+/// Inequalities (2) and (3). T has three more roundings than the sum of its terms: the conversion from S, the product
+/// with 16 ρ, and the addition of the bound of underflow.
 TEST(NormalVelocityBounds, CoverTheRoundingsOfATermAndOfTheirSum) {
   const Counted counted = counted_normal_velocity();
   const int roundings_of_terms = counted.terms.roundings() + 3;
@@ -73,7 +73,8 @@ TEST(NormalVelocityBounds, CoverUnderflow) {
   EXPECT_GE(detail::underflow_of_normal_velocity, products * 0x1p-1074);
 }
 
-/// A known value is accurate to 2⁻⁵⁰. Its error is at most 10/16 of the bound, plus one rounding to double.
+/// A value that counts as known is accurate to 2⁻⁵⁰. Its error is at most 10/16 of the bound, plus one rounding to
+/// double.
 TEST(NormalVelocityBounds, KnowTwelveDigits) {
   const double share =
       static_cast<double>(detail::roundings_of_normal_velocity) / detail::covered_roundings_of_normal_velocity;
@@ -89,7 +90,7 @@ TEST(NormalVelocityBounds, CoverTheRoundingOfASlope) {
   EXPECT_TRUE(covers(detail::rounding_of_slope, of_slope * u / (1 - (of_slope + of_size) * u), 2));
 }
 
-/// The largest ratio of the exact error to the bound, over numbers of all sizes that may cancel.
+/// The largest ratio of the exact error to the bound, over collisions with numbers of many sizes. Terms may cancel.
 template <class S>
 double worst_share_of_bound(double rounding, int exponents) {
   double worst = 0;

@@ -9,7 +9,7 @@
 /// one, because relative errors do not depend on these lengths.
 namespace carom::bounds {
 
-/// The bodies are at the origin, so P is the lever arm r = P − X. P counts as rounded once, as the difference P − X is.
+/// The bodies are at the origin, so the lever arm r = P − X is P. P counts as rounded once, like the difference P − X.
 template <class T>
 [[nodiscard]] BasicCollision<T> normalised_collision() {
   BasicCollision<T> c;

@@ -27,7 +27,8 @@ Vector3<Rational> exact_difference(const Vector3<double>& x, const Vector3<doubl
   return exactly(x) - exactly(y);
 }
 
-/// Numbers below 2^e lie on a grid of 2^(e − 48), and the offset is at most 2^e. So sums have at most 49 bits.
+/// Numbers below 2^e are rounded to multiples of 2^(e − 48), and the added offset is at most 2^e. So sums have at most
+/// 49 bits.
 TEST(RelationBounds, AddTheSameToEachVelocityAndPlace) {
   for (const auto& [family, one] : unit::valid_cases(40)) {
     const std::vector<Collision> moving = asked_by("galilean", one.collision);
@@ -54,7 +55,7 @@ TEST(RelationBounds, MultiplyVelocitiesByThree) {
   }
 }
 
-/// The approach and the added velocity each have 20 bits, thirty places apart. So their sum has 50 bits.
+/// The approach and the added velocity have 20 bits each, thirty places apart. So their sum has 50 bits.
 TEST(RelationBounds, AddATangentialVelocity) {
   for (const auto& [family, one] : unit::valid_cases(40)) {
     if (one.collision.a.immovable && one.collision.b.immovable) {

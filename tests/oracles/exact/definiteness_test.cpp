@@ -28,7 +28,7 @@ ExactMatrix congruent_to(const ExactMatrix& d, properties::Stream& stream) {
   for (const auto& [row, column] : {std::pair{1, 0}, std::pair{2, 0}, std::pair{2, 1}}) {
     l(row, column) = unit::exact_eighths(stream, 30);
   }
-  // The second congruence Lᵀ … L makes no order of the axes special.
+  // A second congruence, by Lᵀ, ends the special role of the first axis.
   const ExactMatrix lower = l;
   return lower.transpose() * (lower * d * lower.transpose()) * lower;
 }
@@ -43,7 +43,8 @@ Matrix3<Enclosure> enclosed(const ExactMatrix& matrix) {
   return result;
 }
 
-/// The signs of the three pivots determine definiteness. The test takes all 27 combinations, under many congruences.
+/// The signs of the three diagonal entries determine definiteness, even after a congruence. The test takes all 27
+/// combinations of signs.
 TEST(Definiteness, FollowsFromTheSignsOfTheDiagonalByTheLawOfInertia) {
   properties::Stream stream = properties::stream_from(11);
   for (int x = -1; x <= 1; ++x) {

@@ -141,7 +141,7 @@ TEST(Lift, IsExactForRandomBitsAndExponents) {
   for (int i = 0; i < 5000; ++i) {
     const std::uint64_t bits = stream.bits();
     const int exponent = stream.integer(-16445, 16319);
-    // ldexp rounds bits below the smallest subnormal. The test skips numbers with such bits.
+    // ldexp rounds bits below the smallest subnormal number. The test skips numbers that have such bits.
     const long double number = std::ldexp(static_cast<long double>(bits), exponent);
     if (exponent < -16380 && std::ldexp(number, -exponent) != static_cast<long double>(bits)) {
       continue;
@@ -181,7 +181,8 @@ TEST(NearestDouble, IsExactForDoubles) {
   }
 }
 
-/// The mean of two neighbours rounds to the even one, and a number beside the mean rounds to the nearer one.
+/// The mean of two neighbouring doubles rounds to the even neighbour. A number beside the mean rounds to the nearer
+/// neighbour.
 void expect_ties_to_even(double lower, double upper, bool lower_is_even) {
   SCOPED_TRACE(lower);
   const Rational half = (Rational(lower) + Rational(upper)) / 2;

@@ -73,7 +73,7 @@ TEST(PositiveRoots, OfLowerDegreeMayHaveZeroAsLeadingCoefficient) {
   expect_positive_roots({Rational(2)}, {Rational(-2), Rational(1), Rational(0)});
 }
 
-/// A root counts only if `side` is positive there, however slightly.
+/// A root counts only if `side` is positive at the root, even if only slightly.
 TEST(PositiveRoots, LieOnThePositiveSide) {
   const Rational near = Rational(2) - Rational(1).times_power_of_two(-200);
   const Coefficients polynomial = with_roots({Rational(1), Rational(2), Rational(4)});
@@ -83,7 +83,7 @@ TEST(PositiveRoots, LieOnThePositiveSide) {
   expect_positive_roots({}, polynomial, {Rational(-1), Rational(0)});
 }
 
-/// The root r of x² = 2 is accurate to 2⁻²⁰⁰, so 2 lies between (r (1 − 2⁻²⁰⁰))² and (r (1 + 2⁻²⁰⁰))².
+/// The computed root r of x² = 2 is accurate to 2⁻²⁰⁰, so 2 lies between (r (1 − 2⁻²⁰⁰))² and (r (1 + 2⁻²⁰⁰))².
 TEST(PositiveRoots, AreAsNearAsAsked) {
   constexpr int bits = 200;
   const std::vector<Rational> roots = positive_roots({Rational(-2), Rational(0), Rational(1)}, everywhere, bits);

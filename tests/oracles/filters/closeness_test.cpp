@@ -16,8 +16,8 @@
 namespace carom::oracles {
 namespace {
 
-/// Calls visit(relation, equation) for every affine equation that applies to this collision and that the law's truth
-/// satisfies.
+/// Calls visit(relation, equation) for every affine equation that applies to this collision, if the law's truth
+/// satisfies the equation.
 template <class Visit>
 void for_each_affine_equation(const ExactCase& exact_case, Law law, const Visit& visit) {
   const Collision& c = exact_case.collision();
@@ -101,8 +101,8 @@ TEST(Closeness, RestsOnLawsThatAreAffineAndSatisfiedByTheTruth) {
   }
 }
 
-/// g = E⁺ − E⁻ − W, with the work W of a moving wall, is convex: g(y + d) + g(y − d) ≥ 2 g(y). At the truth y of the
-/// frictionless law, g ≤ 0.
+/// Let g = E⁺ − E⁻ − W, with the kinetic energies E⁺ after and E⁻ before the impulse, and the work W of a moving wall.
+/// g is convex: g(y + d) + g(y − d) ≥ 2 g(y). At the truth y of the frictionless law, g ≤ 0.
 TEST(Closeness, RestsOnAnEnergyThatIsConvex) {
   properties::Stream stream = properties::stream_from(42);
   const auto gain = [](const ExactCase& exact_case, const Outcome<Rational>& y) {
@@ -141,7 +141,8 @@ PerVector<double> exact_slopes(const OneEquation& equation, const ExactCase& exa
   return slopes;
 }
 
-/// Computed and exact slopes (norms of derivatives) agree to 2⁻⁴⁰. Slopes with r × N may cancel.
+/// Computed and exact slopes (norms of derivatives) agree to 2⁻⁴⁰, except for slopes that contain r × N, which may
+/// cancel.
 TEST(Closeness, RestsOnSlopesThatAreKnownToTwelveDigits) {
   int moderate = 0;
   for (const auto& [family, one] : unit::sampled_cases(6)) {
@@ -225,8 +226,8 @@ TEST(Closeness, ShowsOnlyWhatHolds) {
   EXPECT_LT(beyond.shown, beyond.laws / 2);
 }
 
-/// Two spheres spin, with both lever arms along the normal. Then r × N = 0, so the computed slopes of N·V⁺ are rounding
-/// errors.
+/// The lever arms of two spinning spheres are along the normal. So r × N = 0, and the computed slopes of N·V⁺ are
+/// rounding errors.
 TEST(Closeness, LeavesANormalVelocityThatCancelsToOthers) {
   Collision c;
   c.normal = {0.1, 0.3, 0.7};
@@ -258,7 +259,7 @@ TEST(Closeness, KnowsANormalVelocityByTheSpinOfEitherBody) {
   }
 }
 
-/// Whether closeness shows the energy if the impulse leaves the vector k of body A with the length `along_x`.
+/// Whether closeness shows the equation of energy, for an outcome whose vector k of body A is (`along_x`, 0, 0).
 bool shows_energy(const Collision& c, OutcomeVector k, double along_x) {
   const ExactCase exact_case(c);
   PerVector<double> error_above{};
@@ -269,8 +270,8 @@ bool shows_energy(const Collision& c, OutcomeVector k, double along_x) {
   return Closeness(exact_case.bounds(), Law::frictionless, outcome, error_above, 0x1p-48).shows_energy();
 }
 
-/// The impulse nearly stops body A, or leaves it with the velocity of a wall. The slope of the energy must be at least
-/// 2⁻¹⁹ times the sum of the lengths that cancel in it.
+/// The impulse nearly stops body A, or leaves it with the velocity of a wall. Closeness decides only if the slope of
+/// the energy is at least 2⁻¹⁹ times the sum of the lengths that cancel in this slope.
 TEST(Closeness, LeavesAnEnergyWhoseSlopeCancelsToOthers) {
   for (const double unit : {1.0, 0x1p+6, 0x1p-6}) {
     Collision c;
@@ -284,7 +285,8 @@ TEST(Closeness, LeavesAnEnergyWhoseSlopeCancelsToOthers) {
     slides.a.velocity = {0x1p+10, 0, 0};
     EXPECT_TRUE(shows_energy(slides, OutcomeVector::velocity_of_a, 1.1 * 0x1p-9)) << unit;
     EXPECT_FALSE(shows_energy(slides, OutcomeVector::velocity_of_a, 0.9 * 0x1p-9)) << unit;
-    // The lengths: 2¹⁰ for A before and after, 2¹⁰ for the wall's velocity, and 2⁹ · 2 for its spin about the arm.
+    // The lengths are 2¹⁰ for A before and after, 2¹⁰ for the velocity of the wall, and 2⁹ · 2 for the spin of the wall
+    // times its lever arm.
     slides.b.immovable = true;
     slides.b.velocity = {0x1p+10, 0, 0};
     slides.b.position = {0, -2, 0};
@@ -321,7 +323,7 @@ TEST(Closeness, ShowsNothingThatTheTruthDoesNotSatisfy) {
   EXPECT_FALSE(reflection.shows_energy());
 }
 
-/// The errors are relative to the lengths before the impulse.
+/// The errors are relative to the lengths of the vectors before the impulse.
 TEST(Closeness, ShowsVectorsUntouchedUpToTheAllowance) {
   const ExactCase exact_case(unit::case_of("separating", 0).collision);
   const Collision& c = exact_case.collision();

@@ -37,9 +37,9 @@ struct Counts {
   int violated = 0;
 };
 
-/// The printed numbers of a violation may come from enclosures, with an error of 2⁻¹⁰⁰ of the terms. The residual
-/// exceeds 32 ulps, at least 2⁻⁵⁹ of the terms. So two numbers differ by at most 2 · 2⁻¹⁰⁰ / 2⁻⁵⁹ of the residual, plus
-/// an ulp.
+/// The printed numbers of a violation may come from enclosures. Their error is at most 2⁻¹⁰⁰ of the terms of the
+/// equation. The residual exceeds 32 ulps, which is at least 2⁻⁵⁹ of the terms. So a filtered and an exact number
+/// differ by at most 2 · 2⁻¹⁰⁰ / 2⁻⁵⁹ of the residual, plus an ulp.
 void expect_printed_alike(double filtered, double exact, double residual, const std::string& name) {
   constexpr double of_residual = 0x1p-99 / (default_limit_ulps * unit_roundoff(Precision::extended));
   if (filtered != exact) {
@@ -133,8 +133,8 @@ TEST_P(Filter, AllowsTheSameErrorsAsExactArithmeticDoes) {
       EXPECT_EQ(by_filter.allowed, by_rationals.allowed) << family << ' ' << i;
       for (const OutcomeVector k : all_outcome_vectors) {
         ++(by_rationals.allowed[k] ? counts.holds : counts.violated);
-        // These numbers are only printed. If the filter decides, each component is accurate to a thousandth of itself
-        // or of the permitted error.
+        // These numbers are only printed. If the filter decides, each is accurate to a thousandth of itself or of the
+        // permitted error.
         EXPECT_NEAR(by_filter.error[k], by_rationals.error[k],
                     0x1p-9 * (by_rationals.error[k] + filtered.allowance() * by_filter.sensitivity[k]))
             << family << ' ' << i;
@@ -156,9 +156,9 @@ TEST(Compare, AllowsWhatTheScaleSays) {
   Yardstick yardstick;
   yardstick.unit_roundoff = 0x1p-53;
   yardstick.limit_ulps = 32;
-  // N = (0, 1, 0), V⁺ = (0, 1 + d, 0), V⁻ = (0, −1, 0) and ε = 1. The parts of the scale of g = N·V⁺ + ε N·V⁻ are d for
-  // N, 1 for ε, 1 for v_A⁻, and ‖v_A⁺‖ + ‖v_A⁻‖ = 2 + d for v_A⁺. The lever arm is zero, so w has no part. d is
-  // negligible.
+  // N = (0, 1, 0), V⁺ = (0, 1 + d, 0), V⁻ = (0, −1, 0) and ε = 1. The scale of g = N·V⁺ + ε N·V⁻ is a sum: d for N, 1
+  // for ε, 1 for v_A⁻, and ‖v_A⁺‖ + ‖v_A⁻‖ = 2 + d for v_A⁺. The lever arm is zero, so w adds nothing. As d is
+  // negligible, the scale is 4.
   const double allowed = yardstick.allowance() * 4;
   for (const auto& [deviation, holds] : std::vector<std::pair<double, bool>>{{0, true},
                                                                              {allowed * 0.99, true},
@@ -211,7 +211,6 @@ TEST(Compare, KnowsTheSideOfAnInequality) {
   }
 }
 
-/// A valid collision whose fields have different exponents, up to `most`.
 Collision extreme_collision(properties::Stream& stream, int most) {
   const Collision c = unit::case_of("elastic", stream.bits() % 100).collision;
   return equality::scaled_fields(c, most, stream);
@@ -278,7 +277,8 @@ TEST(PermittedInputs, AreAskedForWhereABodySpinsAboutTheNormal) {
   c.point = {0, 0, 0.5};
   c.a.velocity = {0, 0, -1};
   c.b.immovable = true;
-  // The case is hard if ‖N‖ ‖w‖ ‖r‖ = ‖w‖ / 2 exceeds 32 times the sensitivity of N·V⁻, ‖V⁻‖ + ‖v‖ = 2.
+  // The sensitivity of N·V⁻ is ‖V⁻‖ + ‖v‖ = 2. The case is hard if ‖N‖ ‖w‖ ‖r‖ = ‖w‖ / 2 exceeds 32 times this
+  // sensitivity.
   for (const double spin : {96.0, 160.0}) {
     c.a.angular_velocity = {0, 0, spin};
     EXPECT_EQ(ExactCase(c).permitted_inputs(0x1p-48) != nullptr, spin / 2 > 64) << spin;
@@ -295,8 +295,8 @@ TEST(NormAtMost, IsExactAtTheBound) {
 }
 
 /// The velocity changes by 2 m/s, so an outcome that is wrong by 2 · 10⁻³ m/s has a relative error of exactly 10⁻³, the
-/// limit of three digits. The next larger velocity in extended precision exceeds the limit, although both errors round
-/// to the same number.
+/// limit of three digits. The next larger velocity in extended precision exceeds the limit, although both relative
+/// errors round to the same binary64 number.
 TEST(Accuracy, HasDigitsUpToTheLastBit) {
   Collision c;
   c.a.velocity = {0, -1, 0};
@@ -391,7 +391,7 @@ TEST(Accuracy, AllowsWhatTheYardstickSays) {
   }
 }
 
-/// Underflow in binary32 causes an error of η / 2, with the least number η, for a spin of any size.
+/// Let η be the least number of binary32. Underflow causes an error of η / 2 in a spin of any size.
 TEST(Yardstick, KnowsWhatUnderflowTakes) {
   constexpr long double least = std::numeric_limits<float>::denorm_min();
   Collision c;
@@ -488,8 +488,8 @@ TEST(Range, AnAllowanceThatUnderflowsDecidesNothing) {
   EXPECT_EQ(Yardstick().allowed(0x1p-1074), 0);
 }
 
-/// A ball slides along a wall, and rounding exceeds its approach. If the ball collides, `sticking` stops its slip.
-/// Otherwise the slip stays. Both outcomes pass, but no outcome between them.
+/// A ball slides along a wall, and the rounding of the inputs exceeds its approach. If the ball collides, `sticking`
+/// stops its slip. Otherwise the slip stays. Both outcomes pass, but no outcome between them passes.
 TEST(Accuracy, TakesEitherOfTwoAnswers) {
   Yardstick yardstick;
   yardstick.unit_roundoff = 0x1p-53;
@@ -538,8 +538,8 @@ TEST(Accuracy, IsThatOfTheNearerAnswer) {
       0);
 }
 
-/// A body has the velocity of a moving wall, so the first derivatives of the energy vanish. Rounding of the velocity
-/// exceeds its change by the impulse.
+/// A body has the velocity of a moving wall, so the first derivatives of the energy vanish. The rounding of the
+/// velocity exceeds the change of the velocity by the impulse.
 TEST(Compare, AllowsTheEnergyWhatRoundingOfVelocitiesMakes) {
   Yardstick yardstick;
   yardstick.unit_roundoff = 0x1p-24;
@@ -560,10 +560,10 @@ TEST(Compare, AllowsTheEnergyWhatRoundingOfVelocitiesMakes) {
   EXPECT_FALSE(holds());
 }
 
-/// A ball keeps its velocity of length 5 and gains the velocity d across the normal. With n = ‖N‖ and F = m (d, 0, 0),
-/// N·F = 0, so the residual is ‖N × F‖² = (n m d)². With the allowance α, the permitted residual is (n m)² α times a
-/// sum: 10 d for v⁻, 20 d for v⁺, negligible 4 d² for m and N, and 100 α (1 + μ²) for the square of the uncertainty of
-/// F. So with μ = 7, the outcome passes if d² ≤ α (30 d + 5000 α), or d ≤ 87.3 α.
+/// A ball keeps its velocity of length 5 and gains the velocity d across the normal. So F = m (d, 0, 0) and N·F = 0.
+/// With n = ‖N‖, the residual is ‖N × F‖² = (n m d)². Let α be the allowance. The permitted residual is (n m)² α times
+/// a sum: 10 d for v⁻, 20 d for v⁺, 4 d² (negligible) for m and N, and 100 α (1 + μ²) for the square of the uncertainty
+/// of F. With μ = 7, the outcome passes if d² ≤ α (30 d + 5000 α), that is, if d ≤ 87.3 α.
 TEST(Compare, AllowsTheFrictionConeWhatRoundingOfTheImpulseMakes) {
   Yardstick yardstick;
   yardstick.unit_roundoff = 0x1p-53;
@@ -589,10 +589,10 @@ TEST(Compare, AllowsTheFrictionConeWhatRoundingOfTheImpulseMakes) {
   }
 }
 
-/// F = (d, 0, 2), and d is below an ulp of binary64 of the velocity. The allowance is α = d / 16, and t = `times` gives
-/// μ N·F = d − t α. The residual is ‖N × F‖² − (μ N·F)² = d² − (d − t α)² = (2 t − t² / 16) d α. The permitted residual
-/// is 12.5 d α: 8.1 d α for the velocities (2 ‖v⁺‖ + 4 ‖v⁻‖), 4 d α for N, and 7.3 α² for the square of the uncertainty
-/// of F. So t ≤ 8.5 passes.
+/// F = (d, 0, 2), where d is less than a binary64 ulp of the velocity. The allowance is α = d / 16. μ is so chosen that
+/// μ N·F = d − t α, with t = `times`. The residual is ‖N × F‖² − (μ N·F)² = d² − (d − t α)² = (2 t − t² / 16) d α. The
+/// permitted residual is 12.5 d α: 8.1 d α for the velocities (2 ‖v⁺‖ + 4 ‖v⁻‖), 4 d α for N, and 7.3 α² for the square
+/// of the uncertainty of F. So t ≤ 8.5 passes.
 TEST(Compare, AllowsTheFrictionConeAllDigitsOfExtended) {
   Yardstick yardstick;
   yardstick.unit_roundoff = unit_roundoff(Precision::extended);
@@ -614,7 +614,7 @@ TEST(Compare, AllowsTheFrictionConeAllDigitsOfExtended) {
   }
 }
 
-/// The energies leave the range of binary64. Without rounding, the permitted residual is 0 and needs no scale.
+/// The energies leave the range of binary64. If the unit roundoff is 0, the permitted residual is 0 and needs no scale.
 TEST(Compare, OfExactArithmeticNeedsNoScale) {
   Collision c;
   c.b.immovable = true;

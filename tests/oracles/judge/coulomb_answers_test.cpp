@@ -58,7 +58,7 @@ TEST(CoulombCase, CountsDigitsByEnergy) {
   const auto answers = coulomb_answers(exact_case);
   ReportedOutcome outcome = reported(answers[0].truth.outcome);
   outcome.a.velocity.x() += 1;
-  // F = (1, 6, 0) changes the velocities by m Δv² + J Δw² = 37 + 2. In this measure the error is 1.
+  // F = (1, 6, 0) changes the velocities by m Δv² + J Δw² = 37 + 2. By the same formula, the error of the outcome is 1.
   EXPECT_NEAR(nearest_answer(exact_case, answers, outcome).digits, -std::log10(std::sqrt(1.0 / 39)), 1e-12);
 }
 

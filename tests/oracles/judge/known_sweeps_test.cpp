@@ -19,7 +19,7 @@
 #include "support/known_values.hpp"
 #include "support/outcome_of_law.hpp"
 
-/// How far each filter and each fact reaches. A line counts the collisions of a sweep for which each filter decides and
+/// Each recorded line counts, for one sweep, the collisions on which each filter decides, and the collisions on which
 /// each fact holds. A filter that decides less changes no verdict, but slows the judge.
 namespace carom::oracles {
 namespace {
@@ -35,7 +35,7 @@ Yardstick yardstick_of_sweeps() {
   return yardstick;
 }
 
-/// Whether closeness shows the restitution and the energy of the rounded truth.
+/// Whether closeness shows that the rounded truth satisfies the equations of restitution and of energy.
 std::pair<bool, bool> shown_by_closeness(const ExactCase& exact_case) {
   constexpr Law law = Law::frictionless;
   const LiftedOutcome outcome(unit::reported_outcome(exact_case, law));
@@ -74,8 +74,9 @@ std::vector<std::pair<std::string_view, bool>> facts_of(const ExactCase& exact_c
   return facts;
 }
 
-/// Counts the collisions whose sensitivity binary64 and double-double arithmetic give, and adds up the logarithms of
-/// the double-double sensitivities. In binary64, rounding spoils the sensitivities of ill-conditioned collisions.
+/// Counts the collisions whose sensitivity binary64 gives, and those whose sensitivity double-double arithmetic gives.
+/// Adds up the logarithms of the latter sensitivities. In binary64, rounding spoils the sensitivities of
+/// ill-conditioned collisions.
 KnownLine line_of_sensitivities(const Sweep& sweep, Law law) {
   KnownLine line{sweep.name + ", sensitivities of " + std::string(name_of(law)), {0, 0, 0}};
   for (int k = 0; k < sweep.count; k += 4) {
@@ -108,7 +109,7 @@ KnownLine line_of_facts(const Sweep& sweep) {
   return line;
 }
 
-/// Counts how often the truth plus errors of 2⁻ʲ is allowed, and the stages that decide it.
+/// Adds errors of 2⁻ʲ to the truth. Counts how often the judge allows the sum, and the decisions of each stage.
 KnownLine line_of_stages(const Sweep& sweep, Law law) {
   double allowed = 0;
   const StageCounts before = decided_by_stage();

@@ -79,7 +79,6 @@ std::vector<Asked> asked_equations() {
   return all;
 }
 
-/// The residual and the permitted residual of each equation.
 KnownLine comparisons(const std::string& name, const Collision& collision, const ReportedOutcome& reported,
                       const Yardstick& yardstick) {
   const ExactCase exact_case(collision);
@@ -95,7 +94,8 @@ KnownLine comparisons(const std::string& name, const Collision& collision, const
   return line;
 }
 
-/// For four outcomes: moved far, far in the opposite direction, a little, and far with digits beyond binary64.
+/// Compares four outcomes: moved far, moved far in the opposite direction, moved a little, and moved far with digits
+/// beyond binary64.
 void add_comparisons(const KnownCollision& known, double allowance, std::vector<KnownLine>& lines) {
   for (const double times : {1.0, -1.0, 0x1p-12}) {
     lines.push_back(comparisons(name_of_line(known, allowance, "equations by " + std::to_string(times)),
@@ -109,7 +109,7 @@ void add_comparisons(const KnownCollision& known, double allowance, std::vector<
                               extended, yardstick_of(allowance)));
 }
 
-/// As if outputs underflowed at a quarter of the unit of velocity.
+/// Compares as if the subject's numbers below 1/4 lost digits by underflow.
 void add_underflow(const KnownCollision& known, std::vector<KnownLine>& lines) {
   Yardstick yardstick = yardstick_of(0x1p-19);
   yardstick.least_size = 0.25;
@@ -140,7 +140,6 @@ void add_facts(const KnownCollision& known, std::vector<KnownLine>& lines) {
   lines.push_back(std::move(line));
 }
 
-/// The bounds that let the filters decide, and the sensitivities that they bound.
 void add_bounds(const KnownCollision& known, std::vector<KnownLine>& lines) {
   const ExactCase exact_case(known.collision);
   const BoundedCase& bounds = exact_case.bounds();

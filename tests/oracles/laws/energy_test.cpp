@@ -11,8 +11,8 @@
 
 #include "support/exact.hpp"
 
-/// The exact change ΔE of kinetic energy by the laws: the gain of the movable bodies minus the work of a moving wall
-/// (docs/findings/note.md).
+/// The exact change of energy by each law, ΔE: the kinetic energy that the movable bodies gain, minus the work of a
+/// moving wall (docs/findings/note.md).
 namespace carom::oracles {
 namespace {
 
@@ -77,9 +77,9 @@ TEST(Energy, IsLostByTheFrictionlessLawAsTheFormulaSays) {
   }
 }
 
-/// Reflection: with A = K⁻¹ and V⁻ = v_n N + v_t T0, ΔE = (1+ε)/2 · [(ε−1) v_n² A₀₀ − 2 v_n v_t A₀₁] in the basis {N,
-/// T0, T1}. In any basis, and for N of any length, v_n² A₀₀ = (N·V⁻)² NᵀAN/(N·N)² and v_n v_t A₀₁ = (N·V⁻)
-/// NᵀAV_T/(N·N).
+/// Reflection. Let A = K⁻¹ and V⁻ = v_n N + v_t T0, in the basis {N, T0, T1} with ‖N‖ = 1. Then ΔE = (1+ε)/2 · [(ε−1)
+/// v_n² A₀₀ − 2 v_n v_t A₀₁]. In any basis, and for N of any length, v_n² A₀₀ = (N·V⁻)² NᵀAN/(N·N)² and v_n v_t A₀₁ =
+/// (N·V⁻) NᵀAV_T/(N·N), with the slip V_T.
 TEST(Energy, ChangesUnderReflectionAsTheFormulaSays) {
   for (const auto& c : collisions()) {
     const ExactVector n = c.normal;
@@ -95,8 +95,8 @@ TEST(Energy, ChangesUnderReflectionAsTheFormulaSays) {
   }
 }
 
-/// At ε = 1, ΔE is odd in the slip V_T. So of two contacts with opposite slips, one gains the energy that the other
-/// loses.
+/// At ε = 1, ΔE changes its sign with the slip V_T. So of two contacts with opposite slips, one gains the energy that
+/// the other loses.
 TEST(Energy, IsCreatedByReflectionInExactlyOneOfTwoOppositeSlips) {
   int created = 0;
   for (std::uint64_t i = 0; i < 100; ++i) {
@@ -139,8 +139,8 @@ TEST(Energy, IsCreatedByReflectionAtRestitutionOneWhereverItIsAtZero) {
   EXPECT_GT(created, 0);
 }
 
-/// At ε = 0, a contact creates energy if 2 v_t A₀₁ > |v_n| A₀₀. By counting, a quarter of the family `inelastic` does.
-/// The test allows five standard deviations √(1000·3/16) = 13.7.
+/// At ε = 0, a contact creates energy if 2 v_t A₀₁ > |v_n| A₀₀. A count shows that a quarter of the family `inelastic`
+/// does so. The test allows five standard deviations √(1000·3/16) = 13.7.
 TEST(Energy, IsCreatedByReflectionInAboutAQuarterOfInelasticContacts) {
   EXPECT_NEAR(creations("inelastic", 1000), 250, 68);
 }
@@ -153,9 +153,9 @@ TEST(Energy, IsLostByStickingWithoutRestitution) {
   }
 }
 
-/// Sticking: for a given N·V⁻ and A = K⁻¹, the least V⁻ᵀ A V⁻ is (N·V⁻)²/(NᵀKN). So ΔE ≤ ½ (N·V⁻)² (ε² NᵀAN/(N·N)² −
-/// 1/(NᵀKN)), with equality for the slip of least V⁻ᵀ A V⁻. The bound is positive exactly if ε² (NᵀAN) (NᵀKN) > (N·N)²
-/// and N·V⁻ ≠ 0.
+/// Sticking, with A = K⁻¹. Among all slips with a given N·V⁻, the least V⁻ᵀ A V⁻ is (N·V⁻)²/(NᵀKN). So ΔE ≤ ½ (N·V⁻)²
+/// (ε² NᵀAN/(N·N)² − 1/(NᵀKN)). The slip of least V⁻ᵀ A V⁻ attains this bound. The bound is positive if and only if ε²
+/// (NᵀAN) (NᵀKN) > (N·N)² and N·V⁻ ≠ 0.
 TEST(Energy, IsCreatedByStickingFromARestitutionOn) {
   int can_create = 0;
   for (BasicCollision<Rational> c : collisions()) {
@@ -175,8 +175,8 @@ TEST(Energy, IsCreatedByStickingFromARestitutionOn) {
   EXPECT_GT(can_create, 0);
 }
 
-/// Sticking pulls (N·F < 0) in some contacts of general bodies, and creates energy in some with ε > 0. Spheres do
-/// neither.
+/// Sticking pulls (N·F < 0) in some contacts of general bodies. In some contacts with ε > 0, it creates energy. For
+/// spheres, it does neither.
 TEST(Energy, IsCreatedByStickingInSomeContactsAndPulledInSome) {
   for (const char* family : {"elastic", "inelastic", "physical", "collinear_spheres"}) {
     int creates = 0;
@@ -194,8 +194,8 @@ TEST(Energy, IsCreatedByStickingInSomeContactsAndPulledInSome) {
   }
 }
 
-/// Kantorovich: (NᵀAN) (NᵀKN) ≤ (κ + 1)²/(4κ) (N·N)² for A = K⁻¹ and the condition number κ of K. For convex uniform
-/// bodies κ ≤ 16, so the factor is at most (17/8)². So sticking creates no energy for ε ≤ 8/17.
+/// Kantorovich's inequality: (NᵀAN) (NᵀKN) ≤ (κ + 1)²/(4κ) (N·N)², with A = K⁻¹ and the condition number κ of K. For
+/// convex uniform bodies κ ≤ 16, so (κ + 1)²/(4κ) ≤ (17/8)². So sticking creates no energy for ε ≤ 8/17.
 TEST(Energy, IsNeverCreatedByStickingConvexBodiesBelowEightSeventeenths) {
   for (std::uint64_t i = 0; i < 200; ++i) {
     BasicCollision<Rational> c = lift(unit::case_of("physical", i).collision);

@@ -41,7 +41,8 @@ TEST(CoulombAnswers, AreFrictionlessWithoutFriction) {
   EXPECT_TRUE(same(answers[0].truth.impulse, unit::ExactVector(0, 6, 0)));
 }
 
-/// Expects that the answer satisfies the law. An answer that slips comes from a root, so its ‖N × F‖ is rounded.
+/// Expects that the answer satisfies the law. An answer that slips comes from a root of a polynomial, so its ‖N × F‖ is
+/// rounded.
 void expect_lawful(const Collision& collision, const CoulombAnswer& answer) {
   const BasicCollision<Rational> c = lift(collision);
   const Vector3<Rational>& f = answer.truth.impulse;

@@ -16,8 +16,8 @@
 #include "support/exact.hpp"
 #include "support/forward_differentiation.hpp"
 
-/// The truth (exact answer) of the law `rough`: F = (1 + ε) P_I + κ D with D = P_II − P_I. P_I stops the approach, and
-/// P_II stops the contact point.
+/// The truth (exact answer) of the law `rough` is F = (1 + ε) P_I + κ D with D = P_II − P_I. The frictionless impulse
+/// P_I stops the approach, and P_II stops the contact point. κ is the share of friction, from 0 to 1 + e_t.
 namespace carom::oracles {
 namespace {
 
@@ -54,7 +54,7 @@ TEST(Rough, SlidesWhereItDoesNot) {
   EXPECT_EQ(truth.outcome.a.angular_velocity[2], Radical(ratio(3, 2)));
 }
 
-/// Inside the cone κ = 1 + e_t. `truth_by_elimination` shares no formula with the truth.
+/// If F is inside the friction cone, κ = 1 + e_t. `truth_by_elimination` shares no formula with the truth.
 TEST(Rough, IsCombinedOfWhatEliminationFinds) {
   int inside = 0;
   for (const auto& [family, one] : unit::sampled_cases(20)) {
@@ -95,7 +95,6 @@ TEST(Rough, IsCertifiedOnBothSidesOfTheCone) {
   EXPECT_GT(irrational, unit::effort(100));
 }
 
-/// The tests violate the conditions of `certify_rough` one by one.
 class CertifiedRough : public testing::Test {
  protected:
   CertifiedRough() {
@@ -109,7 +108,6 @@ class CertifiedRough : public testing::Test {
   [[nodiscard]] Outcome<Rational> after(const Vector3<Rational>& impulse) const {
     return sum(unchanged(exact), response<Rational>(exact, impulse));
   }
-  /// The error message of `certify_rough` for the outcome of an impulse.
   [[nodiscard]] std::string said_of(const Vector3<Rational>& impulse) const {
     try {
       certify_rough(exact, after(impulse), parts);
@@ -165,8 +163,8 @@ TEST_F(CertifiedRough, IsMadeOfTheAnswersOfItsLaws) {
             "the truth does not satisfy the angular momentum of A");
 }
 
-/// A contact that slips with (1, 0, 0) and approaches by a rounding error: V⁻ = (1, −2⁻⁵³, 0). Up to this error P_I = 0
-/// and D = P_II = (−5/8, 3/8, 0). D lies in the cone if μ ≥ 5/3.
+/// A contact that slips with (1, 0, 0) and approaches by a rounding error: V⁻ = (1, −2⁻⁵³, 0). Up to this error, P_I =
+/// 0 and D = P_II = (−5/8, 3/8, 0). D lies in the friction cone if μ ≥ 5/3.
 Collision approached_by_rounding(double friction) {
   Collision c;
   c.a.principal_inertia.setConstant(1.0 / 6);
@@ -215,7 +213,8 @@ TEST(Rough, AsksNothingWhereEveryAnswerBetweenIsWithinRounding) {
   EXPECT_FALSE(accuracy_of(exact_case, unchanged(exact_case.collision())).is_decided);
 }
 
-/// At μ = 1/4, F lies exactly on the cone's surface. There, the sensitivity is the larger of both sides' sensitivities.
+/// At μ = 1/4, F lies exactly on the cone's surface. There, the sensitivity is the larger of the sensitivities inside
+/// and outside.
 TEST(Rough, IsAsSensitiveAtTheSurfaceAsOnEitherSide) {
   const auto sensitivity_at = [](double friction) {
     Collision c = ball_on_a_plane();
@@ -285,8 +284,8 @@ double band_by_forward_differentiation(const Collision& collision) {
          unit::sensitivity_above({&tangential[0], &tangential[1], &tangential[2]}, inputs.quantities);
 }
 
-/// Implicit differentiation, in binary64 and in enclosures, agrees with forward differentiation of the whole law. The
-/// required accuracy of a sensitivity is a thousandth.
+/// Implicit differentiation, in binary64 and in enclosures, agrees with forward differentiation of the whole law. A
+/// sensitivity must be accurate to a thousandth.
 TEST(ConeDistance, IsTheSameBothWays) {
   int compared = 0;
   for (const auto& [family, one] : unit::sampled_cases(20)) {
@@ -303,8 +302,8 @@ TEST(ConeDistance, IsTheSameBothWays) {
     const double exact = exact_distance(one.collision);
     for (const double distance : {quick.distance, enclosed.distance}) {
       EXPECT_LE(distance, exact) << family;
-      // A lower bound is rounded down by 2⁻⁴⁸ of itself (enclosure.hpp). The relative error of enclosures is 2⁻¹⁰⁰
-      // times the condition number of K, here below 2²⁰.
+      // A lower bound is rounded down by 2⁻⁴⁸ of itself (enclosure.hpp). An enclosure has a relative error of 2⁻¹⁰⁰
+      // times the condition number of K, which is below 2²⁰ here.
       EXPECT_GE(distance, (1 - 0x1p-47) * exact - 0x1p-80 * band) << family;
     }
     ++compared;

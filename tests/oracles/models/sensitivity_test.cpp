@@ -40,8 +40,8 @@ struct Differentiated {
         collision);
   }
 
-  /// Σ_j d_j x_j ∂y/∂x_j with d_j = degree(path_j). By Euler's theorem, the sum is d y if x_j → k^d_j x_j multiplies y
-  /// by k^d.
+  /// Σ_j d_j x_j ∂y/∂x_j over the inputs x_j, with d_j = degree(path_j). If the replacement of each x_j by k^d_j x_j
+  /// multiplies y by k^d, then this sum is d y, by Euler's theorem.
   template <class Degree>
   [[nodiscard]] Radical euler_sum(const ExactDual& y, const Degree& degree) const {
     Radical sum(0);
@@ -56,7 +56,7 @@ struct Differentiated {
   std::vector<Radical> numbers;
 };
 
-/// The first case of each of these families, and six collisions of small dyadic numbers. A sampled test takes fewer.
+/// The first case of each of these families, and six collisions of small dyadic numbers; fewer if the test is sampled.
 std::vector<Collision> binary64_collisions(std::vector<const char*> families = {"driven_wall", "elastic", "sliding",
                                                                                 "sticking"}) {
   families.resize(static_cast<std::size_t>(unit::effort(static_cast<int>(families.size()))));
@@ -123,7 +123,6 @@ TEST(Derivatives, SumToNothingOverTheLengthOfAnOrientation) {
                      0);
 }
 
-/// The length of a quantity by definition (docs/reference/yardstick.md).
 double length_by_definition(const Collision& collision, const FieldPath& of, const std::vector<double>& numbers) {
   double squares = 0;
   for (const double x : numbers) {
@@ -139,7 +138,6 @@ double length_by_definition(const Collision& collision, const FieldPath& of, con
   return std::sqrt(squares) + std::sqrt(std::max(least, 0.0) / (2 * body.mass));
 }
 
-/// The sensitivity by exact derivatives and rounded norms.
 Sensitivity sensitivity_by_definition(const Collision& collision, Law law) {
   const Differentiated differentiated(collision, law);
   const Outcome<double> before = unchanged(collision);
@@ -165,8 +163,8 @@ Sensitivity sensitivity_by_definition(const Collision& collision, Law law) {
   return result;
 }
 
-/// In binary64, each operation adds a relative error of up to κ(K) u, with the condition number κ(K) < 2²⁰. A sum takes
-/// fewer than 2⁷ successive operations. So its error is below 2^(20 + 7 − 53).
+/// In binary64, each operation adds a relative error of up to κ(K) u. Here κ(K) is the condition number of K, below
+/// 2²⁰. A sum takes fewer than 2⁷ successive operations, so its relative error is below 2^(20 + 7 − 53).
 TEST(Sensitivity, IsTheSumOfTheExactDerivatives) {
   constexpr double relative = 0x1p-26;
   int colliding = 0;
@@ -200,7 +198,8 @@ Sensitivity sensitivity_by_forward_differentiation(const Collision& collision, L
   return result;
 }
 
-/// The tolerance covers the rounding of binary64 for κ(K) < 2²⁰, and for spins of slender bodies that cancel.
+/// The tolerance covers the rounding of binary64 for κ(K) < 2²⁰. It also covers the spins of slender bodies, where
+/// terms cancel.
 TEST(Sensitivity, IsTheSameByImplicitDifferentiation) {
   constexpr double relative = 0x1p-24;
   int compared = 0;
@@ -235,7 +234,7 @@ TEST(Sensitivity, IsTheSameByImplicitDifferentiation) {
   EXPECT_GT(compared, unit::effort(400));
 }
 
-/// 1 + Σ (‖r‖² / min I) / λ over the movable bodies, which is at least κ(K).
+/// 1 + Σ (‖r‖² / min I) / λ over the movable bodies, with λ = 1/m_A + 1/m_B. This number is at least κ(K).
 double growth(const Collision& c) {
   double lambda = 0;
   double arms = 0;
@@ -248,8 +247,8 @@ double growth(const Collision& c) {
   return 1 + arms / lambda;
 }
 
-/// Double-double arithmetic makes fewer than 2⁹ roundings of 2⁻¹⁰². `growth` multiplies their error. Binary64 adds
-/// eight roundings.
+/// Double-double arithmetic makes fewer than 2⁹ roundings of 2⁻¹⁰². Their relative error grows by the factor `growth`.
+/// Binary64 adds eight roundings.
 TEST(Sensitivity, IsKnownWhereTheMatrixIsNearlySingular) {
   std::size_t compared = 0;
   std::size_t unknown_by_radii = 0;
@@ -290,8 +289,8 @@ TEST(Sensitivity, IsNoneWhereRoundingsGrowTooMuch) {
   }
 }
 
-/// The divisor of `rough` on the cone's surface cancels. Double-double arithmetic does not keep three digits, although
-/// κ(K) is below 2⁶⁶.
+/// On the surface of the friction cone, `rough` divides by a difference, whose terms cancel here. Double-double
+/// arithmetic does not keep three digits, although κ(K) is below 2⁶⁶.
 TEST(Sensitivity, IsNoneWhereTheDivisorOfFrictionCancels) {
   Collision c;
   c.a.principal_inertia = {4.8104236488202286e-20, 1, 1.25};
@@ -401,7 +400,8 @@ TEST(Sensitivity, IsThatOfTheIdentityWhereNothingHappens) {
   const Sensitivity& actual = exact_case.sensitivity(Law::frictionless, 0x1p-48);
   const Vector3<double>& v = c.b.velocity;
   const double expected = (std::sqrt(3.0) + 1) * std::sqrt(v.dot(v));
-  // The tolerance covers eight roundings, and the second order: the allowance times a possible change by an impulse.
+  // The tolerance covers eight roundings, and a term of second order: the allowance times the change that an impulse
+  // could make.
   EXPECT_NEAR(actual[OutcomeVector::velocity_of_b], expected, 0x1p-50 * expected + 0x1p-48 * 64 * expected);
 }
 
@@ -428,7 +428,8 @@ TEST(Grazing, TakesEveryDerivativeOfTheNormalVelocity) {
     const double sensitivity = sensitivity_of({&velocity}, inputs.quantities);
     EXPECT_NEAR(exact_case.normal_velocity_sensitivity(), sensitivity, 0x1p-40 * sensitivity) << family;
     const double edge = std::abs(velocity.value) / sensitivity;
-    // If N·V⁻ cancels, rounding of N·V⁻ moves the edge. In hard cases, an enclosure decides instead.
+    // The test skips N·V⁻ near 0, because its rounding moves the edge. It also skips hard cases, where an enclosure
+    // decides instead.
     if (exact_case.approach() == Approach::inert || !(edge > 0x1p-20) ||
         exact_case.permitted_inputs(edge * (1 - 0x1p-20)) != nullptr) {
       continue;

@@ -28,7 +28,7 @@ void expect_same_truth(const Collision& collision, const std::string& what) {
   }
 }
 
-/// Neither computation uses the sign of N·V⁻, so resting and separating contacts count as well.
+/// Neither the truth nor the elimination uses the sign of N·V⁻. So the test also takes resting and separating contacts.
 TEST(Truth, EqualsEliminationOnSmallDyadicNumbers) {
   for (std::uint64_t i = 0; i < static_cast<std::uint64_t>(unit::effort(2000)); ++i) {
     properties::Stream stream = properties::stream_from(50000 + i);
@@ -195,7 +195,7 @@ TEST(Certify, NeedsTheImmovableBodyToBeUntouched) {
   }
 }
 
-/// Only A gets an impulse, as if B were a wall. Each condition on A and on V⁺ holds.
+/// Only A gets an impulse, as if B were a wall. So every condition on A and on V⁺ holds, but momentum is not conserved.
 TEST(Certify, NeedsLinearMomentum) {
   const BasicCollision<Rational> c = lift(unit::case_of("elastic", 0).collision);
   BasicCollision<Rational> against_a_wall = c;

@@ -113,7 +113,6 @@ TEST(Approximation, GoesToEnclosuresAndBack) {
 const Rational& nearly(const Rational& x) { return x; }
 Rational nearly(const Radical& x) { return approximately(x); }
 
-/// The refined enclosures contain the truth, and are nearly as accurate as double-double arithmetic.
 TEST(RefinedTruth, ContainsTheTruth) {
   int good = 0;
   int all = 0;

@@ -40,8 +40,8 @@ testing::AssertionResult encloses(const Both& both) {
   return testing::AssertionSuccess();
 }
 
-/// A sharper test of the radius: the enclosure minus the exact value must contain zero. Values whose enclosure is less
-/// accurate than 2⁻¹⁰⁰ pass.
+/// A sharper test of the radius than `encloses`. The enclosure minus the exact value must contain zero. `exact` becomes
+/// an enclosure here, so the test misses relative errors below 2⁻¹⁰⁰.
 testing::AssertionResult contains(const Both& both) {
   const double rounded = std::abs(to_double(both.exact));
   if (!(rounded > 0x1p-800 && rounded < 0x1p800)) {
@@ -117,7 +117,7 @@ Both expression(properties::Stream& stream, int depth, int exponents, Count& cou
   }
   const Both x = expression(stream, depth - 1, exponents, count);
   if (stream.chance(6)) {
-    // Near cancellation: x minus its leading bits, and plus or minus a trifle.
+    // Nearly cancels x: subtracts the leading bits of x, and adds or subtracts a trifle.
     const double leading = to_double(x.exact);
     if (std::isfinite(leading) && (leading == 0 || std::abs(leading) > Limits::min())) {
       const double trifle = std::ldexp(leading, -stream.integer(40, 110));
@@ -140,7 +140,7 @@ TEST(Enclosure, ContainsTheExactValueOfEveryExpression) {
       }
     }
     if (exponents <= 60) {
-      // Only cancellations beyond double-double leave a sign open.
+      // A sign is open only if a sum cancels beyond double-double.
       EXPECT_GT(count.decided, count.operations / 10 * 8);
     }
   }
@@ -212,7 +212,7 @@ TEST(Enclosure, ContainsRationalsOfEveryExponentOfBinary64) {
   }
 }
 
-/// The low part of the double-double, or the whole number, is subnormal or underflows.
+/// For these exponents, the low part of the double-double or the whole number is subnormal, or underflows.
 TEST(Enclosure, ContainsRationalsBelowTheRangeOfBinary64) {
   for (int exponent = -1200; exponent < -900; ++exponent) {
     const Rational x = ratio(5, 3) * two_to(exponent);

@@ -31,7 +31,6 @@ Finding find(const Subject& subject, std::string_view invariant, const std::stri
 
 Subject frictionless() { return subject("frictionless", Law::frictionless, impulse::frictionless<double>); }
 
-/// Doubles the restitution.
 Subject bouncing_twice() {
   return subject("bouncing", Law::frictionless, [](impulse::Contact<double> contact) {
     contact.restitution *= 2;

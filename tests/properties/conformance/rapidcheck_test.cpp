@@ -16,7 +16,6 @@
 #include <carom/properties/search/shrink.hpp>
 #include <carom/rapidcheck.hpp>
 
-/// Tests the generators that a user's properties draw from.
 namespace carom {
 namespace {
 
@@ -61,7 +60,7 @@ ChosenCase without_plainness(const Family& family, ChosenCase chosen) {
   const auto is_plain = [](const properties::Choice& choice) {
     return choice.question.is_of_plainness && choice.answer == 1;
   };
-  // Other numbers may lead to other choices, so the loop repeats.
+  // Other numbers may lead to other choices, which may be plain again. So the loop repeats.
   while (std::any_of(chosen.choices.begin(), chosen.choices.end(), is_plain)) {
     for (properties::Choice& choice : chosen.choices) {
       choice.answer = is_plain(choice) ? 0 : choice.answer;
@@ -73,7 +72,7 @@ ChosenCase without_plainness(const Family& family, ChosenCase chosen) {
 
 class EachFamily : public testing::TestWithParam<const Family*> {};
 
-/// The family draws each simpler case. Without plain numbers, the gate can draw the case, too.
+/// The family can draw each simpler case. If the case has no plain numbers, the gate can draw it, too.
 TEST_P(EachFamily, ShrinksToWhatItCouldDraw) {
   const Family& family = *GetParam();
   rc::Random random(1);
@@ -112,7 +111,7 @@ TEST_P(EachFamily, IsTheGatesAtFullSize) {
 INSTANTIATE_TEST_SUITE_P(Of, EachFamily, testing::ValuesIn(each_family()),
                          [](const auto& test) { return std::string(test.param->name); });
 
-/// Visits values of a generator at sizes from 1 to 100, and from each value the chain of first simpler values.
+/// Visits values of a generator at sizes from 1 to 100. From each value, follows the chain of first simpler values.
 template <class Visit>
 void visit_shrunk(const rc::Gen<Collision>& generator, int values, Visit visit) {
   rc::Random random(3);
@@ -172,7 +171,6 @@ TEST(Generators, AreOneForEachFamilyByItsName) {
   EXPECT_THROW((void)gen::with_feature("a.nothing"), std::invalid_argument);
 }
 
-/// The count of nonzero numbers in a collision.
 long numbers_of(const Collision& collision) {
   const std::vector<std::uint64_t> bits = bits_of(collision);
   return static_cast<long>(bits.size()) - std::count(bits.begin(), bits.end(), 0U);

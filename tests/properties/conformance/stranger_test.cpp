@@ -39,7 +39,8 @@ int numbers_to_write(const Collision& collision) {
   return count;
 }
 
-/// The solver is wrong if a spin w moves one body towards the other, which needs one component each of N, r and w.
+/// The solver is wrong if a spin w moves one body towards the other. This needs only one nonzero component of each of
+/// N, r and w.
 constexpr int most_numbers = 3;
 
 TEST(StrangersSolver, IsShrunkToACollisionThatFitsOnPaper) {

@@ -8,7 +8,6 @@
 #include <carom/impulse/frictionless.hpp>
 #include <carom/impulse/reflection.hpp>
 
-/// Several suites in one program, as users instantiate them.
 namespace carom::conformance {
 namespace {
 

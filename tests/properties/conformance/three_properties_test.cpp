@@ -41,7 +41,6 @@ const std::map<std::string_view, JudgedProperty>& judged_properties() {
   return all;
 }
 
-/// A subject, one session of it, and the number of its answers in the domain of each property.
 struct Solver {
   Subject subject;
   Session session;
@@ -131,7 +130,7 @@ INSTANTIATE_TEST_SUITE_P(Each, PlantedDefect,
                          testing::ValuesIn(mutants::broken_properties().begin(), mutants::broken_properties().end()),
                          [](const auto& test) { return std::string(test.param.name); });
 
-/// The properties accept any callable, and judge in the precision of its outcome.
+/// The properties accept any callable, and judge its outcome in the precision of the outcome's numbers.
 TEST(ThreeProperties, AreOfAnyCallable) {
   Collision collision;
   collision.a.velocity = {0, -1, 0};

@@ -13,7 +13,6 @@
 namespace carom::properties::diagnosis {
 namespace {
 
-/// The diagnosis of a subject that a gate with these options rejects.
 Diagnosis diagnosis_of(const Subject& subject, GateOptions options, const std::vector<const char*>& families) {
   options.shrinks = false;
   for (const char* name : families) {
@@ -36,8 +35,8 @@ TEST(Diagnosis, OfASingleViolatedCaseSaysThatItIsTooFewForAHint) {
   EXPECT_EQ(diagnosis.look_at, "");
 }
 
-/// The inverse inertia of `frictionless-world-double` is a matrix in world axes. Features of `structured` might also
-/// distinguish the violated cases.
+/// `frictionless-world-double` keeps the inverse inertia as a matrix in world axes. The diagnosis must name this
+/// matrix, although features of `structured` might also distinguish the violated cases.
 TEST(Diagnosis, OfSlenderBodiesNamesTheInverseInertiaInWorldAxes) {
   GateOptions options;
   options.cases = 200;
@@ -51,7 +50,8 @@ TEST(Diagnosis, OfSlenderBodiesNamesTheInverseInertiaInWorldAxes) {
   EXPECT_EQ(others.look_at.find("world axes"), std::string::npos) << others.look_at;
 }
 
-/// A's spin changes by 5 % too much if A's moments differ by more than 1 : 3. This error loses no digits.
+/// The subject changes A's spin by 5 % too much if A's greatest moment exceeds 3 times the least. This error loses no
+/// digits.
 TEST(Diagnosis, OfAWrongFormulaForSomeInertiasDoesNotNameLostDigits) {
   Subject subject = subjects::subject_named("frictionless-double").value();
   subject.open = [sound = subject.open] {
@@ -74,7 +74,6 @@ TEST(Diagnosis, OfAWrongFormulaForSomeInertiasDoesNotNameLostDigits) {
   EXPECT_EQ(diagnosis.look_at.find("world axes"), std::string::npos) << diagnosis.look_at;
 }
 
-/// The subject with ε taken as 0.
 Subject inelastic(Subject subject) {
   subject.open = [sound = subject.open] {
     return Session([session = sound()](std::span<const Collision> collisions) mutable {
@@ -88,7 +87,8 @@ Subject inelastic(Subject subject) {
   return subject;
 }
 
-/// The law `coulomb` may have several answers. The nearest one tells a wrong impulse from lost digits.
+/// The law `coulomb` may have several answers. The nearest of them shows whether the impulse is wrong or has lost
+/// digits.
 TEST(Diagnosis, OfAWrongImpulseWithFrictionDoesNotNameLostDigits) {
   const Subject subject = inelastic(subjects::subject_named("coulomb-double").value());
   GateOptions options;

@@ -11,7 +11,6 @@
 namespace carom::properties::diagnosis {
 namespace {
 
-/// Cases of all families, with the law's answer as the answer to diagnose.
 std::vector<KnownCase> right_answers(Law law) {
   std::vector<KnownCase> cases;
   for (const Family& family : all_families()) {
@@ -38,8 +37,8 @@ TEST(Hypotheses, HaveWordsOfTheirOwn) {
   }
 }
 
-/// The answer of each hypothesis (such as "as if ε were 0") is visibly wrong in some case. The hypothesis explains this
-/// answer.
+/// A hypothesis, such as "as if ε were 0", predicts a wrong answer. In some case this answer is visibly wrong, and the
+/// hypothesis explains it.
 TEST(Hypotheses, ExplainWhatTheyAnswerThemselves) {
   std::set<std::string> seen;
   for (const Law law : laws_with_truth) {

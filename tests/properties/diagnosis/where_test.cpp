@@ -90,7 +90,7 @@ TEST(Where, NothingIsFoundWhereThereIsNothing) {
   expect_in("no feature distinguishes them from the others", words);
 }
 
-/// Only some of the collisions with w < 0 are violated, so this feature does not tell the violated ones.
+/// Only some of the collisions with w < 0 are violated, so w < 0 does not distinguish the violated collisions.
 TEST(Where, AFeatureThatManySoundCasesHaveIsNoFinding) {
   const auto words_if = [](int of_three) {
     int count = 0;
@@ -113,7 +113,7 @@ TEST(Where, NothingIsSaidOfFewerViolatedCasesThanAHintNeeds) {
   EXPECT_NE(words_of_first(least_violated), "");
 }
 
-/// Of several hundred conditions, some hold by chance in each of a dozen violated cases.
+/// There are several hundred conditions. So by chance, some of them hold in all of a dozen violated cases.
 TEST(Where, AConditionOfADozenCasesByChanceIsNoFinding) {
   for (int offset = 0; offset < 8; ++offset) {
     int count = offset;

@@ -49,8 +49,9 @@ TEST(BeyondDomain, IsOfFamiliesOfItsOwn) {
 TEST(BeyondDomain, HasContactsFromNearToFarOutside) {
   const Drawn drawn = drawn_of(*family_named("far_contacts"));
   EXPECT_GE(drawn.colliding, 396);  // a body without lever arm and nearly without spin may rest
-  // A body gets one of 27 powers of two as a factor. 400 cases lack the smallest or the largest with a probability of
-  // at most 2 (26/27)^400 < 10⁻⁶. With the factor 1, the bound of κ(K) is at most a few tens.
+  // A body gets one of 27 powers of two as a factor. 400 cases lack the smallest or the largest factor with a
+  // probability of at most 2 (26/27)^400 < 10⁻⁶. With the factor 1, the bound of the condition number of K is at most a
+  // few tens.
   EXPECT_LT(drawn.least, 1e3);
   EXPECT_GT(drawn.greatest, 1e14);
   EXPECT_LT(drawn.greatest, 1e19);
@@ -70,7 +71,8 @@ TEST(BeyondDomain, IsNotReachedByPhysicalBodies) {
   for (std::uint64_t i = 0; i < drawn_cases; ++i) {
     const Collision c = unit::case_of("physical", i).collision;
     EXPECT_LE(moment_excess(c), 1 + 0x1p-50) << i;
-    EXPECT_LE(condition_number_at_most(c), 1 + 3 * 15 + 0x1p-40) << i;  // tr K/λ − 2, with K ⪯ 16 λI
+    // tr K/λ − 2 with λ = 1/m_A + 1/m_B and K ⪯ 16 λI
+    EXPECT_LE(condition_number_at_most(c), 1 + 3 * 15 + 0x1p-40) << i;
   }
 }
 
@@ -83,7 +85,8 @@ TEST(BeyondDomain, MeasuresTheTraceOfTheCollisionMatrix) {
       const double exact =
           oracles::to_double(oracles::Rational(exact_case.collision_matrix().trace()) / lambda - oracles::Rational(2));
       const double measured = condition_number_at_most(exact_case.collision());
-      // The rotated lever arm has a rounding error of u times its length, which a small moment may divide.
+      // The rotated lever arm has a rounding error of u times its length. The division by a small moment enlarges this
+      // error.
       const double rounding =
           64 * 0x1p-53 * exact *
           std::max({1.0, moment_ratio(exact_case.collision().a), moment_ratio(exact_case.collision().b)});

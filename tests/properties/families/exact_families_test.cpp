@@ -9,8 +9,9 @@
 
 #include "support/exact.hpp"
 
-/// Exact tests of what families promise about N, V and K. If n cases have a property with probability p, the count of
-/// these cases has a standard deviation of √(n p (1 − p)). Limits are five standard deviations from the mean.
+/// Exact tests of what families promise about N, V and K. If each of n cases has a property with probability p, the
+/// count of cases with the property has a standard deviation of √(n p (1 − p)). The limits are five standard deviations
+/// from the mean.
 namespace carom::properties {
 namespace {
 
@@ -38,7 +39,7 @@ TEST(Families, ApproachAsTheyPromise) {
   EXPECT_GE(count("separating", Approach::separating), 198);
   for (const char* family : {"physical", "inelastic", "elastic", "mass_ratio", "immovable_a", "immovable_b",
                              "driven_wall", "zero_lever", "common_velocity", "long_normal", "long_quaternion"}) {
-    // One case in four gets features, and a few of them stop both bodies.
+    // One case in four gets features. A few of these features stop both bodies.
     EXPECT_GE(count(family, Approach::colliding), 190) << family;
   }
   // p = 7/8: 175 ± 5 · 4.7.
@@ -77,7 +78,7 @@ TEST(Families, LieBesideTheConeOfStickingInStickOrSlip) {
     // μ is 1 ± 10^-k times the least μ that sticks, with k ≥ 1. For general bodies, μ also has a rounding error.
     EXPECT_NEAR(std::sqrt(oracles::to_double(Rational(cone.left[0] / cone.right[0]))), 1, 0.12) << i;
   }
-  // p is nearly 1/2 for each of the two counts: 5 · 7.1 below the mean.
+  // For each count, p is nearly 1/2, and the limit is more than 5 · 7.1 below the mean.
   EXPECT_GT(sticking, 50);
   EXPECT_GT(slipping, 50);
 }
@@ -137,8 +138,8 @@ TEST(Families, GrazeInGrazing) {
   EXPECT_GT(count("grazing", Approach::colliding), 100);
 }
 
-/// λI ⪯ K ⪯ 16 λI. The construction of each stored moment and coordinate has fewer than 64 roundings. These roundings
-/// move an eigenvalue by at most 64 u Σ‖∂K/∂q‖ ‖q‖ (Weyl).
+/// λI ⪯ K ⪯ 16 λI, with λ = 1/m_A + 1/m_B. The construction of each stored moment and coordinate has fewer than 64
+/// roundings. These roundings move an eigenvalue by at most 64 u Σ‖∂K/∂q‖ ‖q‖ (Weyl).
 TEST(Families, AreBoundedBySixteenLambdaInPhysical) {
   Rational largest(0);
   for (const char* family : {"physical", "collinear_spheres"}) {
@@ -152,7 +153,7 @@ TEST(Families, AreBoundedBySixteenLambdaInPhysical) {
       largest = std::max(largest, trace);
     }
   }
-  // Some contact has a mean eigenvalue of more than 2 λ.
+  // For some contact, the mean eigenvalue of K is more than 2 λ.
   EXPECT_GT(largest, 6);
 }
 

@@ -54,8 +54,8 @@ TEST(Families, MakeEachFieldInvalidInTurn) {
       fields.insert(defect.field + ' ' + defect.expected);
     }
   }
-  // All 43 numbers may be not finite. The mass, three moments and the orientation of both bodies, and four other fields
-  // may be out of range.
+  // Each of the 43 numbers may be infinite or NaN. The mass, the three moments and the orientation of each body, and
+  // four other fields, may be out of range.
   EXPECT_EQ(fields.size(), 43U + 10U + 4U);
 }
 
@@ -123,8 +123,8 @@ TEST(Families, ReachTheExtremesThatTheyPromise) {
     farthest = std::max(farthest, unit::case_of("far_from_origin", i).collision.point.norm());
     fastest = std::max(fastest, unit::case_of("common_velocity", i).collision.a.velocity.norm());
   }
-  // Each k of a factor 10^k is drawn with probability at least 1/61. 300 cases miss the two largest with a probability
-  // of at most (59/61)^300 < 5e-5.
+  // In a factor 10^k, each k has a probability of at least 1/61. 300 cases miss the two largest k with a probability of
+  // at most (59/61)^300 < 5e-5.
   EXPECT_GT(largest_ratio, 1e7);
   EXPECT_GT(longest_normal, 1e28);
   EXPECT_LT(shortest_normal, 1e-28);

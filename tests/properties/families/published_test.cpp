@@ -15,7 +15,7 @@ using oracles::Rational;
 constexpr int cases_of_each = 50;  // for each impact
 
 /// The published answers in ℚ. Sphere A is above B. K = diag(k_t, k_n, k_t), with k_n = Σ 1/m and k_t = Σ (1/m + r²/J)
-/// over the spheres. Friction acts along x against the slip u, and at most stops it.
+/// over the spheres. Friction acts along x against the slip u. It slows or stops the slip, but does not reverse it.
 struct Published {
   BasicCollision<Rational> c;
   bool has_two_spheres;
@@ -90,7 +90,7 @@ TEST(ChungOoi, BothLawsWithFrictionGiveThePublishedAnswers) {
   });
 }
 
-/// The printed formulas use J = 2/5 m r². In the cases, J differs from this by a few roundings.
+/// The printed formulas use J = 2/5 m r². In the cases, J differs from 2/5 m r² by a few roundings.
 TEST(ChungOoi, TheFormulasAsPrintedHold) {
   int slid = 0;
   for_each_impact([&](int number, const Collision& c, const Published& published) {

@@ -13,9 +13,9 @@ struct Checksum {
   std::uint64_t value;
 };
 
-/// FNV-1a of the bits of every drawn number: the first `count` cases of each family, and count/20 cases at each decade
-/// of each sweep. The last checksum covers each feature, made count/20 times in general bodies, and the features of the
-/// results.
+/// FNV-1a checksums of the bits of drawn numbers. One checksum for each family covers its first `count` cases. One for
+/// each sweep covers count/20 cases at each decade. The last covers each feature, made count/20 times in general
+/// bodies, and the features of the results.
 [[nodiscard]] std::vector<Checksum> checksums(std::uint64_t seed, std::uint64_t count);
 
 /// The name, and the value in 16 hexadecimal digits, as in first_thousand.txt.

@@ -5,8 +5,8 @@
 
 #include <carom/properties/draws/vectors.hpp>
 
-/// Numbers that reveal the order of operations: 2⁵³ + 1 rounds to 2⁵³. Fused or reordered operations give another
-/// number.
+/// These tests use numbers that reveal the order of operations. For example, 2⁵³ + 1 rounds to 2⁵³. Fused or reordered
+/// operations give other results.
 namespace carom::properties {
 namespace {
 
@@ -51,7 +51,7 @@ TEST(Vectors, TurnByQuaternionsOfAnyLength) {
 }
 
 TEST(Vectors, SolveAfterTheGreatestPivot) {
-  // Each step needs a row exchange, and every number is exact.
+  // Each step of the elimination needs a row exchange, and no number is rounded.
   const Columns m{{0, 2, 4}, {1, 1, 2}, {2, 8, 4}};
   const V x{3, -1, 2};
   EXPECT_EQ(solution(m, product(m, x)), x);

@@ -34,7 +34,7 @@ TEST(Features, HaveNamesOfTheirOwnAndReasons) {
   EXPECT_EQ(feature_named("no_such_feature"), nullptr);
 }
 
-/// `Feature::make` succeeds in at least half of the collisions, and keeps all valid.
+/// `Feature::make` succeeds in at least half of the collisions, and its results are valid.
 TEST(Features, AreMade) {
   constexpr int tries = 40;
   for (const Feature& feature : all_features()) {
@@ -64,8 +64,8 @@ TEST(Features, AreNotInEveryCollision) {
   }
 }
 
-/// `make_both` makes no infeasible pair. Not tested: pairs that the domain excludes by choice, and two decades of one
-/// quantity.
+/// `make_both` makes no infeasible pair. The test omits pairs that the domain excludes by choice, and pairs of two
+/// decades of one quantity.
 TEST(Features, AreNotTogetherWherePairsAreInfeasible) {
   const std::set<std::string_view> by_choice{"masses are 10⁻⁹ to 10¹⁰ kg",
                                              "the contact would lie outside of the body, and K would have no bound",
@@ -90,7 +90,6 @@ TEST(Features, AreNotTogetherWherePairsAreInfeasible) {
   }
 }
 
-/// The cases of a default run have every feasible pair of features, and no infeasible pair.
 TEST(Features, AreAllThereInPairs) {
   const GateOptions defaults;
   FeatureCoverage coverage;
@@ -115,7 +114,6 @@ TEST(Features, AreAllThereInPairs) {
   }
 }
 
-/// Each pair of groups in `seldom_together` has a feasible pair of features.
 TEST(Features, ThatSeldomComeTogetherAreThereAndCan) {
   const auto place_of = [](const Feature* feature) {
     return static_cast<std::size_t>(feature - all_features().data());

@@ -9,8 +9,8 @@
 
 namespace carom::properties {
 
-/// The triples of features that the added collisions have. A triple counts as feasible if its three pairs are feasible.
-/// Some such triples are impossible, so the computed share is a lower bound of the true share.
+/// The triples of features that occur in the added collisions. A triple counts as feasible if its three pairs are
+/// feasible. Some such triples are impossible, so the computed share is a lower bound of the true share.
 class TripleCoverage {
  public:
   TripleCoverage();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Prints the share of the triples of features that the cases of a gate have:
+// Prints the share of the triples of features that occur in the cases of a gate:
 //
 //  triples [--seed S] [--cases N] [--jobs J] [--missing K]
 //

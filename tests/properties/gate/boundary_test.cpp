@@ -13,8 +13,8 @@
 
 #include "io/threads.hpp"
 
-/// In families beyond the claimed domain, the gate finds the least quantity at which a subject fails. By default, this
-/// boundary decides no verdict.
+/// In families beyond the claimed domain, the gate finds the least value of a quantity at which a subject fails. By
+/// default, this boundary affects no verdict.
 namespace carom::properties {
 namespace {
 

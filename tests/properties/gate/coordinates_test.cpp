@@ -18,7 +18,7 @@ namespace {
 using Vector = Vector3<double>;
 using Matrix = Matrix3<double>;
 
-/// The squares of the scaled components do not overflow.
+/// v / ‖v‖. The scaling prevents an overflow of squares.
 template <class V>
 V unit(const V& v) {
   const V scaled = v / v.cwiseAbs().maxCoeff();
@@ -105,7 +105,6 @@ Response by_torque_in_body(const Body& body, const Vector& arm, const Vector& no
   return {spin, torque.dot(spin)};
 }
 
-/// Rotates the lever arm and the normal into the body frame.
 Response in_body(const Body& body, const Vector& arm, const Vector& normal) {
   const Matrix axes = axes_of(body);
   const Vector torque = (axes.transpose() * arm).cross(axes.transpose() * normal);
@@ -113,7 +112,7 @@ Response in_body(const Body& body, const Vector& arm, const Vector& normal) {
   return {axes * spin, torque.dot(spin)};
 }
 
-/// Many engines store J⁻¹ in world axes.
+/// Multiplies by J⁻¹ in world axes, which many engines store.
 Response by_world_inertia(const Body& body, const Vector& arm, const Vector& normal) {
   const Matrix axes = axes_of(body);
   const Matrix inverse = axes * body.principal_inertia.cwiseInverse().asDiagonal() * axes.transpose();
@@ -153,7 +152,7 @@ TEST(Coordinates, AreTheSolversOwn) {
 
 double greater_moment_ratio(const Collision& c) { return std::max(moment_ratio(c.a), moment_ratio(c.b)); }
 
-/// With J⁻¹ in world axes, residuals are at most a tenth of the ratio of the moments, in ulps
+/// If J⁻¹ is in world axes, a residual in ulps is at most a tenth of the ratio of the moments
 /// (docs/findings/accuracy.md).
 TEST(Coordinates, OfTheWorldLoseSlenderBodiesAlone) {
   const SubjectResult result = gated({"with J⁻¹ in world axes", {world, by_world_inertia}});

@@ -55,7 +55,7 @@ Subject always_wrong() {
   return wrong_where([](const Collision&, std::uint64_t) { return true; });
 }
 
-/// Wrong only in late cases, and in no case of the first family.
+/// A subject that is wrong only in late cases, and in no case of the first family.
 Subject wrong_at_times() {
   return wrong_where([](const Collision& c, std::uint64_t) {
     return !c.a.immovable && !c.b.immovable && c.a.mass > 0.5 * c.b.mass && c.restitution > 0.875;
@@ -138,7 +138,7 @@ TEST(Budget, DrawsMoreCasesThanTheDefaultAndSaysNothingElse) {
   EXPECT_TRUE(result.is_sound()) << result.not_judged;
 }
 
-/// With a budget, too, seed, family and number determine the case.
+/// Even with a budget, the seed, the family and the number determine the case.
 TEST(Budget, FindsWhatReplays) {
   GateOptions options = options_of_all_families(1);
   options.budget = std::chrono::milliseconds(100);

@@ -13,7 +13,6 @@
 namespace carom::properties {
 namespace {
 
-/// Numbers of correct digits. Most are from 14 to 17, as in a gate, and a few are outside `DigitsScale`.
 std::vector<double> some_digits(std::size_t count) {
   Stream stream = stream_from(17);
   std::vector<double> digits;

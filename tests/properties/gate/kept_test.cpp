@@ -20,15 +20,15 @@ struct Number {
   const char* family = "structured";
 };
 
-/// Rare cases of `structured` in which these subjects fail. Rounding the positions to binary32 moves the contact off a
-/// thin body.
+/// Rare cases of `structured` in which these subjects fail: the rounding of positions to binary32 moves the contact
+/// point off a thin body.
 const std::map<std::string, Number> rare{{"reflection-llt-float", {202, 75335}},
                                          {"reflection-ldlt-eigen-float", {1, 13500}},
                                          {"reflection-partial-lu-float", {1, 13500}},
                                          {"reflection-full-lu-float", {1, 32704}},
                                          {"reflection-qr-float", {3, 125099}}};
 
-/// Regression cases of sound subjects. The first three test mended solvers, and the last tests a mended judge.
+/// Regression cases of sound subjects. The first three test solvers, and the last tests the judge.
 const std::vector<std::pair<std::string, Number>> mended{
     {"reflection-in-stable-basis-float", {101, 13155}},
     {"rough-float", {20261125, 42175}},
@@ -71,8 +71,8 @@ TEST(Kept, Fail) {
   EXPECT_GT(kept, 20U);
 }
 
-/// In the cases of `rare`, the hand-written LDLᵀ is sound, because it takes no pivot below λ = 1/m_A + 1/m_B. Each
-/// method of `rare` is sound in double.
+/// In the cases of `rare`, `reflection-float` is sound, because its LDLᵀ raises each pivot to at least λ = 1/m_A +
+/// 1/m_B. In double, each method of `rare` is sound.
 TEST(Kept, FailWhereOthersDoNot) {
   for (const auto& [name, number] : rare) {
     const std::string in_double = name.substr(0, name.rfind('-')) + "-double";

@@ -11,7 +11,7 @@
 #include <carom/properties/gate/gate.hpp>
 #include <carom/subjects/catalogue.hpp>
 
-/// Subjects whose sessions remember earlier calls. Each one is right on its first collision.
+/// Tests subjects whose sessions remember earlier calls. Each subject is right on its first collision.
 namespace carom::properties {
 namespace {
 
@@ -97,7 +97,6 @@ Subject changing(const char* solver, const Change& change) {
   return subject;
 }
 
-/// Changes the sign of every zero, and counts the zeros in `turned`.
 Change zeros_turned(int& turned) {
   return [&turned](ReportedOutcome& outcome) {
     for (Vector3<long double>* vector : vectors(outcome)) {

@@ -55,7 +55,7 @@ TEST(RareFault, IsFoundByDefaultByOneRelationInOneFamily) {
   options.families = {family_named("generic")};
   std::size_t relations = 0;
   for (const Invariant& invariant : all_invariants()) {
-    // A second impulse is zero, however large the first is. So `repeat` cannot find this fault.
+    // A second impulse is zero, even if the first is too large. So `repeat` cannot find this fault.
     if (std::holds_alternative<AboutRelation>(invariant.about) && invariant.claimed_for(Law::frictionless) &&
         invariant.name != "repeat") {
       ++relations;

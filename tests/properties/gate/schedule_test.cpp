@@ -80,7 +80,8 @@ TEST(Schedule, DoesNotDependOnTheOrderInWhichFamiliesAreReported) {
   }
 }
 
-/// With a budget, too, the cases come in the order of their numbers, so a longer run continues a shorter one.
+/// Even with a budget, the cases come in the order of their numbers. So a longer run starts with the cases of a shorter
+/// run.
 TEST(Schedule, GoesOnWithoutEndOnABudget) {
   GateOptions options = options_to_schedule(1);
   options.budget = std::chrono::seconds(1);

@@ -10,7 +10,6 @@
 namespace carom::properties {
 namespace {
 
-/// Adds a colliding case `count` times, each time with a random accuracy and a violation.
 void add_many(SubjectTally& tally, std::uint64_t count) {
   const JudgedCase judged_case(unit::case_of("elastic", 1));
   ASSERT_EQ(judged_case.exact().approach(), oracles::Approach::colliding);
@@ -39,7 +38,7 @@ TEST(SubjectTally, DoesNotGrowWithItsCases) {
   EXPECT_LE(tally.nanoseconds_per_solve.bins(), TimeScale::bins);
   EXPECT_EQ(tally.families[0].cases, 200000U);
   EXPECT_EQ(tally.families[0].worst.size(), 1U) << "one violation is kept of each invariant";
-  // Besides these bins, a tally has a few numbers for each invariant and family.
+  // Besides these bins, a tally contains only a few numbers for each invariant and family.
   EXPECT_LT((DigitsScale::bins + TimeScale::bins) * sizeof(std::uint64_t), 128U << 10U);
 }
 

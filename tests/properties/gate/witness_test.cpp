@@ -42,8 +42,8 @@ TEST(Seriousness, TakesRoundingForRoundingWhereNothingIsAllowed) {
   EXPECT_LT(seriousness(of_large_outcome, moving(1)), 0x1p53 * 0x1p-22);
 }
 
-/// Violated in each case. If A moves along x, the residual is gross. Otherwise it is a rounding error, and the
-/// permitted residual is 0.
+/// Violated in each case. If A moves along x, the residual is gross. Otherwise, the residual is a rounding error, but
+/// the permitted residual is 0.
 Verdict wrong_where_a_moves_along_x(const Case& one) {
   return one.collision.a.velocity[0] != 0 ? violated(2.74, 1e-15) : violated(4e-29, 0);
 }
@@ -64,8 +64,8 @@ TEST(SimplestViolation, IsAsGrossAsTheOneFound) {
   EXPECT_GT(shrunk_cases, 0) << "else nothing was simplified";
 }
 
-/// Violated in each case. If A moves along x, all digits are lost. Otherwise only the last digit is lost, but the
-/// permitted residual is far smaller.
+/// Violated in each case. If A moves along x, all digits are lost. Otherwise, only the last digit is lost, but the
+/// permitted residual is far smaller than in the first case.
 Verdict loses_all_digits_where_a_moves_along_x(const Case& one) {
   const bool loses_all = one.collision.a.velocity[0] != 0;
   Verdict verdict = loses_all ? violated(1, 1e-9) : violated(1e-16, 1e-30);

@@ -112,8 +112,8 @@ Claim claim_of_outcome(Law law, Precision precision) {
 /// `coulomb` has no sensitivity. If the contact sticks, the outcomes of `coulomb` and `sticking` are equal.
 Law like(Law law) { return law == Law::coulomb ? Law::sticking : law; }
 
-/// With off = `share` · `allowance` · ‖C‖ and λ = Σ 1/m: either C plus off in one entry, or λI minus 1 to 64 off along
-/// a direction. The second error is near the permitted error of `definite`.
+/// Let off = `share` · `allowance` · ‖C‖ and λ = 1/m_A + 1/m_B. The result is either C with off added to one entry, or
+/// λI − t n nᵀ with a unit vector n and off ≤ t ≤ 64 off. The second error is near the permitted error of `definite`.
 Matrix3<Rational> planted_matrix(Stream& stream, const Collision& c, double allowance, double share) {
   Matrix3<Rational> matrix = impulse::collision_matrix(unit::exact_contact(c));
   const double off =

@@ -18,7 +18,6 @@ namespace {
 
 using oracles::Rational;
 
-/// A map of collisions, and the corresponding map of outcomes.
 struct Relation {
   std::function<Collision(Collision)> of_collision;
   std::function<Outcome<Rational>(Outcome<Rational>)> of_outcome;

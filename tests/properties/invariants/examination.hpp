@@ -35,13 +35,11 @@ struct Examination {
 [[nodiscard]] std::optional<std::string> find_violation(const Examinee& examinee, const Question& question,
                                                         const Examination& examination);
 
-/// An examinee and the invariants to check.
 struct Claimant {
   Examinee examinee;
   std::vector<const Invariant*> invariants;
 };
 
-/// The results of a claimant on all cases.
 struct Seen {
   bool responded = false;                     // an answer to a colliding case of a family changed the velocities
   std::set<const Invariant*> in_domain = {};  // invariants that held for a case of a family
@@ -51,8 +49,8 @@ struct Seen {
 /// Draws the cases of `find_violation` once, for all claimants. The results are in the claimants' order.
 [[nodiscard]] std::vector<Seen> examine(std::span<const Claimant> claimants, const Examination& examination);
 
-/// The return value of `find_violation` for one invariant of a claimant, from the results of `examine`. Draws the cases
-/// again to show a violation.
+/// Returns what `find_violation` returns for one invariant of a claimant, by the results of `examine`. To show a
+/// violation, draws the cases again.
 [[nodiscard]] std::optional<std::string> found_by(const Seen& seen, const Claimant& claimant,
                                                   const Invariant& invariant, const Examination& examination);
 

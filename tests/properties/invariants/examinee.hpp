@@ -28,8 +28,7 @@ inline void PrintTo(const Examinee& examinee, std::ostream* out) { *out << exami
 /// The solvers in rational arithmetic. Their allowance is zero.
 [[nodiscard]] std::vector<Examinee> exact_examinees();
 
-/// The examinee, with a solver that keeps the velocities. This outcome satisfies most invariants and tests none of
-/// them.
+/// The examinee, with a solver that keeps the velocities. Such outcomes satisfy most invariants, but test none of them.
 [[nodiscard]] Examinee idle(Examinee examinee);
 
 /// The examinee, with a solver that obeys no law. It answers every collision, even an invalid one, with random

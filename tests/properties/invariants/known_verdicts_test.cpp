@@ -17,8 +17,8 @@
 #include "support/known_values.hpp"
 #include "support/outcome_of_law.hpp"
 
-/// Compares every invariant's residual and permitted residual for a wrong solver with recorded numbers (why:
-/// tests/oracles/judge/known_values_test.cpp).
+/// Compares the residual and the permitted residual of every invariant, for a wrong solver, with recorded numbers.
+/// tests/oracles/judge/known_values_test.cpp gives the reason.
 namespace carom::properties {
 namespace {
 
@@ -147,8 +147,8 @@ void append_counts(StatusCounts& counts, KnownLine& line) {
   }
 }
 
-/// Counts the allowances at which each invariant has each status, and the decisions of each filter. A limit that moves
-/// by a factor of √2 changes a count.
+/// For each invariant, counts the allowances at which it has each status. Also counts the decisions of each filter. If
+/// a limit moves by a factor of √2, a count changes.
 TEST(KnownValues, OfTheAllowancesAtWhichVerdictsChange) {
   std::vector<KnownLine> lines;
   for (const KnownCollision& known : unit::known_collisions()) {
@@ -173,7 +173,6 @@ TEST(KnownValues, OfTheAllowancesAtWhichVerdictsChange) {
   unit::expect_known_lines(CAROM_KNOWN_ALLOWANCES, lines);
 }
 
-/// There are either verdicts or a reason why there are none.
 bool is_judged_or_unjudged(const Judgement& judgement) {
   return judgement.unjudged.has_value() != !judgement.verdicts.empty();
 }
@@ -199,7 +198,6 @@ TEST(KnownValues, OfTheStagesThatDecide) {
   unit::expect_known_lines(CAROM_KNOWN_STAGES, lines);
 }
 
-/// Counts, for collisions of the sweeps, the statuses of each invariant and the decisions of each filter.
 TEST(KnownValues, OfVerdictsInSweeps) {
   std::vector<KnownLine> lines;
   for (const unit::Sweep& sweep : unit::sweeps()) {

@@ -12,7 +12,7 @@
 namespace carom::properties {
 namespace {
 
-/// A built-in solver that shows its matrix shows it in every colliding case.
+/// If a built-in solver reports its matrix at all, it reports the matrix in every colliding case.
 TEST(ShownMatrix, IsThatOfTheSolve) {
   for (const Subject& subject : subjects::built_in_subjects()) {
     int shown = 0;

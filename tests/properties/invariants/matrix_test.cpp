@@ -37,7 +37,6 @@ struct ShownSolve {
   }
 };
 
-/// The outcome by the law `reflection` and the collision matrix, rounded to binary64.
 ShownSolve shown_solve(std::string_view family, std::uint64_t index) {
   ShownSolve result{unit::case_of(family, index), {}};
   const oracles::ExactCase exact_case(result.one.collision);
@@ -109,7 +108,7 @@ TEST(ShownMatrix, OfASoundSolverIsRight) {
   expect_violated([](const ShownSolve& one) { return one.matrix(); }, {});
 }
 
-/// The rounding of the inputs covers one ulp of each entry.
+/// An error of one ulp in each entry passes, because the permitted rounding of the inputs covers it.
 TEST(ShownMatrix, MayBeRounded) {
   expect_violated(
       [](const ShownSolve& one) -> Matrix {
@@ -155,7 +154,7 @@ TEST(ShownMatrix, IsPrintedBesideItsTranspose) {
   }
 }
 
-/// C changes, but C F does not.
+/// The planted error changes C, but not C F.
 TEST(ShownMatrix, IsToBeDefiniteAlsoAcrossTheImpulse) {
   expect_violated(
       [](const ShownSolve& one) -> Matrix {
@@ -231,7 +230,7 @@ TEST(ShownMatrix, IsNothingWhereItIsNotFinite) {
   }
 }
 
-/// `well_conditioned` permits eigenvalues of the reported matrix up to 16 λ.
+/// `well_conditioned` permits eigenvalues of the reported matrix up to 16 λ, with λ = 1/m_A + 1/m_B.
 TEST(ShownMatrix, IsToBeWellConditionedIfTheBodiesAre) {
   int judged = 0;
   for (std::uint64_t i = 0; i < 10; ++i) {

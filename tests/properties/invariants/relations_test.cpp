@@ -13,7 +13,8 @@ ExactAnswer answer_of_reflection(const Collision& c) {
   return oracles::LiftedOutcome(unit::reported_outcome(oracles::ExactCase(c), Law::reflection));
 }
 
-/// The verdict of `swap` if the subject answers the collision rightly and the swapped one as given.
+/// The verdict of `swap`, if the subject answers the collision rightly, and the swapped collision with
+/// `answer_to_swapped`.
 template <class Answer>
 Verdict verdict_of_swap(const Answer& answer_to_swapped) {
   const Collision c = unit::plain_collision();

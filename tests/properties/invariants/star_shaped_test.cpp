@@ -142,7 +142,8 @@ Surface spiky_surface(Stream& stream) {
   return random_surface(stream, [&] { return spiky_radius(stream); });
 }
 
-/// The shift moves the surface away from the apex, so some tetrahedra have negative volumes.
+/// The shift moves the surface, but not the apex. So the apex may lie outside, and some tetrahedra have negative
+/// volumes.
 TEST(StarShaped, HaveMomentsThatDoNotDependOnTheApex) {
   Stream stream = stream_from(41);
   for (int i = 0; i < 50; ++i) {
@@ -191,8 +192,8 @@ TEST(StarShaped, AreWellConditioned) {
   EXPECT_GT(closed, bodies / 3);
 }
 
-/// A tetrahedron a thousand times as long as wide touches with its apex. As C r = λ r, the condition number of C is its
-/// largest eigenvalue divided by λ.
+/// A tetrahedron a thousand times as long as wide touches with its apex. As C r = λ r for its lever arm r, the
+/// condition number of C is its largest eigenvalue divided by λ.
 TEST(StarShaped, HaveConditionNumbersOfNearly16AsNeedles) {
   Stream stream = stream_from(43);
   for (int i = 0; i < 200; ++i) {

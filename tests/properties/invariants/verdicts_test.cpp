@@ -27,8 +27,8 @@ struct Counts {
 };
 
 /// `left` is y + (to − from), rounded as in relations.cpp. `right` differs from `left` in one component, by `least` to
-/// `most` times the permitted error. If surely_near calls `left` and `right` near, they must be near in exact
-/// arithmetic.
+/// `most` times the permitted error. If surely_near returns true for `left` and `right`, `right` must be near the exact
+/// y + (to − from).
 Counts expect_shown_to_be_near(double allowance, double least, double most) {
   Counts counts;
   Stream stream = stream_from(91);
@@ -102,8 +102,8 @@ TEST(Seriousness, OrdersViolations) {
   EXPECT_EQ(verdict.relative_residual(), 24);
   verdict.left = {1, -12};
   verdict.right = {5};
-  // If the permitted residual is 0, the unit is 2⁻⁵³ times the largest number of `left`, `right` and the collision's
-  // velocities. If all are zero, the unit is 2⁻⁵³.
+  // If the permitted residual is 0, `seriousness` divides the residual by 2⁻⁵³ times the largest number of `left`,
+  // `right` and the collision's velocities. If these numbers are all zero, it divides by 2⁻⁵³.
   verdict.allowed = 0;
   EXPECT_TRUE(std::isinf(verdict.severity()));
   EXPECT_EQ(seriousness(verdict, c), 6 / 12.0 * 0x1p+53);
@@ -132,12 +132,13 @@ TEST(SurelyNear, ShowsOnlyWhatIsNear) {
   for (const Precision precision : {Precision::binary32, Precision::binary64, Precision::extended}) {
     const Counts counts = expect_shown_to_be_near(oracles::default_limit_ulps * unit_roundoff(precision), 0, 2);
     EXPECT_GT(counts.far, 8000);
-    // In extended, two ulps of numbers larger than the scale are a considerable part of the permitted error.
+    // In extended precision, some numbers are larger than the scale. Two of their ulps are a considerable part of the
+    // permitted error.
     EXPECT_GT(counts.shown, precision == Precision::extended ? counts.near / 2 : counts.near * 9 / 10);
   }
 }
 
-/// The permitted error is eight ulps of extended, so the rounding of the compared numbers matters.
+/// The permitted error is eight ulps of extended precision, so the rounding of the compared numbers matters.
 TEST(SurelyNear, CountsTheRoundingOfWhatItCompares) {
   const Counts counts = expect_shown_to_be_near(8 * unit_roundoff(Precision::extended), 0.5, 1.1);
   EXPECT_GT(counts.far, 2000);
@@ -145,7 +146,7 @@ TEST(SurelyNear, CountsTheRoundingOfWhatItCompares) {
   EXPECT_GT(counts.shown, 100);
 }
 
-/// The permitted error is one rounding of extended, no more than the rounding of the compared numbers.
+/// The permitted error is one rounding of extended precision. The rounding of the compared numbers may be as large.
 TEST(SurelyNear, DecidesNothingBelowItsOwnRounding) {
   const Outcome<double> y{{{1, 2, 3}, {4, 5, 6}}, {{7, 8, 9}, {1, 2, 3}}};
   const auto reported = map_outcome<long double>(y, [](double x) { return static_cast<long double>(x); });
@@ -176,8 +177,8 @@ TEST(SurelyNear, DoesNotTakeANaNForNear) {
   EXPECT_FALSE(surely_near({}, nothing, 1, scale));
 }
 
-/// The slender rod strikes with its tip, and its exact velocity after the impulse is zero. Enclosures leave a
-/// remainder.
+/// The slender rod strikes with its tip, and its exact velocity after the impulse is zero. The enclosure of this
+/// velocity is not exactly zero.
 TEST(BackwardError, PrintsAnExactZeroAsZero) {
   Collision c;
   c.a = {false, 1, {0x1p-26, 1.5625, 1.5625}, {2, 0, 0, 1}, {-0.75, -1, 0}, {0, 0, -1}, {0, 0, 0}};

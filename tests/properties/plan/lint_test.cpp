@@ -38,7 +38,8 @@ Collision cube() {
 
 TEST(Lint, IsSilentOfACube) { EXPECT_EQ(found(cube()), Found{}); }
 
-/// Ignores mass ratios, and centres of mass: the normals of `physical` fit no surface of its bodies.
+/// Ignores lints of mass ratios. Ignores lints of centres of mass, because normals of `physical` fit no surface of the
+/// bodies.
 TEST(Lint, IsSilentOfConvexUniformBodies) {
   for (std::uint64_t i = 0; i < 50; ++i) {
     Collision c = unit::case_of("physical", i).collision;
@@ -54,7 +55,7 @@ TEST(Lint, IsSilentOfConvexUniformBodies) {
   }
 }
 
-/// For one movable body of mass 1 with the moment I about both axes across r, the largest eigenvalue of K is 1 +
+/// One movable body of mass 1 has the moment I about both axes orthogonal to r. So the largest eigenvalue of K is 1 +
 /// ‖r‖²/I.
 TEST(Lint, FindsAConditionAbove16) {
   Collision c = cube();
@@ -68,7 +69,7 @@ TEST(Lint, FindsAConditionAbove16) {
   EXPECT_EQ(found(c), Found{"warning condition a"});
 }
 
-/// B is a hundred times lighter than A. So λ = 1/m_A + 1/m_B is large, and K stays below 16 λ.
+/// B is a hundred times lighter than A. So λ = 1/m_A + 1/m_B is large, and the eigenvalues of K stay below 16 λ.
 TEST(Lint, FindsALeverArmOfOneBodyWhereKHidesIt) {
   Collision c = cube();
   c.a.position = {1, 0, 0};

@@ -98,7 +98,8 @@ TEST(Plan, NamesClassesByGeometryUnlessTheyHaveAName) {
   EXPECT_EQ(plan.whole.contacts.size(), 20U);
 }
 
-/// A plan rejects a subject with a relative error of 10⁻¹⁰ on one of a hundred contacts, unless nine digits suffice.
+/// A plan rejects a candidate with a relative error of 10⁻¹⁰ on one of a hundred contacts, unless the plan demands only
+/// nine digits.
 TEST(Plan, RejectsAPlantedWrongCandidate) {
   std::vector<Candidate> candidates = some_candidates();
   Candidate wrong = candidate("frictionless-float", 0);
@@ -193,8 +194,8 @@ TEST(Plan, SaysWhereNothingServes) {
   EXPECT_FALSE(of_less.serves());
 }
 
-/// Recorded positions are rounded, so r × N is not zero. `frictionless` and `reflection` then agree only within the
-/// demanded accuracy.
+/// Recorded positions are rounded, so r × N is not exactly zero. So the answers of `frictionless` and `reflection`
+/// differ, by less than the demanded accuracy.
 TEST(Plan, TakesOnlyTheSameLawWhereThatIsAskedFor) {
   Collision ball = unit::ball_on_a_plane(0.4, 0);
   ball.normal = {1.0 / 3, 2.0 / 3, 2.0 / 3};
@@ -226,7 +227,7 @@ TEST(Plan, JudgesCoulombByItsEquations) {
   }
 }
 
-/// The faster candidate wins. If the times hardly differ, `is_less` decides.
+/// The plan chooses the faster candidate. If the times hardly differ, `is_less` decides.
 TEST(Plan, ChoosesByTheClock) {
   PlanOptions options = options_for(Law::reflection);
   const auto with_times = [&](double of_reflection, double of_llt) {
@@ -266,7 +267,6 @@ TEST(Plan, IsTheSameWithAnyNumberOfThreads) {
   }
 }
 
-/// For every law, each certificate counts all contacts of all families.
 TEST(Plan, IsMadeOfEveryFamily) {
   std::vector<ClassedCollision> contacts;
   for (const auto& [family, one] : unit::valid_cases(3)) {

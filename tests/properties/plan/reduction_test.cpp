@@ -23,15 +23,15 @@ bool are_same(const Outcome<T>& x, const Outcome<Rational>& y) {
   });
 }
 
-/// Whether the exact outcomes of two laws are the same. Preconditions: each law has one exact outcome, and that of
-/// `lesser` is rational.
+/// Whether the exact outcomes of two laws are the same. Preconditions: each law has one exact outcome, and the outcome
+/// of `lesser` is rational.
 bool answer_alike(const ExactCase& c, Law law, Law lesser) {
   return c.with_truth(law, c.approach(), [&]<class T>(const oracles::Truth<T>& truth) {
     return are_same<T>(truth.outcome, c.truth(lesser).outcome);
   });
 }
 
-/// Cases of every family, and collisions of small dyadic numbers, many of which have equal outcomes by two laws.
+/// Cases of every family, and collisions of small dyadic numbers. For many of the latter, two laws have equal outcomes.
 std::vector<Collision> cases() {
   std::vector<Collision> all;
   for (const auto& [family, one] : unit::valid_cases(6)) {

@@ -45,7 +45,7 @@ struct Turning {
 const std::vector<std::pair<Vector3<double>, Vector3<double>>> bodies{
     {{1, 1, 1}, {3, 0, 4}},
     {{1, 2, 3}, {3, 0.001, 4}},
-    // rotates about its intermediate axis, so it flips over again and again
+    // This body rotates about its intermediate axis, so it flips over again and again.
     {{1, 2, 3}, {0.001, 5, 0}},
     {{0.01, 0.02, 1}, {3, 2, 3}},
 };
@@ -64,8 +64,9 @@ TEST(BodyTrack, TurnsAsTheRotationPathThatTheLoopUses) {
       const Pose pose = track.pose(0, Real(3) + elapsed);
       const Real apart = (pose.axes - wide_rotation(Quaternion<Real>(expected.state.orientation.cast<Real>()))).norm() /
                          std::sqrt(2.0L);
-      // The limit is the error bound of the path plus that of the track. Each of the track's 2000 steps has an error of
-      // 10⁻¹⁶ rad, which the rest of the 100 rad multiplies by at most 101. On average, the rest is 50 rad.
+      // The limit is the error bound of the path plus that of the track. The track takes 2000 steps through 100 rad,
+      // and each step has an error of 10⁻¹⁶ rad. If φ is the rotation after a step, its error grows by the factor 1 +
+      // φ. On average, φ is 50 rad.
       EXPECT_LE(apart, expected.angle_error + 2000 * 1e-16L * (1 + 50)) << share;
       EXPECT_LE(apart, 1e-11L) << share;  // errors of different steps partly cancel
       EXPECT_NEAR(static_cast<double>(pose.rate), expected.state.body_rate.norm(), 1e-11) << share;
@@ -73,8 +74,8 @@ TEST(BodyTrack, TurnsAsTheRotationPathThatTheLoopUses) {
   }
 }
 
-/// ω in world axes: [ω]× = Ȧ Aᵀ with the matrix A of the body's axes. A difference of fourth order with step h gives Ȧ
-/// with a relative error of (ω h)⁴/30.
+/// ω in world axes: [ω]× = Ȧ Aᵀ with the matrix A of the body's axes. A difference quotient of fourth order with step h
+/// gives Ȧ with a relative error of (ω h)⁴/30.
 WideVector rate_from(BodyTrack& track, Real time, Real h) {
   const auto axes = [&](Real t) { return track.pose(0, t).axes; };
   const Matrix3<Real> change =
@@ -103,7 +104,7 @@ TEST(BodyTrack, KeepsEnergyAndAngularMomentumFor100Radians) {
         energy = spin.dot(omega);
         momentum = spin;
       }
-      // As ω h is about 10⁻³, ω has a relative error of about 10⁻¹²/30.
+      // ω h is about 10⁻³, so the computed ω has a relative error of about 10⁻¹²/30.
       EXPECT_NEAR(static_cast<double>(spin.dot(omega) / energy), 1, 1e-10) << k;
       EXPECT_LE(static_cast<double>((spin - momentum).norm() / momentum.norm()), 1e-10) << k;
     }

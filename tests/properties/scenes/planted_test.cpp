@@ -7,7 +7,8 @@
 
 #include "runs.hpp"
 
-/// The checkers find each planted defect of the history, the ledger or an impulse. Without a defect, they find nothing.
+/// Each test plants a defect in the history, in the ledger or in an impulse, and the checkers find it. Without a
+/// defect, they find nothing.
 namespace carom::properties {
 namespace {
 
@@ -51,7 +52,7 @@ TEST(Planted, AnArcABillionthOfARadiusInsideItsNeighbourIsFound) {
 }
 
 TEST(Planted, SpheresThatPassThroughEachOtherAreFound) {
-  // The impact changes no velocity, and the run ends before a sphere reaches a wall. So no path jumps.
+  // The planted impact changes no velocity, and the run ends before a sphere reaches a wall. So no path jumps.
   Scene scene = duel();
   scene.duration = 2;
   const unit::WatchedRun run(scene, 100, unit::first_impact([](Event& event) {

@@ -27,7 +27,6 @@ namespace carom::unit {
 /// Changes an event before the checkers receive it. Returns false to withhold the event from them.
 using Alter = std::function<bool(scene::Event&)>;
 
-/// Applies `change` to the first impact of two bodies.
 template <class Change>
 [[nodiscard]] Alter first_impact(Change change) {
   return [change, done = false](scene::Event& event) mutable {

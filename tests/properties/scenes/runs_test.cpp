@@ -26,9 +26,9 @@ void check(const Scene& scene, std::size_t most_events) {
   const unit::WatchedRun run(scene, most_events);
   const Validity validity = run.validity();
   EXPECT_EQ(validity.count, 0U) << text_of(validity);
-  // The gap at an impact comes from the error of d², the squared distance of the centres. The largest error bound is
-  // that of a quartic: 264 u L², with the distance L travelled in its span, 44 m in 3 s under gravity. The gap is at
-  // most 264 u L²/(2 d) < 10⁻⁹ d, as d ≥ 0.4 m.
+  // The gap at an impact comes from the error of d², with the distance d of the centres. Under gravity, d² is a quartic
+  // of time. Its error is at most 264 u L², where L is the distance travelled: 44 m in 3 s. So the gap is at most 264 u
+  // L²/(2 d) < 10⁻⁹ d, because d ≥ 0.4 m.
   EXPECT_LE(run.widest_gap, 1e-9);
   EXPECT_GT(validity.exact_pairs, 0U);
   EXPECT_GT(validity.joints, 50U);

@@ -23,8 +23,8 @@ void expect_valid(const Scene& scene, std::size_t most_events = 20000) {
   EXPECT_LE(run.relative_rounding(), 1e-12L);
 }
 
-/// After the impact, rounding lets spheres approach at 10⁻¹⁶ m/s, so the bounds of their contact time are seconds
-/// apart. Between these bounds, spheres leave their cells (scene::CellGrid).
+/// After the impact, rounding errors let spheres approach at 10⁻¹⁶ m/s. So the lower and upper bounds of their contact
+/// time are seconds apart. Between these bounds, spheres leave their cells (scene::CellGrid).
 TEST(StructuredScenes, ABallStrikesARowThatTouchesWithoutRestitution) {
   for (const double restitution : {0.0, 0.25, 1.0}) {
     Scene scene = unit::empty_scene(Law::frictionless, {restitution, 0, 0, 0, 0}, 5);
@@ -35,8 +35,8 @@ TEST(StructuredScenes, ABallStrikesARowThatTouchesWithoutRestitution) {
   }
 }
 
-/// One pair closes at 2⁻⁴⁴ m/s and touches at 1 s, within bounds that are 0.04 s apart. A second pair touches at 1 −
-/// 2⁻¹⁰ s. At 1 − 2⁻⁶ s, a fast sphere has left several cells and hits a resting sphere.
+/// One pair approaches at 2⁻⁴⁴ m/s and touches at 1 s. The bounds of this time are 0.04 s apart. A second pair touches
+/// at 1 − 2⁻¹⁰ s. A fast sphere passes through several cells, and hits a resting sphere at 1 − 2⁻⁶ s.
 TEST(StructuredScenes, AFastSphereLeavesItsCellsWithinTheBoundsOfASlowContact) {
   Scene scene = unit::empty_scene(Law::frictionless, {1, 0, 0, 0, 0}, 0x1p22);
   unit::add_sphere(scene, 0.5, {0, 8, 0}, {0, 0, 0});

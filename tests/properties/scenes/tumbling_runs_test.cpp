@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Random scenes with polyhedra pass the checkers. In another scene, the checkers find planted defects.
+// The checkers accept random scenes with polyhedra. In another scene, they find planted defects.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -227,8 +227,8 @@ TEST(PlantedInATumble, EnergyWithoutACauseDoesNotClose) {
                                  }));
   EXPECT_GT(greater.relative_rounding(), 1e-12L);
   EXPECT_EQ(greater.judge.violated(), 1U);
-  // Slow contacts push a body on the floor, so it keeps hopping. If `is_silent`, the first slow contact does not report
-  // its push.
+  // A body keeps hopping on the floor, because slow contacts push it. If `is_silent`, the first slow contact does not
+  // report its push.
   Scene scene = unit::empty_scene(Law::frictionless, {0, 0, 0, 0, 0}, 1);
   scene.gravity = {0, 0, -9.81};
   unit::add_plane(scene, {0, 0, 1}, {0, 0, 0});
@@ -274,7 +274,6 @@ TEST(PlantedInATumble, BallsAndPolyhedraAreBookedTogether) {
   for (const Cause cause : {Cause::sliding, Cause::rolling, Cause::spinning}) {
     EXPECT_EQ(run.ledger.energy(cause), 0) << name_of(cause);
   }
-  // The momentum is the sum of the initial momentum and the impulses of gravity and planes, up to rounding.
   Vector3<long double> momentum = Vector3<long double>::Zero();
   for (const scene::BodyState& body : run.simulation.state().bodies) {
     momentum += body.mass * velocity_at(body.arc.path, run.simulation.time()).cast<long double>();
@@ -283,8 +282,8 @@ TEST(PlantedInATumble, BallsAndPolyhedraAreBookedTogether) {
                                       run.ledger.plane_impulse() + run.ledger.momentum_rounding();
   EXPECT_LE(static_cast<double>((momentum - booked).norm()), 1e-13);
   EXPECT_LE(static_cast<double>(run.ledger.momentum_rounding().norm()), 1e-13);
-  // The ball's lever arm ends on the ball. The polyhedron's lever arm ends in the middle of the gap, at most 2⁻³¹ radii
-  // from the ball.
+  // The lever arm of the ball ends on the ball. The lever arm of the polyhedron ends in the middle of the gap, at most
+  // 2⁻³¹ radii from the ball.
   EXPECT_LE(static_cast<double>(run.ledger.angular_momentum_rounding()),
             0x1p-30 * static_cast<double>(run.ledger.angular_momentum_scale()) *
                 static_cast<double>(run.simulation.counts().impacts));

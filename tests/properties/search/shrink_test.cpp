@@ -40,8 +40,8 @@ TEST(Simpler, GivesValidAndStrictlySimplerCollisionsOnly) {
   EXPECT_GT(candidates, 1000U);
 }
 
-/// `simpler` must not return a collision in which rounding or doubling overflows. Runs in another process, because
-/// `complexity` might not terminate for a number that is not finite.
+/// `simpler` rounds and doubles numbers. It must not return a collision in which such a number overflows. Runs in
+/// another process, because `complexity` might not terminate for a number that is not finite.
 void simplify_at_the_ends(double x) {
   constexpr unsigned seconds_until_it_counts_as_endless = 20;
   alarm(seconds_until_it_counts_as_endless);
@@ -128,7 +128,7 @@ TEST(Shrink, ReachesSmallDyadicNumbers) {
               << i << ": " << path.text() << " = " << number;
         },
         shrunk);
-    // Besides one number each of a normal and a velocity, only a few remain.
+    // Only a few numbers remain besides one component of a normal and one of a velocity.
     EXPECT_LE(complexity(shrunk), 24) << i;
   }
   EXPECT_GT(shrunk_cases, 4);

@@ -10,8 +10,8 @@
 
 #include "support/exact.hpp"
 
-/// The promise of the yardstick (docs/reference/yardstick.md): an outcome that is exact for permitted inputs passes,
-/// however hard the case is.
+/// Tests the promise of the yardstick (docs/reference/yardstick.md): an outcome that is exact for permitted inputs
+/// passes, even in a hard case.
 namespace carom::properties {
 namespace {
 
@@ -49,8 +49,8 @@ BasicCollision<Rational> perturbed(Stream& stream, const Collision& collision, d
   return result;
 }
 
-/// The law's exact outcome. No value for `rough` if its impulse is not inside the friction cone, because the outcome
-/// may then be irrational.
+/// The law's exact outcome. There is none for `rough` if the impulse is not inside the friction cone, because the
+/// outcome may be irrational.
 std::optional<Outcome<Rational>> answer_to(const BasicCollision<Rational>& c, Law law) {
   const bool collides = oracles::normal_velocity_before(c) < 0;
   oracles::Branch branch = oracles::Branch::only;
@@ -130,7 +130,8 @@ TEST(Permitted, OutcomesOfPermittedInputsPass) {
   EXPECT_GT(seen.blind, 100U);
 }
 
-/// For a ball far from the origin, the permitted error is at most 20 times the largest effect of 400 permitted inputs.
+/// The ball is far from the origin. The permitted error is at most 20 times the largest change of the outcome by 400
+/// permitted inputs.
 TEST(Permitted, DistancesAreNoLargerThanTheyHaveToBe) {
   constexpr double allowance = 32 * 0x1p-24;
   Collision c = unit::ball_on_a_plane(0.4, 0);

@@ -8,7 +8,7 @@
 namespace carom::properties {
 namespace {
 
-/// Fails on every collision whose restitution is 1, and counts how often it is opened.
+/// A subject that fails on every collision whose restitution is 1. Counts how often the gate opens it.
 Subject fragile(int& opened, int most_opened = 1000) {
   Subject subject;
   subject.name = "fragile";

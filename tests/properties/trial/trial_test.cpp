@@ -50,8 +50,8 @@ void judge_to_the_end(int most) {
   std::exit(0);
 }
 
-/// Judges solvers as if in binary32, at so large a limit that a permitted residual can overflow. Exits with 0 if the
-/// judges with and without filters agree. Relations are left out, because their rationals would be long.
+/// Judges solvers as if they computed in binary32. The limit is so large that a permitted residual can overflow. Exits
+/// with 0 if the judges with and without filters agree. Relations are left out, because their rationals would be long.
 void judge_at_the_largest_limit(int most) {
   Stream stream = stream_from(static_cast<std::uint64_t>(most));
   for (int i = 0; i < unit::effort(4); ++i) {
@@ -77,7 +77,7 @@ void judge_at_the_largest_limit(int most) {
   std::exit(0);
 }
 
-/// The impulse pulls if N·F < 0. At a resting contact, a pull passes if the rounding of the inputs explains it.
+/// An impulse with N·F < 0 pulls. At a resting contact, a pull passes if the rounding of the inputs explains it.
 TEST(Trial, PushAllowsWhatTheInputsRoundTo) {
   Case resting;
   Collision& c = resting.collision;
@@ -104,9 +104,9 @@ TEST(Trial, PushAllowsWhatTheInputsRoundTo) {
   EXPECT_EQ(push_of(10'000 * rounding), Status::violated);
 }
 
-/// An outcome one ulp away from sticking. The normal is so short that the scale of N × V⁺ underflows, and A's mass is
-/// so large that the scale of friction does not. It is then undecidable whether the contact point slips, so friction
-/// may be off the cone.
+/// In this outcome, the slip is one ulp. The normal is so short that the scale of N × V⁺ underflows. A's mass is so
+/// large that the scale of friction does not underflow. So the judge cannot decide whether the contact point slips, and
+/// accepts friction inside the cone.
 TEST(Trial, ASlipThatCannotBeToldFromStickingIsNoViolation) {
   const auto verdict_with = [](double normal, double mass) {
     Case one{unit::ball_on_a_plane(mass / 2, 10), false};

@@ -28,7 +28,8 @@ TEST(Unjudged, IsNoBallOnAFloor) {
   EXPECT_TRUE(is_judged(ball_on_floor(), Precision::binary64));
 }
 
-/// At 10⁶ m from the origin, 32 u of a position are 2 m in binary32. The lever arm is unknown, but the case is judged.
+/// 10⁶ m from the origin, the allowance of binary32 (32 u) times the length of a position is 2 m. So the lever arm is
+/// unknown, but the case is judged.
 TEST(Unjudged, IsNoLeverArmShorterThanItsRounding) {
   Collision c = ball_on_floor();
   for (Vector3<double>* place : {&c.a.position, &c.b.position, &c.point}) {
@@ -47,7 +48,8 @@ TEST(Unjudged, IsNoSpinAlongNormalAndLeverArmThatDwarfsTheApproach) {
   EXPECT_TRUE(is_judged(c, Precision::binary64));
 }
 
-/// A rod of 1 m by 10⁻⁴ m is 50 m from the origin. In binary32, 32 u of its position are also 10⁻⁴ m.
+/// A rod of 1 m by 10⁻⁴ m is 50 m from the origin. In binary32, the allowance (32 u) times the length of its position
+/// is also 10⁻⁴ m.
 TEST(Unjudged, IsNoRodThinnerThanTheRoundingOfItsPosition) {
   Collision c = ball_on_floor();
   c.a.principal_inertia = {1e-8, 1, 1};
@@ -67,7 +69,7 @@ TEST(Unjudged, IsAChangeOfSpinThatLeavesTheRangeOfBinary32) {
   EXPECT_TRUE(is_judged(c, Precision::binary64));
 }
 
-/// Each body's numbers must stay in the range, whatever the other body's lever arm is.
+/// The numbers of each body must stay in the range. The lever arm of the other body does not matter.
 TEST(Unjudged, IsABodyThatTurnsLessThanBinary32Holds) {
   Collision c = ball_on_floor();
   c.a.velocity = {0, -1e-5, 0};

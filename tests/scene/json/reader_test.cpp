@@ -291,7 +291,7 @@ TEST(SceneJson, SaysWhatIsWrongWithAPolyhedronAndWhere) {
   }
 }
 
-/// These are the beginnings of the messages, because the rest depends on rounding.
+/// The test compares only the beginnings of messages, because the rest depends on rounding.
 TEST(SceneJson, RefusesPolyhedraThatCannotBeThere) {
   using Change = std::function<void(json & scene)>;
   const std::vector<std::pair<std::string, Change>> changes{

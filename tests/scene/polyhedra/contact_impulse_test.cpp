@@ -158,9 +158,10 @@ TEST_P(Laws, AreTheirDefinitions) {
         case Law::rough:
         case Law::coulomb:
         case Law::any: {
-          // Within the friction cone `rough` has the impulse F = (1 + ε) P_I + (1 + e_t) (P_II − P_I). P_I stops the
-          // approach, and P_II stops the contact point: K P_II = −V. So the velocity after is V' = −e_t V + (ε − e_t) K
-          // P_I. `frictionless` changes V by (1 + ε) K P_I.
+          // The impulse P_I along the normal stops the approach, and P_II stops the contact point: K P_II = −V. Within
+          // the friction cone, the impulse of `rough` is F = (1 + ε) P_I + (1 + e_t) (P_II − P_I). So the velocity
+          // after is V' = −e_t V + (ε − e_t) K P_I. `stops` is K P_I, because `frictionless` changes V by (1 + ε) K
+          // P_I.
           const double e_t = collision.tangential_restitution;
           const Vector stops = (frictionless - before) / (1 + collision.restitution);
           const Vector within =

@@ -102,7 +102,7 @@ TEST(MassProperties, HaveAxesThatMakeTheTensorDiagonal) {
     Vector sorted = p.principal_inertia;
     std::sort(sorted.begin(), sorted.end());
     EXPECT_LE((eigen.eigenvalues() - sorted).norm(), 0x1p-48 * sorted.norm()) << seed;
-    for (int i = 0; i < 3; ++i) {  // a body with volume
+    for (int i = 0; i < 3; ++i) {  // strictly, because the body has a volume
       EXPECT_LT(sorted[2], sorted[0] + sorted[1]);
     }
     // In its own frame, the body has its centre at 0 and a diagonal tensor, up to the rounding of its vertices.
@@ -172,7 +172,7 @@ TEST(MassProperties, OfNeedlesKeepTheLeastMoment) {
     const MassProperties p = unit::body_of(points).properties;
     const double mass = 2e-12;
     const double least = mass / 12 * 5e-12;
-    // The vertices are rounded to 2⁻⁵³ of the length, 10⁻¹⁰ of the width.
+    // The vertices are rounded by 2⁻⁵³ of the length, which is 10⁻¹⁰ of the width.
     EXPECT_NEAR(p.principal_inertia.minCoeff() / least, 1, 1e-8);
   }
 }

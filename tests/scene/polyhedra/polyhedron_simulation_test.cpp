@@ -537,7 +537,7 @@ TEST(PolyhedronSimulation, TellsEventsInOrderOfTime) {
   }
 }
 
-/// Equal bodies fall from equal heights. They are equally far from the origin, because the error of a position is
+/// Equal bodies fall from equal heights. Their distances from the origin are equal, because a position's error is
 /// proportional to this distance.
 TEST(PolyhedronSimulation, TakesOfEqualTimesTheLowerBodiesFirst) {
   Scene scene = over_a_floor(unit_cube, {3, 0, 2}, 1);
@@ -719,7 +719,7 @@ TEST(PolyhedronSimulation, KnowsHowBodiesTurnThatNothingHasComeNear) {
   EXPECT_LE((body.angular_velocity - Vector(0, 0, 2)).norm(), 1e-14);
   const auto made = std::get<RigidBody>(rigid_body(scene.polyhedra[0]));
   const Matrix3<double> expected = unit::matrix_of(turn_about({0, 0, 1}, 10)) * unit::matrix_of(made.orientation);
-  // The body rotates by 10 rad, each accurate to 10⁻¹⁵.
+  // The body rotates by 10 rad, with an error of 10⁻¹⁵ per radian.
   EXPECT_LE((unit::matrix_of(body.orientation) - expected).norm(), 1e-13);
 }
 

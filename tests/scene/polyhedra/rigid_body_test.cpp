@@ -43,7 +43,7 @@ TEST(RigidBody, HasItsCornersWhereTheSceneSays) {
       for (const Vector& given : polyhedron.vertices) {
         nearest = std::min(nearest, (polyhedron.position + turn * given - corner).norm());
       }
-      // Coordinates up to 16, with about twenty roundings of 2⁻⁵³.
+      // The coordinates are up to 16, and have about twenty roundings of 2⁻⁵³.
       EXPECT_LE(nearest, 16 * 20 * 0x1p-53) << "seed " << seed;
       EXPECT_LE(vertex.norm(), body.radius()) << "seed " << seed;
     }

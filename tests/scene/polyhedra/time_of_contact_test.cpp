@@ -154,7 +154,7 @@ TEST(TimeOfContact, OfTumblingBodiesIsTheirFirst) {
   }
   EXPECT_GT(touching, 30);
   EXPECT_LT(touching, 90);
-  EXPECT_LE(advances, 2500);  // about 20 each, for fast bodies and steps of second order
+  EXPECT_LE(advances, 2500);  // about 20 for each meeting of these fast bodies
 }
 
 TEST(TimeOfContact, IsNeverPastTheContactOfAnyBodies) {
@@ -211,7 +211,7 @@ TEST(TimeOfContact, TellsCrossingEdgesApart) {
   }
 }
 
-/// After an impact, bodies are within the tolerance and separate. This is not a contact.
+/// After an impact, bodies are within the tolerance, but draw apart. So they are not in contact.
 TEST(TimeOfContact, IsNotThatOfAnImpactJustOver) {
   const ConvexShape cube = convex_shape(unit::body_of(unit::box_points({1, 1, 1})));
   for (const double speed : {1e-6, 1e-3, 1.0}) {
@@ -319,7 +319,7 @@ TEST(TimeOfContact, OpensWhatSlidesAlongAnEdgeAndRises) {
 }
 
 /// After an impact, edges touch along a part of themselves, and the bodies rotate apart. Neither a face's normal nor
-/// the normal of both edges shows that the gap opens. A search that misses this finds the same contact forever.
+/// the normal of both edges shows that the gap opens. A search that misses the opening finds the same contact forever.
 TEST(TimeOfContact, OfBodiesJustStruckApartIsALaterOne) {
   int struck = 0;
   for (std::uint64_t seed = 0; seed < 80; ++seed) {

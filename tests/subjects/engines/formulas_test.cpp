@@ -46,9 +46,9 @@ void expect_reproduced(const std::string& name) {
     const auto computed = map_outcome<double>(std::get<ReportedOutcome>(answers[i]),
                                               [](long double x) { return static_cast<double>(x); });
     const Outcome<double> expected = (*formula)(c);
-    // Ten iterations visit three rows, with about 30 roundings each. The condition number of K is at most 16, and
-    // moments differ by at most 1 : 8. So the error is at most 10 · 3 · 30 · 16 · 8 u < 2⁻³⁶ of the speeds, with the
-    // unit roundoff u.
+    // Ten iterations visit three rows, with about 30 roundings for each row. The condition number of K is at most 16,
+    // and a body's moments differ by a factor of at most 8. So the error is at most 10 · 3 · 30 · 16 · 8 u < 2⁻³⁶ of
+    // the speeds, with the unit roundoff u.
     const double scale = c.a.velocity.norm() + c.b.velocity.norm();
     for (const auto part : {&Outcome<double>::a, &Outcome<double>::b}) {
       EXPECT_LE(((computed.*part).velocity - (expected.*part).velocity).norm(), 0x1p-36 * scale)

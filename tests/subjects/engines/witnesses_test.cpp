@@ -24,7 +24,7 @@ Collision witness(const std::string& name) {
   return collision_from_json(nlohmann::json::parse(file));
 }
 
-/// The velocity of A after the impulse, by the formula, and by the engine if it is installed.
+/// The velocities of A after the impulse: by the formula and, if the engine is installed, by the engine.
 std::vector<Vector3<double>> velocities_by(const std::string& subject_name, const Collision& collision) {
   std::vector<Vector3<double>> velocities{(*formulas::formula_of(subject_name))(collision).a.velocity};
   const Subject subject = *subjects::subject_named(subject_name);
@@ -50,9 +50,9 @@ Vector3<Rational> coulomb_impulse(const Collision& collision) {
   return answers[0].truth.impulse;
 }
 
-/// K = (3, 1, −1; 1, 3, 1; −1, 1, 3), V⁻ = (1, −3, 0). Bullet's friction acts along x alone. F converges to the
-/// solution of 3 F_x + F_y = −1, F_x + 3 F_y = 3, and each of ten iterations divides the error by nine. The contact
-/// point still slips along z.
+/// K = (3, 1, −1; 1, 3, 1; −1, 1, 3), V⁻ = (1, −3, 0). Bullet's friction acts only along x. F converges to the solution
+/// of 3 F_x + F_y = −1 and F_x + 3 F_y = 3. Each of ten iterations divides the error by nine. The contact point still
+/// slips along z.
 TEST(EngineWitnesses, BulletDoesNotStopASlipAcross) {
   const Collision c = witness("across_the_slip");
   EXPECT_EQ(coulomb_impulse(c), Vector3<Rational>(Rational(-5) / 4, Rational(7) / 4, -1));
@@ -82,7 +82,7 @@ TEST(EngineWitnesses, OdeTakesTheLimitFromThePressureWithoutFriction) {
 }
 
 /// r × N = (1, −3/4, 0) is orthogonal to the rod, so N·KN = 1 + (25/16) / (25/16) = 2, F = N and w⁺ = (16, −12, 0)/25.
-/// In world axes, the greatest entry of J⁻¹ is about 2²⁶ · 16/25, and its rounding error is up to 4 · 10⁻⁹.
+/// In world axes, the greatest entry of J⁻¹ is about 2²⁶ · 16/25, with a rounding error of up to 4 · 10⁻⁹.
 TEST(EngineWitnesses, ASlenderRodLosesHalfOfItsDigitsByAnInverseInertiaInWorldAxes) {
   const Collision rod = witness("slender_rod");
   const Vector3<double> spin{16.0 / 25, -12.0 / 25, 0};
@@ -113,8 +113,8 @@ struct ByHand {
   double rounding;           // the allowed error, from the engine's precision [m/s]
 };
 
-/// The formula gives the values of docs/reference/engines; the engine, if installed, gives the same. The speeds are
-/// below 16 (256 in the rows with a factor 16), and an answer has a few dozen roundings.
+/// The formula and the engine, if it is installed, give the values of docs/reference/engines. The speeds are below 16
+/// m/s, or below 256 m/s in the rows with a factor 16. An answer has a few dozen roundings.
 TEST(EngineWitnesses, AreAnsweredAsWorkedOutByHand) {
   constexpr double single = 16 * 0x1p-20;
   constexpr double binary = 16 * 0x1p-48;

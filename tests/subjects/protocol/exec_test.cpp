@@ -62,7 +62,7 @@ TEST(Exec, IsAskedAboutRelatedCollisionsOnEveryFourthCase) {
   EXPECT_EQ(report.results[1].count("swap").holds, 80U);
 }
 
-/// If a law does not read friction, a subject of this law need not refuse an invalid friction.
+/// If a law does not read the friction coefficient, a subject of this law may accept an invalid coefficient.
 TEST(Exec, NeedNotRefuseWhatItsLawDoesNotRead) {
   Subject careless = *subject_named("frictionless-double");
   careless.open = [] {

@@ -102,7 +102,8 @@ std::string name_of(const Fault& fault) {
   return name;
 }
 
-/// The gate waits ten times or more for a subject that hangs, so the gates of all such faults run at the same time.
+/// For a subject that hangs, the gate waits ten times or more until the timeout. So the gates on all such subjects run
+/// at the same time.
 class Faults : public testing::TestWithParam<Fault> {
  protected:
   static void SetUpTestSuite() {
@@ -125,7 +126,8 @@ class Faults : public testing::TestWithParam<Fault> {
 };
 
 /// The report names the request and the reason. The second subject, which is sound, is judged to the end. If the faulty
-/// program fails to start, it is not judged. If it fails on a collision, it violates the invariant `finite`.
+/// program fails at the start, the gate does not judge it. If it fails on a collision, it violates the invariant
+/// `finite`.
 TEST_P(Faults, NameRequestAndReason) {
   const Gate gate = result(GetParam().fault);
   const std::string request = GetParam().says.front();
@@ -327,7 +329,7 @@ pid_t process_in(const std::string& file) {
 }
 
 /// A shell with background jobs may become the gate by `exec`. If a job ends, the gate becomes the parent of the job's
-/// children. The gate must end processes that a subject leaves behind, but neither jobs nor their children.
+/// children. The gate must end processes that a subject leaves behind. It must not end jobs, or children of jobs.
 TEST(Faults, EndNoProcessThatASubjectDidNotStart) {
   const TemporaryDirectory directory;
   const std::string job = (directory.path() / "job").string();

@@ -98,8 +98,8 @@ TEST(Reply, HasTheBitsOfTheSubjectsPrecision) {
   EXPECT_TRUE(std::isinf(std::get<ReportedOutcome>(large).a.velocity[1]));
 }
 
-/// Each decimal is close to the midpoint of two binary64 numbers. If a reader first rounds the decimal to the extended
-/// format, it gets the midpoint, and then rounds the midpoint to the wrong neighbour.
+/// Each decimal is close to the midpoint of two binary64 numbers. A reader that first rounds the decimal to the
+/// extended format gets the midpoint. Then it rounds the midpoint to the wrong neighbour.
 TEST(Reply, RoundsADecimalOnce) {
   for (const auto& [decimal, nearest, other] : std::vector<std::tuple<std::string, double, double>>{
            {"8.68411587126273421", 0x1.15e446f7b7ef9p+3, 0x1.15e446f7b7ef8p+3},

@@ -35,7 +35,7 @@ void write_megabytes(std::ostream& stream, int megabytes, bool with_line_ends) {
   }
 }
 
-/// Acts the fault out, and returns the line to write in place of `reply`.
+/// Commits the fault, and returns the line to write instead of `reply`.
 using Fault = std::function<std::string(std::uint64_t id, std::string reply)>;
 
 const std::map<std::string, Fault>& faults() {
@@ -158,7 +158,7 @@ int run(int argc, char** argv) {
     std::cerr << "nothing to do here\n";
     return 7;
   }
-  // A stopped gate must clean up even if the subject ignores signals.
+  // This subject ignores signals. A gate that is stopped must end it all the same.
   std::signal(SIGTERM, SIG_IGN);
   std::signal(SIGPIPE, SIG_IGN);
   subjects::protocol::Introduction introduction{

@@ -22,7 +22,7 @@ using nlohmann::json;
 
 std::uint64_t bits_of(double number) { return std::bit_cast<std::uint64_t>(number); }
 
-/// Every spelling of a number is JSON, and three decimal readers read the same bits.
+/// Every spelling of a number is valid JSON, and three decimal readers read the same bits from it.
 void expect_same_bits(double number) {
   const std::vector<std::string> ways = spellings_of(number);
   EXPECT_GE(ways.size(), 3U) << number;
@@ -105,7 +105,7 @@ TEST(Spelling, IsTheSameForTheSameBitsAndNumber) {
   }
 }
 
-/// Each alternative occurs in a tenth to nine tenths of all requests. Blanks may occur in all.
+/// Each alternative spelling occurs in a tenth to nine tenths of all requests. Only blanks may occur in all requests.
 TEST(Spelling, TakesEveryFreedom) {
   std::map<std::string, int> seen;
   int all = 0;

@@ -75,7 +75,7 @@ TEST_F(ReplayHtml, IsBrokenOutOfByNoName) {
                                   "</title><img src=x onerror=alert(1)>", "]]>", "\\u003c/script>", "{{replay}}",
                                   "{{title}}", "\xe2\x80\xa8 \"quoted\" \\ \n \x01"}) {
     const std::string page = replay_html(nasty, replay(nasty));
-    // In HTML, only this letter begins elements and comments.
+    // In HTML, only the character `<` begins elements and comments.
     EXPECT_EQ(count(page, "<"), count(harmless, "<")) << nasty;
     EXPECT_EQ(embedded(page), replay(nasty)) << nasty;
   }

@@ -108,7 +108,7 @@ TEST(SceneCommand, WritesWhatItPromises) {
   EXPECT_NE(content_of(out / "report.html").find("the ledger closes"), std::string::npos);
 }
 
-/// A replay that cannot hold all events ends just before the first excess event, and the output reports this.
+/// A replay that cannot hold all events ends just before the first event that does not fit. The output reports this.
 TEST(SceneRun, ReplaysWhatFitsIn) {
   const auto replayed = [](std::uint64_t most) {
     tool::SceneOptions options;

@@ -127,7 +127,8 @@ TEST(SceneOfPolyhedra, WritesWhatItPromises) {
   }
 }
 
-/// If N is no eigenvector of the collision matrix, `reflection` creates energy. `frictionless` conserves it.
+/// If N is no eigenvector of the collision matrix, `reflection` may create energy. `frictionless` conserves energy
+/// here.
 TEST(SceneOfPolyhedra, GainsEnergyUnderReflectionAlone) {
   const RunResult result =
       run_carom({"scene", shipped("tumbling_polyhedra"), "--laws", "frictionless,reflection", "--format", "json"});
@@ -187,7 +188,6 @@ TEST(PlanOfPolyhedra, NamesTheirClasses) {
   EXPECT_NE(result.output.find("\npolyhedra: wood and wood "), std::string::npos) << result.output;
   EXPECT_NE(result.output.find("\npolyhedron and plane: wood and wood "), std::string::npos);
   EXPECT_NE(result.output.find("frictionless-"), std::string::npos);
-  // The plan does not take polyhedra for spheres.
   EXPECT_EQ(result.output.find("spheres: "), std::string::npos);
 }
 

@@ -30,8 +30,8 @@ function make_body(body, sphere) {
   return made;
 }
 
-// The engine limits friction to μ times this gravity times a mass. This gravity times the mass is the impulse that
-// reverses the approach of bodies that do not turn.
+// The engine limits the friction impulse to μ g m, with a gravity g and the reduced mass m of the bodies. If g = (1 +
+// ε) |N·V⁻|, then g m is the normal impulse of bodies that do not turn.
 function friction_gravity({ a, b, point, normal, restitution }) {
   const velocity_at_point = ({ position, velocity, angular_velocity }) =>
     new Vec3(...angular_velocity).cross(new Vec3(...point).vsub(new Vec3(...position))).vadd(new Vec3(...velocity));

@@ -52,7 +52,7 @@ function set_mass(properties, { mass, principal_inertia, orientation }) {
   properties.SetInverseInertia(filled(vector, principal_inertia.map((j) => 1 / j)), filled(rotation, [x, y, z, w]));
 }
 
-// The body's axes are the world's axes, and the principal axes are rotated instead. So the sphere's position is not
+// The engine's body has the world's axes, and its inertia has rotated principal axes. So the sphere's position is not
 // rounded.
 function make_body(body, sphere, { friction, restitution }) {
   const shape = new Jolt.OffsetCenterOfMassShape(
@@ -62,7 +62,7 @@ function make_body(body, sphere, { friction, restitution }) {
     body.immovable ? Jolt.EMotionType_Kinematic : Jolt.EMotionType_Dynamic, 0);
   settings.mLinearVelocity = filled(vector, body.velocity);
   settings.mAngularVelocity = filled(vector, body.angular_velocity);
-  settings.mFriction = model === 'coulomb' ? friction : 0;  // the engine combines √(μ μ), which rounds to μ
+  settings.mFriction = model === 'coulomb' ? friction : 0;  // the geometric mean √(μ μ) rounds to μ
   settings.mRestitution = restitution;
   if (configured) {
     settings.mLinearDamping = settings.mAngularDamping = 0;

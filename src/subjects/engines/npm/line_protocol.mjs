@@ -109,8 +109,8 @@ function reply(request, claims, solve) {
 }
 
 /**
- * Answers the requests on standard input until `stop` or the end of the input. `claims` has the protocol's name,
- * version, precision and model. `solve` takes a valid collision and returns the velocities {a, b}.
+ * Answers the requests on standard input until `stop` or the end of the input. `claims` has the fields name, version,
+ * precision and model of the introduction. `solve` takes a valid collision and returns the velocities {a, b}.
  */
 export async function serve(claims, solve) {
   let rest = '';

@@ -70,7 +70,7 @@ function set_contact(world, { restitution, friction }) {
   }
 }
 
-// The body's axes are the world's axes, and the principal axes are rotated instead.
+// The engine's body has the world's axes, and its inertia has rotated principal axes.
 function set_body(world, index, body, sphere) {
   const centre = body.immovable ? sphere.centre : sphere.centre_of_mass_from_centre.map((x) => -x);
   world.geom_pos.set(centre, 3 * index);
@@ -82,12 +82,13 @@ function set_body(world, index, body, sphere) {
   }
 }
 
-// The velocity of the wall's material point at P, which is the origin: v − w × c.
+// The velocity of the wall's material point at P: v − w × c, with the wall's centre of mass c. P is the origin.
 function velocity_of_wall({ velocity: v, angular_velocity: w }, { centre_of_mass: c }) {
   return v.map((x, i) => x - (w[(i + 1) % 3] * c[(i + 2) % 3] - w[(i + 2) % 3] * c[(i + 1) % 3]));
 }
 
-// MuJoCo cannot prescribe a velocity. So a contact with a wall is posed in the frame of the wall's material point at P.
+// MuJoCo cannot prescribe a velocity. So a contact with a wall is posed in a frame that moves with the wall's material
+// point at P.
 function solve(collision) {
   const { a, b } = collision;
   if (a.immovable && b.immovable) {

@@ -23,7 +23,8 @@ const scale = new PhysX.PxTolerancesScale();
 const version = PhysX.PHYSICS_VERSION;
 const foundation = PhysX.CreateFoundation(version, new PhysX.PxDefaultAllocator(), new PhysX.PxDefaultErrorCallback());
 const physics = PhysX.CreatePhysics(version, foundation, scale);
-const material = physics.createMaterial(0, 0, 0);  // both bodies have it, so the mean of their coefficients is its own
+// Both bodies have this material, so the mean of their coefficients is its coefficient.
+const material = physics.createMaterial(0, 0, 0);
 // These objects are in the engine's memory, which has no garbage collection, and are reused.
 const pose = new PhysX.PxTransform(PhysX.PxIDENTITYEnum.PxIdentity);
 const vector = new PhysX.PxVec3(0, 0, 0);
@@ -37,8 +38,8 @@ function pose_at(position, [w, x, y, z] = [1, 0, 0, 0]) {
 }
 
 // Immovable bodies are in the lower dominance group, which a contact does not move, so they keep their velocity
-// exactly. (The velocity of a kinematic body would be the difference of two rounded poses.) They collide only with
-// movable bodies.
+// exactly. (The velocity of a kinematic body would be the difference of two rounded poses.) Immovable bodies collide
+// only with movable bodies.
 const movable = { dominance: 1, collides: new PhysX.PxFilterData(1, 3, 0, 0) };
 const immovable = { dominance: 0, collides: new PhysX.PxFilterData(2, 1, 0, 0) };
 
@@ -50,7 +51,7 @@ if (configured) {
   description.bounceThresholdVelocity = 1e-45;  // [m/s], the smallest positive binary32 number
 }
 
-// The body's axes are the world's axes. Only the centre of mass and the principal axes are posed.
+// The engine's body has the world's axes. Only its centre of mass and its principal axes are posed.
 function make_body(scene, body, sphere) {
   const made = physics.createRigidDynamic(pose_at([0, 0, 0]));
   const { dominance, collides } = body.immovable ? immovable : movable;

@@ -18,7 +18,7 @@ function configure(world) {
   world.lengthUnit = 1e15;  // raises the speed limit, which is 400 length units a second
 }
 
-// The body's axes are the world's axes, and the principal axes are rotated instead. So only the centre of mass is
+// The engine's body has the world's axes, and its inertia has rotated principal axes. So only the centre of mass is
 // rounded.
 function make_body(world, body, sphere, { friction, restitution }) {
   const description = body.immovable ? RAPIER.RigidBodyDesc.kinematicVelocityBased() : RAPIER.RigidBodyDesc.dynamic();

@@ -19,9 +19,9 @@ struct BulletSettings {
 /// The impulse on A of Bullet 3.24's btSequentialImpulseConstraintSolver, without gyroscopic torque and at depth 0.
 /// Source: convertContact, setupContactConstraint, setupFrictionConstraint, solveSingleIteration.
 ///
-/// The directions are N, s₁ and, with two directions of friction, s₂. s₁ = V_T⁻/‖V_T⁻‖ and s₂ = s₁ × N. If ‖V_T⁻‖² ≤
-/// 2⁻⁵² m²/s², s₁ and s₂ are p and q of plane_space.hpp. F starts at 0. Each iteration visits the directions in this
-/// order, with V = V⁻ + K F:
+/// V_T⁻ is the slip before the impulse. The directions are N, s₁ = V_T⁻/‖V_T⁻‖ and, with two directions of friction, s₂
+/// = s₁ × N. If ‖V_T⁻‖² ≤ 2⁻⁵² m²/s², s₁ and s₂ are p and q of plane_space.hpp. F starts at 0. Each iteration visits
+/// the directions in this order, with V = V⁻ + K F:
 ///
 ///  F_N ← max(0, F_N + (e − N·V) / N·KN),   e = −ε N·V⁻, or 0 if −N·V⁻ is below the threshold,
 ///  F_s ← F_s − s·V / s·Ks, clamped to [−μ F_N, μ F_N]. If F_N = 0, F_s does not change.

@@ -36,7 +36,7 @@ struct CannonSettings {
 }
 
 /// SPOOK in the limit of infinite relaxation: a = 0, b = 1 and s = 0. The limit on friction is μ times the normal
-/// impulse on bodies that cannot rotate, (1 + ε) max(0, −N·V⁻) / (1/m_A + 1/m_B).
+/// impulse that bodies without rotation would need, (1 + ε) max(0, −N·V⁻) / (1/m_A + 1/m_B).
 [[nodiscard]] inline CannonSettings cannon_configured(const Collision& collision, double overlap) {
   const Problem problem = problem_of(collision);
   const double approach = std::max(0.0, -problem.normal.dot(problem.velocity));
@@ -44,13 +44,14 @@ struct CannonSettings {
   return {0, 1, 0, none, (1 + problem.restitution) * approach, 100, 0, 0, 1.0 / 60, overlap};
 }
 
-/// The impulse F of cannon-es, by Gauss–Seidel on three rows. Their directions are d = T_1, T_2, N in this order:
+/// The impulse F of cannon-es, by Gauss–Seidel on three rows. The directions d of the rows are T_1, T_2, N, in this
+/// order. λ_d is the impulse along d:
 ///
 ///  T_1 = N × e_x if |N_x| < 0.9, else N × e_y; T_2 = N × T_1. Both have the same length, at most 1.
 ///  F = λ_1 T_1 + λ_2 T_2 + λ_N N
 ///  λ_d ← λ_d + (B_d − d·K F − s λ_d) / (d·K d + (1 − d·d) (1/m_A + 1/m_B) + s), clamped to its limits
 ///  B_d = −b d·V⁻ for T_1 and T_2; B_N = −b (N·V⁻ + ε N·(v_A − v_B)) + a overlap, v of the centres of mass
-///  |λ_1|, |λ_2| ≤ μ friction_gravity / (1/m_A + 1/m_B), and 0 ≤ λ_N ≤ maxForce
+///  limits: |λ_1|, |λ_2| ≤ μ friction_gravity / (1/m_A + 1/m_B), and 0 ≤ λ_N ≤ maxForce
 ///
 /// Source: cannon-es.js: Narrowphase.createFrictionEquationsFromContact, Vec3.tangents, FrictionEquation.computeB,
 /// ContactEquation.computeB, Equation.computeGiMGt (which treats every direction as a unit vector), GSSolver.solve.

@@ -32,7 +32,7 @@ namespace detail {
 
 }  // namespace detail
 
-/// Whether the subject applies gyroscopic torque, which its formula omits.
+/// Whether the subject applies gyroscopic torque, but its formula omits this torque.
 [[nodiscard]] inline bool leaves_out_gyroscopic_torque(std::string_view subject) {
   return subject.ends_with("as-shipped") && (subject.starts_with("bullet") || subject.starts_with("ode"));
 }

@@ -38,7 +38,7 @@ struct JoltSettings {
 ///  F ← (F·N) N + f_1 T_1 + f_2 T_2
 ///  F·N ← max(0, F·N − (N·V + ε' N·V⁻) / N·K N)
 ///
-/// ε' = ε if −N·V⁻ exceeds the restitution's threshold, else 0. The limit μ F·N uses F·N of the previous step. Source:
+/// ε' = ε if −N·V⁻ exceeds min_velocity_for_restitution, else 0. The limit μ F·N uses F·N of the previous step. Source:
 /// JoltPhysics: ContactConstraintManager.cpp, sSolveVelocityConstraint and
 /// CalculateFrictionAndNonPenetrationConstraintProperties; Vec3::GetNormalizedPerpendicular.
 [[nodiscard]] inline Vector3<double> jolt_impulse(const Problem& problem, const JoltSettings& settings) {

@@ -15,7 +15,7 @@ namespace detail {
 inline constexpr double mujoco_step = 0.002;  // as shipped [s]
 
 /// The zero x ≥ 0 of an increasing function, or 0 if the function is not negative at 0. Precondition: the function is
-/// not negative everywhere.
+/// not negative for all x ≥ 0.
 template <class Function>
 [[nodiscard]] double root_of_increasing(const Function& function) {
   if (function(0.0) >= 0) {
@@ -35,9 +35,9 @@ template <class Function>
   return above;
 }
 
-/// The impulse that minimises ½ F·Q F + c·F in the cone ‖F_T‖ ≤ μ F_N, in a basis {N, T0, T1}. For fixed F_N, the
-/// multiplier ν ≥ 0 of the cone gives the friction F_T of least cost. The least cost is a convex function of F_N.
-/// `impulse` finds the zero of its derivative.
+/// The impulse F that minimises the cost ½ F·Q F + c·F in the cone ‖F_T‖ ≤ μ F_N, in a basis {N, T0, T1}. For a fixed
+/// normal impulse F_N, the Lagrange multiplier ν ≥ 0 of the cone gives the friction F_T of least cost. This least cost
+/// is a convex function of F_N, and `impulse` finds the zero of its derivative.
 class LeastInCone {
  public:
   LeastInCone(const Matrix3<double>& q, const Vector3<double>& c, double friction)
@@ -179,9 +179,9 @@ struct MujocoProblem {
 ///
 ///  (K + R + ν (P − μ² N Nᵀ)) F = −c,   P = I − N Nᵀ.
 ///
-/// Without R, ΔV and the term μ² N Nᵀ, this equation states the law `coulomb`. With the term, a slipping contact point
-/// still has V_T⁺ = −ν F_T, but N·V⁺ = N·V_r + μ ‖V_T⁺‖. So the bodies separate faster than requested, by μ times the
-/// slip.
+/// Without R, ΔV and the term μ² N Nᵀ, this equation states the law `coulomb`. The term μ² N Nᵀ leaves V_T⁺ = −ν F_T at
+/// a slipping contact point, but makes N·V⁺ = N·V_r + μ ‖V_T⁺‖. So the bodies separate faster than requested, by μ
+/// times the slip.
 ///
 /// Configured: h → 0, and V_r = −ε (N·V⁻) N up to softness. With the impedance d = 0.9999,
 ///
@@ -202,8 +202,8 @@ struct MujocoProblem {
 /// `mj_referenceConstraint` (V_r) and `mj_constraintUpdate_impl` (the cost, whose dual is the problem above).
 /// src/engine/engine_solver.c minimises the cost.
 ///
-/// The formula omits three effects: R_N is at least 1e-15 kg⁻¹, which matters for masses from 1e11 kg on; d grows with
-/// the depth; the solver as shipped stops at a tolerance.
+/// The formula omits three effects. R_N is at least 1e-15 kg⁻¹, which matters for masses of 1e11 kg or more. d grows
+/// with the depth p. As shipped, the solver stops at a tolerance.
 [[nodiscard]] inline Vector3<double> mujoco_impulse(const Collision& collision, bool configured) {
   if ((collision.a.immovable && collision.b.immovable) || (configured && collision.friction == 0)) {
     return mujoco_frictionless_impulse(collision, configured);

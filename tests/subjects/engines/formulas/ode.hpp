@@ -13,7 +13,7 @@ namespace carom::formulas {
 
 /// The x with lower ≤ x ≤ upper for which each component of A x + b is 0, or ≥ 0 with x at its lower bound, or ≤ 0 with
 /// x at its upper bound. This linear complementarity problem has one solution, because A is positive definite. The
-/// function tries all 27 combinations.
+/// function tries all 27 combinations of these three states.
 [[nodiscard]] inline Vector3<double> in_box(const Matrix3<double>& a, const Vector3<double>& b,
                                             const Vector3<double>& lower, const Vector3<double>& upper) {
   Vector3<double> best = Vector3<double>::Zero();
@@ -47,7 +47,7 @@ namespace carom::formulas {
 }
 
 struct OdeSettings {
-  bool pyramid = false;         // dContactApprox1; else μ is a limit on the force
+  bool pyramid = false;         // dContactApprox1; else μ limits the force [newtons]
   bool along_slip = false;      // dContactFDir1 = V_T⁻/‖V_T⁻‖
   double step = 1.0 / 60.0;     // [s]
   double force_mixing = 1e-10;  // CFM
@@ -63,8 +63,8 @@ struct OdeSettings {
 ///  F_N ≥ 0;  N·V⁺ = −ε N·V⁻, or F_N = 0 and N·V⁺ is greater,
 ///  |F_s| ≤ w for s = s₁, s₂;  s·V⁺ = 0, or |F_s| = w and F_s opposes s·V⁺.
 ///
-/// If `pyramid`, w is μ times the F_N of the problem without friction, which ODE does not update. Otherwise, μ limits
-/// the force, and w = μ · step [N s].
+/// If `pyramid`, w is μ times the normal impulse of the problem without friction. ODE does not update this limit.
+/// Otherwise, ODE takes μ as a force in newtons, and w = μ · step [N s].
 [[nodiscard]] inline Vector3<double> ode_impulse(const Problem& problem, const OdeSettings& settings) {
   const Vector3<double>& n = problem.normal;
   const double approach = n.dot(problem.velocity);

@@ -20,8 +20,8 @@ namespace carom::formulas {
 /// Source: src/oimo/dynamics/constraint/solver/pgs/PgsContactConstraintSolver.hx, `preSolveVelocity` and
 /// `solveVelocity`. R is in src/oimo/dynamics/constraint/contact/ContactConstraint.hx, `_getVelocitySolverInfo`.
 ///
-/// The formula omits two effects. As shipped, velocities after the contact are limited to 20 m and π rad per step.
-/// Bodies do not rotate if the product of their principal moments is below 1e-32 (kg m²)³.
+/// The formula omits two effects. As shipped, OimoPhysics limits velocities after the contact to 20 m and π rad per
+/// step. A body does not rotate if the product of its principal moments is below 1e-32 (kg m²)³.
 [[nodiscard]] inline Outcome<double> oimo(const Collision& collision, bool configured) {
   const Problem problem = problem_of(collision);
   const Vector3<double>& n = problem.normal;

@@ -36,14 +36,14 @@ namespace carom::formulas {
 /// are damped first. If R = 0 as shipped, the first 4 iterations use R = 0.8 · depth · 60 Hz, which corrects the
 /// overlap.
 ///
-/// Friction is limited along each axis separately. The axes do not depend on the slip of the contact point. In the last
-/// iteration, friction changes V_N after F_N is set, and this change remains.
+/// Friction is limited along each axis separately. The axes depend on u, not on the slip of the contact point. In the
+/// last iteration, friction changes V_N after the update of F_N, and no later update corrects V_N.
 ///
 /// Source: physx/source/lowleveldynamics/src: DyContactPrep.cpp, `setupFinalizeSolverConstraints` (T0, T1, 0.8);
 /// DyContactPrepShared.h, `constructContactConstraint` (R); DySolverConstraintsShared.h, `solveDynamicContacts`, and
 /// DySolverConstraints.cpp, `solveContact` (the updates of F); DySolverControl.cpp, `solveV_Blocks` (the iterations).
 ///
-/// The formula omits the limit of 100 rad/s as shipped. `depth` is in m.
+/// The formula omits the limit of spins, 100 rad/s as shipped. `depth` is the depth of the overlap [m].
 [[nodiscard]] inline Outcome<double> physx(const Collision& given, bool configured, double depth) {
   const Collision collision = configured ? given : with_damped_spins(given);
   const Problem problem = problem_of(collision);

@@ -8,8 +8,8 @@
 #include <carom/impulse/collision_matrix.hpp>
 #include <carom/impulse/contact.hpp>
 
-/// Formulas in double for an engine's result on a contact with friction. The formulas come from the engines' sources,
-/// and tests compare them with the engines' answers.
+/// Formulas, in double, for the result of an engine on a contact with friction. The formulas come from the source code
+/// of the engines. Tests compare them with the answers of the engines.
 namespace carom::formulas {
 
 /// The part of a contact that the formulas read.

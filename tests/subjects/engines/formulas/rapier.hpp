@@ -24,7 +24,8 @@ struct RapierSettings {
 [[nodiscard]] inline RapierSettings rapier_as_shipped(double overlap) { return {1.0 / 60, 4, 30, 1, overlap}; }
 [[nodiscard]] inline RapierSettings rapier_configured(double overlap) { return {1e-16, 4, 0, 1e15, overlap}; }
 
-/// A body that rotates in the substeps. The equations of the contact keep the original lever arm and inertia.
+/// A body that rotates during the substeps. The equations of the contact keep the lever arm and inertia from before the
+/// first substep.
 class RapierBody {
  public:
   RapierBody(const Body& body, const Vector3<double>& lever_arm) : body_(body), lever_arm_(lever_arm) {
@@ -155,7 +156,7 @@ class RapierContact {
   RapierBody b_;
   RapierSettings settings_;
   double substep_;      // [s]
-  double distance_;     // gap between the material points at P along N; negative if they overlap [m]
+  double distance_;     // gap along N at the contact point; negative if the shapes overlap [m]
   double recovery_;     // erp_inv_dt [1/s]
   double softness_;     // cfm_factor
   double pushing_ = 0;  // the normal impulse of this substep [N s]
@@ -168,7 +169,7 @@ class RapierContact {
 ///
 ///  1. Gyroscopic torque changes ω, and the impulse p N + f of the previous substep acts again.
 ///  2. p ← s max(0, p − (N·V + b) / N·K N). If the shapes overlap, s = softness_ and b = distance_ · recovery_ (at
-///     least −3 lengthUnit/s); otherwise s = 1 and b = g. g is the gap over the time of the substep, 0 if they overlap.
+///     least −3 lengthUnit/s). Otherwise s = 1 and b = g. g is the gap over the substep's time; 0 in an overlap.
 ///  3. The speeds are clamped to their limits, and the bodies move.
 ///  4. p ← max(0, p − (N·V + g) / N·K N).
 ///  5. f ← f − (P K P)⁻¹ P V, P = I − N Nᵀ; if ‖f‖ > μ p, f ← f μ p / ‖f‖.
