@@ -17,7 +17,8 @@ template <class T>
   return {m(0, 0), m(1, 1), m(2, 2), minor(0, 1), minor(0, 2), minor(1, 2), determinant};
 }
 
-/// Whether xᵀ M x > 0 for every x ≠ 0, by all seven principal minors (Sylvester).
+/// Whether xᵀ M x > 0 for every x ≠ 0, by all seven principal minors. They are positive if and only if M is
+/// definite, as each is the determinant of a definite matrix, and the leading ones suffice (Sylvester).
 [[nodiscard]] bool is_positive_definite(const Matrix3<Rational>& matrix);
 
 /// Whether xᵀ M x ≥ 0 for every x, by all seven principal minors. The leading minors do not suffice: for

@@ -137,7 +137,7 @@ Outcome<Rational> lift(const Outcome<long double>& outcome) {
 
 double nearest_double(const Rational& number) {
   // mpq_get_d rounds toward zero, so the nearest number is `below` or its neighbour away from zero.
-  // For zero, `above` is NaN.
+  // For zero, `above` is NaN, and the result is `below`.
   const double below = to_double(number);
   const double above = std::nextafter(below, sign_of(number) * std::numeric_limits<double>::infinity());
   if (!std::isfinite(above)) {

@@ -14,9 +14,9 @@ namespace carom::oracles {
 struct Accuracy {
   PerVector<double> error{};                 // ‖ŷ_k − y_k‖
   PerVector<double> error_above = infinite;  // at least the error; infinite if the judge is not filtered
-  Sensitivity sensitivity{};                 // Σ_q ‖∂y_k/∂q‖ ‖q‖ + ‖y_k⁻‖
-  bool is_decided = true;  // false if the sensitivity, or the allowance times it, leaves the range of numbers; no
-                           // other member then has a meaning
+  Sensitivity sensitivity{};  // Σ_q ‖∂y_k/∂q‖ ‖q‖ + ‖y_k⁻‖, or a lower bound of it (see `accuracy`)
+  bool is_decided = true;     // false if the sensitivity, or the allowance times it, leaves the range of numbers; no
+                              // other member then has a meaning
   PerVector<bool> allowed{true, true, true, true};  // whether the error is within the yardstick
   std::optional<bool> has_digits;  // relative_error ≤ 10^−digits, decided exactly; no value without digits to compare
   bool is_of_truth = true;         // false if the outcome passes by the other of two answers

@@ -27,7 +27,7 @@ struct RoughParts {
 ///   (4) κ = 1 + e_t, or 0 ≤ κ ≤ 1 + e_t with F on the cone's surface.
 ///
 /// T is an ordered exact field. Throws a std::logic_error that names the condition that fails. Preconditions: the
-/// contact collides; a body is movable.
+/// contact collides; a body is movable; e_t ≥ −1.
 template <class T>
 void certify_rough(const BasicCollision<T>& collision, const Outcome<T>& outcome, const RoughParts<T>& parts) {
   CAROM_EXPECTS(has_movable_body(collision));

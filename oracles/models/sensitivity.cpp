@@ -207,6 +207,7 @@ double enclosed_norm(const Derivative<Enclosure, Rows>& jacobian, const std::vec
 
 double growth_of_roundings(const Collision& collision, const BasicCollision<Enclosure>& enclosed, Law law,
                            Branch branch) {
+  CAROM_EXPECTS(has_movable_body(collision));
   const double lambda = inverse_mass(collision);
   double terms = lambda;
   double largest_impulse{};

@@ -48,11 +48,11 @@ inline constexpr double ten_digits = 0x1p-34;
 [[nodiscard]] std::optional<Sensitivity> enclosed_sensitivity(const Collision& collision, Law law, Branch branch,
                                                               bool is_moderate);
 
-/// A bound of the growth of rounding errors in the derivatives of the law's answer. The terms of K are at most
+/// An estimate of the growth of rounding errors in the derivatives of the law's answer. The terms of K are at most
 /// T = λ + Σ ‖r‖² / min I over the movable bodies, and K ⪰ λI. So T / λ bounds the condition number of K, and the
 /// cancellation in r × F. On the cone's surface, `rough` divides by d = ‖N × D‖ − μ N·D. The two terms of d may cancel,
 /// which adds the factor (1 + μ) ‖N‖ ‖D‖ / d. ‖D‖ is at most Σ (‖v‖ + ‖w‖ ‖r‖) / λ. `enclosed` is the same collision.
-/// Precondition: a body is movable.
+/// The result may be infinite. Precondition: a body is movable.
 [[nodiscard]] double growth_of_roundings(const Collision& collision, const BasicCollision<Enclosure>& enclosed, Law law,
                                          Branch branch);
 

@@ -256,7 +256,8 @@ decltype(auto) collision_in(const oracles::ExactCase& exact_case) {
   }
 }
 
-/// The outcome plus the change of velocity from the first to the second related collision.
+/// The outcome plus the change of velocity from the first to the second related collision. The two collisions have the
+/// same angular velocities.
 template <class T>
 Outcome<T> plus_added_velocity(const Outcome<T>& y, std::span<const Related> related) {
   const auto& from = collision_in<T>(related[0].exact_case);

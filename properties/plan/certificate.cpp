@@ -133,7 +133,7 @@ bool Certifier::has_digits(const oracles::LiftedOutcome& outcome, const Result& 
   if (determines_outcome(demand_.law)) {
     const oracles::Accuracy accuracy = oracles::accuracy(exact(), demand_.law, outcome, claim_.yardstick);
     if (accuracy.is_decided && accuracy.is_of_truth) {
-      return *accuracy.has_digits;
+      return accuracy.has_digits.value();
     }
   }
   // If the rounding of the inputs can change the branch, there are no digits, and the outcome passes.

@@ -330,13 +330,16 @@ TEST(Accuracy, IsOfTheSensitivityUnlessABoundIsKnown) {
     const ExactCase exact_case(one.collision);
     const LiftedOutcome outcome(reported(exact_case.nearest_truth(Law::reflection)));
     const auto error_by = [&](const Yardstick& by, double known) {
-      const Accuracy result = accuracy(exact_case, Law::reflection, outcome, by, known);
-      return result.is_decided ? result.backward_error(by.unit_roundoff) : 0;
+      return accuracy(exact_case, Law::reflection, outcome, by, known).backward_error(by.unit_roundoff);
     };
+    if (!accuracy(exact_case, Law::reflection, outcome, exactly).is_decided) {
+      continue;
+    }
     const double exact = error_by(exactly, 0);
     const double filtered = error_by(yardstick, 0);
-    // The sensitivity has three digits. The error is known to a thousandth of itself or of the permitted error.
-    EXPECT_NEAR(filtered, exact, 1e-3 * (2 * exact + default_limit_ulps)) << family;
+    // Each component of the error is known to 2⁻¹⁰ of itself or of the permitted error, so the norm is known to √3
+    // 2⁻¹⁰.
+    EXPECT_NEAR(filtered, exact, 0x1p-9 * (exact + default_limit_ulps)) << family;
     constexpr double known = 1;
     const double bounded = error_by(yardstick, known);
     EXPECT_GE(bounded, filtered) << family;

@@ -157,6 +157,13 @@ TEST_F(CertifiedRough, HasNoMoreFrictionThanTheWholeOnTheSurface) {
             "the truth of `rough` does not satisfy its share of friction");
 }
 
+/// The impulse (κ, 6, 0) lies on the cone's surface for κ = −3/4, too.
+TEST_F(CertifiedRough, HasNoNegativeShareOfFriction) {
+  parts.friction_share = Rational(-3, 4);
+  EXPECT_EQ(said_of({Rational(-3, 4), Rational(6), Rational(0)}),
+            "the truth of `rough` does not satisfy its share of friction");
+}
+
 TEST_F(CertifiedRough, IsMadeOfTheAnswersOfItsLaws) {
   parts.point_stopped.a.velocity[0] += 1;
   EXPECT_EQ(said_of({Rational(3, 4), Rational(6), Rational(0)}),
