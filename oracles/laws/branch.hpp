@@ -10,7 +10,7 @@ namespace carom::oracles {
 
 /// The formula by which a law answers a contact that collides. Only the law `rough` has more than one.
 enum class Branch {
-  only,         // no friction: the law has none, or μ = 0
+  only,         // the one formula of `rough` at μ = 0, and of every other law
   inside_cone,  // F lies in the friction cone, so friction acts in full
   on_cone,      // ‖N × F‖ = μ N·F: the cone limits friction
 };

@@ -9,6 +9,7 @@
 
 #include <rapidcheck.h>
 
+#include <carom/properties/domains/draw_within.hpp>
 #include <carom/properties/draws/relative_velocity.hpp>
 #include <carom/properties/families/body_pairs.hpp>
 #include <carom/properties/features/feature.hpp>
@@ -153,6 +154,20 @@ CAROM_GEN_FAMILIES(CAROM_GEN_FAMILY)
         return collision;
       },
       std::move(generator), std::move(a), std::move(b));
+}
+
+/// The generator's collisions, changed to lie in the domain (`properties::domain_from` reads one from a text). Drops
+/// collisions that cannot lie there. Invalid collisions stay as they are.
+[[nodiscard]] inline rc::Gen<Collision> within(const properties::Domain& domain,
+                                               rc::Gen<Collision> generator = any_family()) {
+  auto fitted = rc::gen::mapcat(std::move(generator), [domain](const Collision& collision) {
+    return collisions([=](properties::Stream& stream) {
+      properties::Case one{collision};
+      return properties::fit_into(domain, {}, stream, one) ? one : properties::Case{collision};
+    });
+  });
+  return rc::gen::suchThat(std::move(fitted),
+                           [domain](const Collision& collision) { return properties::contains(domain, collision); });
 }
 
 /// The generator's collisions, changed to have this feature (`carom features` lists the names). Drops collisions that

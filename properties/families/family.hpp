@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
 #include <carom/collision/collision.hpp>
 #include <carom/properties/draws/adjustment.hpp>
+#include <carom/properties/draws/limited_quantity.hpp>
 #include <carom/properties/draws/stream.hpp>
 
 namespace carom::properties {
@@ -43,6 +45,8 @@ struct Family {
   /// Set for a family beyond the claimed domain. A subject's limit is the least quantity at which the subject violates
   /// an invariant. The family decides no verdict unless the user names it.
   MeasuredQuantity beyond = {};
+  /// The coefficient that makes the family what it is. A domain that excludes it has no case of the family.
+  std::optional<LimitedQuantity> keeps = {};
 
   [[nodiscard]] bool is_beyond_domain() const { return beyond.of != nullptr; }
 };

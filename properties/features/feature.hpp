@@ -18,8 +18,9 @@ enum class FeatureKind { special_value, relation, magnitude };
 
 [[nodiscard]] std::string_view name_of(FeatureKind kind);
 
-/// A pattern for names of features. "X." stands for the body of the feature that lists the pattern, or for either body
-/// if that feature has none. "Y." stands for the other body. "*" at the end stands for any text.
+/// A pattern for names of features. A feature of one body (`Feature::body`) may list the pattern. Then "X." stands for
+/// this body, and "Y." for the other body. Any other feature may list the pattern, too. Then "X." stands for either
+/// body, and no name matches "Y.". "*" at the end stands for any text.
 using NamePattern = std::string_view;
 
 /// Features that no colliding contact of real bodies has together with the feature that lists this exclusion.
@@ -28,8 +29,8 @@ struct Exclusion {
   std::string_view why;
 };
 
-/// If a collision has the feature that lists this, each quantity whose name matches is in a decade from `low` to
-/// `high`.
+/// Decades that a feature requires. If a collision has the feature, each quantity whose name matches `quantity` lies in
+/// a decade from `low` to `high`.
 struct Decades {
   NamePattern quantity;
   int low;
@@ -39,7 +40,8 @@ struct Decades {
 inline constexpr int no_decade = 100;  // a decade that no quantity has
 
 struct Limits {
-  /// Groups. A collision, or one of its bodies, has at most one feature of each group.
+  /// The groups of the feature. If features share a group and have the same `Feature::body`, a collision has at most
+  /// one of them.
   std::vector<std::string_view> kinds_of = {};
   std::vector<Exclusion> never_with = {};
   std::vector<Decades> only_in = {};
@@ -65,7 +67,9 @@ struct Feature {
   char body = 0;                 // 'a' or 'b' for a feature of one body, whose name starts with the letter
   bool makes_immovable = false;  // `sprinkle` leaves such features out, because the family decides which body can move
   // For a magnitude:
-  int set_once_in = 1;                 // set in one case of this many, because other quantities may determine it
+  /// `structured_collision` sets the quantity with the probability 1 / set_once_in. Otherwise other draws determine the
+  /// quantity.
+  int set_once_in = 1;
   bool is_seldom_with_others = false;  // seldom occurs with another feature unless both are chosen
   DrawnBy drawn_by = DrawnBy::itself;
 };

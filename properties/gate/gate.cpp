@@ -11,6 +11,7 @@
 #include <string>
 
 #include <carom/collision/expects.hpp>
+#include <carom/properties/domains/draw_within.hpp>
 #include <carom/properties/gate/gate.hpp>
 #include <carom/properties/gate/schedule.hpp>
 #include <carom/properties/gate/subject_tally.hpp>
@@ -21,7 +22,7 @@
 namespace carom::properties {
 namespace {
 
-/// Throws std::invalid_argument if a deviation names no invariant or no family, because it would have no effect.
+/// Throws std::invalid_argument if a deviation names an unknown invariant or family. Such a deviation has no effect.
 void require_known_deviations(const Subject& subject) {
   for (const std::string& text : subject.deviates) {
     try {
@@ -87,8 +88,8 @@ class Progress {
   std::uint64_t all_ = 0;
 };
 
-/// For each subject, the first task that found a violation. The tasks before it are still judged to the end, so the
-/// first violation does not depend on the number of threads.
+/// For each subject, the first task that found a violation. All earlier tasks are still judged to the end. So the first
+/// violation does not depend on the number of threads.
 class Finds {
  public:
   explicit Finds(std::size_t subjects) : first_(subjects) {
@@ -218,8 +219,8 @@ class Worker {
     }
   }
 
-  /// Whether more cases would show nothing new about any subject. Without a budget and `fail_fast`, further cases
-  /// always count in the coverage.
+  /// Whether no subject needs further cases. The result is false in a run that has neither a budget nor `fail_fast`,
+  /// because there further cases count in the coverage.
   [[nodiscard]] bool is_over_for_all(std::uint64_t task) const {
     bool is_over = run_->options.budget || run_->options.fail_fast;
     for (std::size_t s = 0; s < examinees_.size(); ++s) {
@@ -232,7 +233,8 @@ class Worker {
     const Family& family = *run_->options.families[task.family];
     std::deque<JudgedCase> cases;
     for (std::uint64_t i = 0; i < task.last - task.first; ++i) {
-      cases.emplace_back(drawn_case(family, run_->options.seed, task.case_number(i)), run_->options.yardstick.filtered);
+      cases.emplace_back(drawn_case_within(run_->options.within, family, run_->options.seed, task.case_number(i)),
+                         run_->options.yardstick.filtered);
       coverage_[task.family] += coverage_of(cases.back());
       if (cases.back().is_valid()) {
         look_at(task.family, task.case_number(i), cases.back());
@@ -262,8 +264,8 @@ class Worker {
     }
   }
 
-  /// Asks the remembered cases again in a separate session. Does nothing for a subject whose run ended at its first
-  /// violation.
+  /// Closes the subject's session, then asks the remembered cases again in a new session. If a first violation ended
+  /// the subject's run, only closes the session. Otherwise, does nothing if the subject has an error.
   void finish(std::size_t subject) {
     constexpr std::uint64_t after_all_tasks = std::numeric_limits<std::uint64_t>::max() - 1;
     Examinee& examinee = examinees_[subject];
@@ -355,6 +357,7 @@ GateReport run_gate(const std::vector<Subject>& subjects, const GateOptions& opt
   for (const Subject& subject : subjects) {
     CAROM_EXPECTS(subject.absent.empty(), subject.name, subject.absent);
     claims.push_back(claim_of(subject, options.yardstick));
+    claims.back().within = options.within;
   }
   Run run{subjects, claims, options};
   std::vector<Worker> workers = workers_of(run);
@@ -405,7 +408,7 @@ GateReport run_gate(const std::vector<Subject>& subjects, const GateOptions& opt
     Witness& witness = result.witnesses[found[i].witness];
     try {
       if (options.shrinks && !options.stop.stop_requested()) {
-        witness = shrunk_witness(result.subject, claims[found[i].subject], witness);
+        witness = shrunk_witness(result.subject, claims[found[i].subject], witness, options.within);
       }
     } catch (const std::exception&) {
       // The witness stays as it was found.

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include <carom/properties/domains/domain.hpp>
 #include <carom/properties/features/coverage.hpp>
 #include <carom/properties/gate/family_result.hpp>
 #include <carom/properties/gate/sample.hpp>
@@ -32,6 +33,8 @@ struct GateOptions {
   std::uint64_t seed = 1;
   std::uint64_t cases = 1000;           // per family, times its weight
   std::vector<const Family*> families;  // in the order of the report
+  /// The gate draws each case into this domain. Precondition: `has_cases_within` holds for each family.
+  Domain within = {};
   /// Families beyond the claimed domain. They show the limits of each subject and decide no verdict. A run with a
   /// budget or with `fail_fast` ignores them.
   std::vector<const Family*> beyond_domain = {};

@@ -13,7 +13,8 @@
 
 namespace carom::properties {
 
-/// Counts numbers in the fixed bins of a scale, so its size is bounded and the order of the numbers does not matter.
+/// Counts numbers in the fixed bins of a scale. So the size of a histogram is bounded, and the order of the numbers
+/// does not matter.
 template <class Scale>
 class Histogram {
  public:
@@ -64,8 +65,9 @@ class Histogram {
   /// The number of stored bins, at most Scale::bins.
   [[nodiscard]] std::size_t bins() const { return counts_.size(); }
 
-  /// The number of this rank, from 0 for the smallest. The smallest and the largest number are exact. Any other is the
-  /// middle of its bin. Precondition: rank < size().
+  /// The added number with this rank in ascending order. The smallest number has rank 0. The smallest and the largest
+  /// number are exact. For any other rank, returns the middle of the number's bin, clamped to smallest() and largest().
+  /// Precondition: rank < size().
   [[nodiscard]] double at(std::uint64_t rank) const {
     CAROM_EXPECTS(rank < size_, rank, size_);
     if (rank == 0 || rank + 1 == size_) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include <carom/properties/domains/draw_within.hpp>
 #include <carom/properties/features/coverage.hpp>
 #include <carom/properties/features/quantities.hpp>
 #include <carom/properties/gate/sample.hpp>
@@ -16,10 +17,11 @@ SampledCase sampled_case(const JudgedCase& judged_case, std::vector<std::uint16_
   return {true, judged_case.exact().approach(), std::move(features), quantities_of(judged_case.generated().collision)};
 }
 
-std::vector<SampledCase> drawn_sample(const Family& family, std::uint64_t seed, std::uint64_t cases) {
+std::vector<SampledCase> drawn_sample(const Domain& within, const Family& family, std::uint64_t seed,
+                                      std::uint64_t cases) {
   std::vector<SampledCase> sample(std::min(cases, sampled_of(family)));
   for (std::uint64_t index = 0; index < sample.size(); ++index) {
-    const JudgedCase one(drawn_case(family, seed, index));
+    const JudgedCase one(drawn_case_within(within, family, seed, index));
     if (one.is_valid()) {
       sample[index] = sampled_case(one, feature_places_of(one.generated().collision));
     }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <carom/oracles/judge/exact_case.hpp>
+#include <carom/properties/domains/domain.hpp>
 #include <carom/properties/families/family.hpp>
 #include <carom/properties/trial/trial.hpp>
 
@@ -26,6 +27,7 @@ inline constexpr std::uint64_t sampled_of_each_family = 1000;
 [[nodiscard]] SampledCase sampled_case(const JudgedCase& judged_case, std::vector<std::uint16_t> features);
 
 /// Draws the sampled cases among the first `cases` of the family. Invalid cases stay default-constructed.
-[[nodiscard]] std::vector<SampledCase> drawn_sample(const Family& family, std::uint64_t seed, std::uint64_t cases);
+[[nodiscard]] std::vector<SampledCase> drawn_sample(const Domain& within, const Family& family, std::uint64_t seed,
+                                                    std::uint64_t cases);
 
 }  // namespace carom::properties

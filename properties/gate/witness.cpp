@@ -54,13 +54,16 @@ Witness found_witness(const SubjectResult& result, const GateOptions& options, c
           worst.answer};
 }
 
-Witness shrunk_witness(const Subject& subject, const Claim& claim, Witness witness) {
+Witness shrunk_witness(const Subject& subject, const Claim& claim, Witness witness, const Domain& within) {
   Claim only = claim;
   only.invariants = {invariant_named(witness.invariant)};
   Restarts restarts(most_shrink_calls, longest_failing);
   Session session = open_restarting(subject, restarts);
   bool is_over = false;
   const auto verdict_on = [&](const Case& one) {
+    if (!contains(within, one.collision)) {
+      return Verdict{};
+    }
     try {
       return is_over ? Verdict{} : single_verdict(judge_in_session(only, session, one).judgement);
     } catch (const SessionFailure&) {

@@ -14,9 +14,9 @@ namespace carom::properties {
 [[nodiscard]] Witness found_witness(const SubjectResult& result, const GateOptions& options,
                                     const std::string& invariant);
 
-/// The witness on the simplest collision that shrinking finds, judged exactly. Throws the exceptions of the subject's
-/// session.
-[[nodiscard]] Witness shrunk_witness(const Subject& subject, const Claim& claim, Witness witness);
+/// The witness on the simplest collision that shrinking finds within the domain, judged exactly. Throws the exceptions
+/// of the subject's session.
+[[nodiscard]] Witness shrunk_witness(const Subject& subject, const Claim& claim, Witness witness, const Domain& within);
 
 /// Whether `verdict` is about as serious a violation as `found`, and of the same kind.
 [[nodiscard]] bool is_as_bad(const Verdict& verdict, const Collision& collision, const Verdict& found,

@@ -85,7 +85,8 @@ class Linter {
     }
     if (!oracles::ExactCase(c).is_bounded_by(Rational(largest_condition) * inverse_mass)) {
       add(Lint::condition, Severity::warning, of_bodies,
-          fmt::format("κ(K) > {}: this is impossible for uniform bodies that are star-shaped from the contact point, "
+          fmt::format("K exceeds {} (1/m_A + 1/m_B): this is impossible for uniform bodies that are star-shaped from "
+                      "the contact point, "
                       "such as convex bodies; check the moments of inertia and the lever arm",
                       largest_condition));
     } else if (!of_bodies.empty()) {

@@ -23,14 +23,18 @@ using Real = long double;
 using Wide = WideVector;
 using scene::Arc;
 
-constexpr Real largest_turn = 0.25;  // the largest rotation between two looks [rad]
+/// The time between two looks, times a body's angular speed at the first look, is at most this [rad]. A look computes
+/// the gap of two bodies, or of a body and a plane, at one time.
+constexpr Real largest_turn = 0.25;
 constexpr int most_halvings = 40;
-constexpr Real allowed_unseen = 0x1p-30L;  // relative to the lesser radius
+/// The check misses no overlap deeper than this, relative to the lesser radius of the bodies, unless it reaches
+/// `most_halvings`.
+constexpr Real allowed_unseen = 0x1p-30L;
 /// The permitted jump of an orientation at a joint of arcs [rad]. It exceeds the error of an orientation at the end of
 /// an arc, 2⁻⁴⁰ (`longest_turn` in tumbling_body.hpp).
 constexpr Real allowed_turn = 0x1p-38L;
-/// The permitted jump of a position at a joint of arcs, relative to the terms of the parabola x + s (v + s a/2). The
-/// position is rounded eight times.
+/// The permitted jump of a position at a joint of arcs, relative to the terms of the parabola x + s (v + s a/2) of
+/// `scene::Path`. The position is rounded eight times.
 constexpr Real allowed_jump = 0x1p-48L;
 /// The largest gap between bodies at an impact, relative to the lesser radius.
 constexpr Real widest_contact = 0x1p-29L;
@@ -40,12 +44,19 @@ constexpr Real least_change = 0x1p-36L;
 /// vertices to double.
 constexpr Real gap_error = 0x1p-46L;
 
+/// A direction along which the check computes the gap between A and B. `of` is the way to construct the direction:
+///
+/// - `face_of_a`, `face_of_b`: the normal of face `first` of A or of B
+/// - `edges`: the cross product of A's edge direction `first` and B's edge direction `second`
+/// - `centres`: the line through the centres of two balls
+/// - `vertex`: the line through a ball's centre and vertex `first` of a polyhedron
+/// - `edge`: the perpendicular from a ball's centre to the line through edge `first` of a polyhedron
 struct Axis {
   enum class Of : std::uint8_t { face_of_a, face_of_b, edges, centres, vertex, edge };
   Of of = Of::centres;
-  std::size_t first = 0;   // index of a face, A's edge, or a polyhedron's vertex or edge against a ball
-  std::size_t second = 0;  // index of B's edge
-  Real sign = 1;           // chosen so that the direction points from B to A
+  std::size_t first = 0;
+  std::size_t second = 0;
+  Real sign = 1;  // chosen so that the direction points from B to A
 };
 
 /// A half-space: its unit normal, and the distance of its plane from the origin along the normal [m].
@@ -97,6 +108,7 @@ class PolyhedraChecker {
   }
 
  private:
+  /// The poses of A and B at one time, with the largest gap between them and the direction of this gap.
   struct Look {
     Real time;
     Pose a, b;
@@ -208,7 +220,7 @@ class PolyhedraChecker {
       case Axis::Of::edge:
         break;
     }
-    // The direction leads from a point of the polyhedron to the ball's centre; the other way if A is the polyhedron.
+    // The direction points from B to A. One of them is the ball, and the other is the polyhedron with the point `from`.
     const bool is_a_ball = tracks_[i].is_ball();
     const Pose& polyhedron = is_a_ball ? b : a;
     const Wide ball = is_a_ball ? a.centre - b.centre : b.centre - a.centre;
@@ -283,13 +295,18 @@ class PolyhedraChecker {
     return best;
   }
 
-  /// A lower bound, from one look to the next, of the gap along a direction n that turns from n₁ to n₂ at a constant
-  /// rate Ω. In axes that turn with n, let x be a vertex relative to a vertex of the other body. ‖ẍ‖ is at most the sum
-  /// of three parts:
-  /// - For each body of radius r, 2 r ω²: r ω² for the centripetal acceleration, and r ‖ω'‖ with ‖ω'‖ ≤ ω².
-  /// - The relative acceleration of the centres.
-  /// - 2 Ω ‖ẋ‖ + Ω² ‖x‖.
-  /// Precondition: neither body turns by more than largest_turn between the looks, so ω grows by a factor below 4/3.
+  /// A lower bound, from one look to the next, of the gap along a direction n. This direction turns from n₁ to n₂ at a
+  /// constant rate Ω, so ‖n'‖ = Ω and ‖n''‖ = Ω². Primes are derivatives by time, in axes that do not turn. x is the
+  /// position of a vertex of A relative to a vertex of B. r is the radius of a body, and ω its angular velocity. The
+  /// gap is the least n·x, minus the margins. The size of (n·x)'' = n·x'' + 2 n'·x' + n''·x is at most the sum of these
+  /// parts:
+  ///
+  /// - 2 r ‖ω‖² for each body: r ‖ω‖² for the centripetal acceleration, and r ‖ω'‖ with ‖ω'‖ ≤ ‖ω‖²
+  /// - the relative acceleration of the centres
+  /// - 2 Ω ‖x'‖ + Ω² ‖x‖
+  ///
+  /// Precondition: the time between the looks, times ‖ω‖ of each body at the first look, is at most largest_turn. So
+  /// ‖ω‖ grows by a factor of at most 4/3.
   [[nodiscard]] Real least_gap(std::size_t i, std::size_t k, const Axis& axis, const Look& first, const Look& second,
                                const Wide& acceleration) const {
     const Wide n1 = direction(i, k, axis, first.a, first.b);

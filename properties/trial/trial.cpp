@@ -49,6 +49,11 @@ bool are_judged(std::span<const oracles::ExactCase> questions, const oracles::Ya
                      [&](const oracles::ExactCase& question) { return !reason_unjudged(question, yardstick); });
 }
 
+bool are_within(const Domain& domain, std::span<const oracles::ExactCase> questions) {
+  return std::all_of(questions.begin(), questions.end(),
+                     [&](const oracles::ExactCase& question) { return contains(domain, question.collision()); });
+}
+
 std::vector<Deviation> deviations_of(const Subject& subject) {
   std::vector<Deviation> deviations;
   for (const std::string& text : subject.deviates) {
@@ -143,6 +148,9 @@ Trial::Trial(const JudgedCase& judged_case, const Claim& claim, ExactAnswer answ
       questions_[i] = by_outcome_.back();
     } else {
       questions_[i] = judged_case.questions_of(invariant);
+    }
+    if (!are_within(claim.within, questions_[i])) {
+      questions_[i] = {};
     }
   }
 }

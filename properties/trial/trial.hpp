@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <carom/collision/expects.hpp>
+#include <carom/properties/domains/domain.hpp>
 #include <carom/properties/families/family.hpp>
 #include <carom/properties/invariants/invariant.hpp>
 #include <carom/properties/trial/deviation.hpp>
@@ -27,6 +28,8 @@ struct Claim {
   /// Invariants about the collision matrix are included only if the subject shows its matrix.
   std::vector<const Invariant*> invariants;
   std::vector<Deviation> deviations = {};  // in all families, and in single families
+  /// A relation is not judged if one of its questions lies outside of this domain.
+  Domain within = {};
 
   /// Whether no deviation excludes the invariant in this family.
   [[nodiscard]] bool is_made_in(const Invariant& invariant, const Family& family) const;

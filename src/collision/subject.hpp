@@ -100,6 +100,9 @@ struct Subject {
   std::function<Session()> open;
   /// Whether the subject reports its collision matrix for each colliding contact that it solves by a matrix.
   bool shows_collision_matrix = false;
+  /// The domain (a set of collisions) for which the subject is meant: "size=0.1:10,mass_ratio=:100". Empty for all
+  /// collisions.
+  std::string domain = {};
 
   [[nodiscard]] bool is_program() const { return !specification.empty(); }
 };

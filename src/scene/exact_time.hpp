@@ -11,8 +11,8 @@
 
 namespace carom::scene {
 
-/// A plane with the normal N, for spheres of one radius with centre x. A sphere is clear of the plane if N·x > `reach`,
-/// and touches the plane if N·x = `reach`.
+/// A plane, for contacts with spheres of one radius. N is the plane's normal, and x the centre of a sphere. The sphere
+/// is clear of the plane if N·x > `reach`, and touches the plane if N·x = `reach`.
 struct Reach {
   Vector3<double> normal;  // any nonzero length
   double reach = 0;
@@ -37,8 +37,9 @@ class ExactTime {
   std::shared_ptr<const Instant> instant_;
 };
 
-/// The first instant from `now` on at which the gap |x_A − x_B| − R_A − R_B falls below 0; none if the gap never does.
-/// A gap that only touches 0 does not fall below 0. Precondition: at `now` the gap is at least 0.
+/// The first instant from `now` on at which the gap of two spheres falls below 0; none if the gap never does. With the
+/// centres x and the radii R, the gap is |x_A − x_B| − R_A − R_B. A gap that only touches 0 does not fall below 0.
+/// Precondition: at `now` the gap is at least 0.
 [[nodiscard]] std::optional<ExactTime> exact_contact(const Path& a, const Path& b, double now);
 
 /// The first such instant for the gap N·x − reach of a sphere and a plane, under the same precondition.

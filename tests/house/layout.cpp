@@ -120,8 +120,9 @@ const std::vector<Rule>& rules() {
        "",
        true,
        {"carom/collision/", "carom/oracles/", "carom/properties/conformance/", "carom/properties/diagnosis/",
-        "carom/properties/draws/", "carom/properties/families/", "carom/properties/features/", "carom/properties/gate/",
-        "carom/properties/invariants/", "carom/properties/plan/", "carom/properties/search/",
+        "carom/properties/domains/", "carom/properties/draws/", "carom/properties/families/",
+        "carom/properties/features/", "carom/properties/gate/", "carom/properties/invariants/",
+        "carom/properties/plan/", "carom/properties/reach/", "carom/properties/search/",
         "carom/properties/three_properties.hpp", "carom/properties/trial/", "fmt/", "Eigen/"}},
       {"", "", false, {"carom/tool/", "CGAL/"}},
   };

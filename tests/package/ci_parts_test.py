@@ -100,7 +100,8 @@ class ActionScripts(unittest.TestCase):
         program.write_text(f'#!/bin/sh\nprintf "%s\\n" "$@"\nexit {status}\n', encoding="utf-8")
         program.chmod(0o755)
         environment = {"PATH": f"{self.folder}:{os.environ['PATH']}", "CAROM_SUBJECTS": "", "CAROM_SEED": "1",
-                       "CAROM_CASES": "1000", "CAROM_BASELINE": "", "CAROM_ARGUMENTS": "", "CAROM_OUT": "out",
+                       "CAROM_CASES": "1000", "CAROM_WITHIN": "", "CAROM_DIGITS": "",
+                       "CAROM_BASELINE": "", "CAROM_ARGUMENTS": "", "CAROM_OUT": "out",
                        "GITHUB_STEP_SUMMARY": "summary"} | inputs
         ended = subprocess.run(["bash", str(ACTION / "gate.sh")], env=environment, cwd=self.folder, capture_output=True,
                                text=True, check=False)
@@ -118,6 +119,8 @@ class ActionScripts(unittest.TestCase):
     def test_pass_a_baseline_where_there_is_one(self):
         self.assertNotIn("--baseline", self.judge()[0])
         self.assertEqual(self.judge(CAROM_BASELINE="old report.json")[0][-2:], ["--baseline", "old report.json"])
+        self.assertEqual(self.judge(CAROM_WITHIN="size=1:2", CAROM_DIGITS="4")[0][-4:],
+                         ["--within", "size=1:2", "--digits", "4"])
 
     def test_end_as_the_gate_and_write_the_badge(self):
         (self.folder / "out").mkdir()

@@ -65,6 +65,18 @@ TEST(Messages, OfTheCommandLineSayWhatWhereAndWhatToDo) {
       {"annotations in JSON",
        {"gate", "frictionless-double", "--annotations", "github", "--format", "json"},
        {"--annotations", "needs --format text", "found --format json"}},
+      {"no quantity",
+       {"gate", "--within", "colour=1:2"},
+       {"--within", "'colour=1:2' names no quantity", "one of size"}},
+      {"a range that is no range", {"gate", "--within", "size=2:1"}, {"--within", "size", "the lesser first", "2:1"}},
+      {"no domain", {"gate", "--within", "/no/domain.json"}, {"/no/domain.json", "does not exist", "check the path"}},
+      {"an empty domain",
+       {"gate", "--within", "size=1:2,size_ratio=3:"},
+       {"--within", "no case of generic lies within size=1:2,size_ratio=3:", "use wider ranges"}},
+      {"a family without cases in the domain",
+       {"gate", "--within", "restitution=0.5", "--families", "elastic"},
+       {"--families", "no case of elastic lies within restitution=0.5:0.5"}},
+      {"a domain without a family", {"replay", "x.json", "--within", "games"}, {"--within requires --family"}},
       {"nothing to replay", {"replay"}, {"FILE, or --family and --case", "required"}},
       {"a family without a number", {"replay", "--family", "head_on"}, {"--family requires --case"}},
       {"unwritable --out",
@@ -92,7 +104,17 @@ TEST(Messages, OfAFileNameTheFileThePlaceAndTheExpectedValue) {
   const std::string huge = directory.write("huge.json", R"({"a": 1e999})");
   const std::string twice = directory.write("twice.json", R"({"a": 1, "a": 2})");
   const std::string folder = directory.path().string();
+  const std::string no_quantity = directory.write("no_quantity.json", R"({"colour": [1, 2]})");
+  const std::string no_pair = directory.write("no_pair.json", R"({"size": [1]})");
+  const std::string reversed = directory.write("reversed.json", R"({"size": [2, 1]})");
+  const auto within = [](const std::string& file) {
+    return std::vector<std::string>{"gate", "frictionless-double", "--within", file};
+  };
   expect_messages({
+      {"a domain that is not JSON", within(cut), {"--within", "cut.json", "not JSON", "line 1"}},
+      {"a domain of no quantity", within(no_quantity), {"no_quantity.json", "/colour", "no quantity has it"}},
+      {"a domain without both ends", within(no_pair), {"no_pair.json", "/size", "the least and the greatest value"}},
+      {"a domain with reversed ends", within(reversed), {"reversed.json", "/size", "the lesser first"}},
       {"malformed JSON", {"replay", cut}, {"cut.json", "not JSON", "line 1", "expected"}},
       {"empty file", {"replay", empty}, {"empty.json", "the file is empty", "expected a collision"}},
       {"plan of an empty file", {"plan", empty}, {"empty.json", "the file is empty", "expected a collision"}},

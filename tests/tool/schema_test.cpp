@@ -49,6 +49,15 @@ json varied_report() {
   return report;
 }
 
+TEST(ReportSchema, DescribesTheReportOfADomain) {
+  const TemporaryDirectory directory;
+  const RunResult result = run_carom({"gate", "frictionless-double", "--cases", "2", "--format", "json", "--within",
+                                      "restitution=0.25:0.5,size=0.1:10"});
+  EXPECT_TRUE(json::parse(result.output).contains("without_case"));
+  const RunResult validated = validate(directory.write("report.json", result.output));
+  EXPECT_EQ(validated.exit_status, 0) << validated.output << validated.errors;
+}
+
 TEST(ReportSchema, DescribesARealReport) {
   const TemporaryDirectory directory;
   const json report = varied_report();

@@ -13,6 +13,8 @@ lines() {
 
 mapfile -d '' -t subjects < <(lines "$CAROM_SUBJECTS")
 mapfile -d '' -t arguments < <(lines "$CAROM_ARGUMENTS")
+[ -z "$CAROM_WITHIN" ] || arguments+=(--within "$CAROM_WITHIN")
+[ -z "$CAROM_DIGITS" ] || arguments+=(--digits "$CAROM_DIGITS")
 [ -z "$CAROM_BASELINE" ] || arguments+=(--baseline "$CAROM_BASELINE")
 status=0
 carom gate "${subjects[@]}" --seed "$CAROM_SEED" --cases "$CAROM_CASES" --out "$CAROM_OUT" --annotations github \

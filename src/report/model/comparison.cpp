@@ -258,6 +258,7 @@ std::vector<Difference> differences_between(const Run& before, const Run& now) {
   if (!gone.empty() || !added.empty()) {
     differences.push_back({"families of one run only", list_of(gone), list_of(added)});
   }
+  note("domain", to_text(before.settings.within), to_text(now.settings.within));
   note("yardstick", yardstick_in_words(before.settings.yardstick), yardstick_in_words(now.settings.yardstick));
   note("interval between the cases on which relations are judged", relations(before), relations(now));
   note("ended early", cut_short(before), cut_short(now));

@@ -38,6 +38,7 @@ std::vector<std::pair<std::string, std::string>> common_facts(const ReadShard& s
       {"seed", std::to_string(options.seed)},
       {"cases of each family", std::to_string(options.cases)},
       {"families", listed(families)},
+      {"within", properties::to_text(options.within)},
       {"yardstick", Json<oracles::Yardstick>::write(options.yardstick).dump()},
       {"relations_every", std::to_string(options.relations_every)},
       {"deviates", listed(shard.run.settings.deviates)}};
@@ -193,8 +194,9 @@ Run merged_run(const std::vector<ReadShard>& shards) {
   }
   for (const properties::Family* family : report.options.families) {
     // The sample is drawn again, for the diagnoses.
-    report.sampled.push_back(properties::drawn_sample(
-        *family, report.options.seed, report.options.cases * static_cast<std::uint64_t>(family->weight)));
+    report.sampled.push_back(
+        properties::drawn_sample(report.options.within, *family, report.options.seed,
+                                 report.options.cases * static_cast<std::uint64_t>(family->weight)));
   }
   for (SubjectResult& result : report.results) {
     result.witnesses = best_witnesses(result, report.options.families);
@@ -205,7 +207,9 @@ Run merged_run(const std::vector<ReadShard>& shards) {
   for (const JudgedSubject& subject : first.subjects) {
     counts.push_back(subject.counts);
   }
-  return run_of(std::move(report), counts, first.absent, first.environment, first.settings.deviates, false);
+  Run merged = run_of(std::move(report), counts, first.absent, first.environment, first.settings.deviates, false);
+  merged.settings.without_case = first.settings.without_case;
+  return merged;
 }
 
 }  // namespace carom::report

@@ -34,6 +34,7 @@ Settings settings_of(const GateOptions& options, std::vector<std::string> deviat
   } else {
     settings.cases = options.cases;
   }
+  settings.within = options.within;
   settings.yardstick = options.yardstick;
   settings.fail_fast = options.fail_fast;
   settings.relations_every = options.relations_every;

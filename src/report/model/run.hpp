@@ -31,8 +31,10 @@ struct Environment {
 
 struct Settings {
   std::uint64_t seed = 1;
-  std::optional<std::uint64_t> cases;    // of each family; none if a time budget decides the number
-  std::optional<double> budget_seconds;  // in place of `cases`
+  std::optional<std::uint64_t> cases;          // of each family; none if a time budget decides the number
+  std::optional<double> budget_seconds;        // in place of `cases`
+  properties::Domain within = {};              // of the cases
+  std::vector<std::string> without_case = {};  // families that have no case within the domain, so none was posed
   oracles::Yardstick yardstick;
   bool fail_fast = false;
   std::uint64_t relations_every = 0;  // 0: the default of GateOptions

@@ -7,8 +7,10 @@
 
 #include <fmt/format.h>
 
+#include <carom/properties/domains/draw_within.hpp>
 #include <carom/report/model/answer_json.hpp>
 #include <carom/report/model/comparison_record.hpp>
+#include <carom/report/model/domain_json.hpp>
 #include <carom/report/model/findings.hpp>
 #include <carom/report/model/run_json.hpp>
 #include <carom/report/model/version.hpp>
@@ -460,6 +462,8 @@ void fields(A& archive, Is<Run> auto& run) {
   archive("seed", run.settings.seed);
   archive("cases_of_each_family", run.settings.cases);
   archive.unless_default("budget_seconds", run.settings.budget_seconds);
+  archive.unless_default("within", run.settings.within);
+  archive.unless_default("without_case", run.settings.without_case);
   archive("yardstick", run.settings.yardstick);
   archive.unless_default("fail_fast", run.settings.fail_fast);
   archive.unless_default("relations_every", run.settings.relations_every);
@@ -492,6 +496,7 @@ properties::GateOptions options_from(const Field& record, const Settings& settin
   properties::GateOptions options;
   options.seed = settings.seed;
   options.cases = record.at("cases_of_each_family").count();
+  options.within = settings.within;
   options.yardstick = settings.yardstick;
   options.relations_every = settings.relations_every;
   options.shard = *settings.shard;
@@ -547,7 +552,10 @@ void read_shard_of_subject(const Field& shard, std::size_t s, const properties::
     if (std::any_of(counts.begin(), counts.end(), [](const auto& of_name) { return of_name.second.violated > 0; })) {
       read_findings(
           findings.at(std::string(family.name)), options.cases * static_cast<std::uint64_t>(family.weight),
-          [&](std::uint64_t number) { return properties::drawn_case(family, options.seed, number); }, of_family);
+          [&](std::uint64_t number) {
+            return properties::drawn_case_within(options.within, family, options.seed, number);
+          },
+          of_family);
     }
   }
 }

@@ -37,6 +37,10 @@ std::string limit_in_words(const oracles::Yardstick& yardstick) {
   return yardstick.digits ? fmt::format("{} digits", *yardstick.digits) : fmt::format("{} ulps", yardstick.limit_ulps);
 }
 
+std::string within_option(const properties::Domain& domain) {
+  return domain.is_everything() ? "" : " --within " + properties::to_text(domain);
+}
+
 std::string extent_of(const Run& run) {
   const Settings& settings = run.settings;
   const std::string extent =
@@ -46,7 +50,8 @@ std::string extent_of(const Run& run) {
   const std::string shard = settings.shard && settings.shard->of > 1
                                 ? fmt::format(", shard {} of {}", settings.shard->number, settings.shard->of)
                                 : "";
-  return extent + shard + (settings.fail_fast ? ", each subject to its first violation" : "");
+  const std::string within = settings.within.is_everything() ? "" : " within " + properties::to_text(settings.within);
+  return extent + within + shard + (settings.fail_fast ? ", each subject to its first violation" : "");
 }
 
 std::string cases_judged(const Run& run, const JudgedSubject& subject) {
@@ -64,12 +69,17 @@ std::string adjusted_sentences(const Run& run) {
   for (const RunFamily& family : run.families) {
     all += family.coverage;
   }
-  return fmt::format(
-      "Families changed some cases after they drew them. They enlarged moments in {} cases, so that the contact lies "
-      "on the body. They moved {} cases to the origin, so that parallel vectors are exactly parallel. They reversed {} "
-      "separating cases. They replaced {} cases outside of the domain.",
-      all.adjusted[Adjustment::moments_enlarged], all.adjusted[Adjustment::moved_to_origin],
-      all.adjusted[Adjustment::reversed], all.adjusted[Adjustment::drawn_again]);
+  const std::vector<std::string>& without_case = run.settings.without_case;
+  const std::string not_posed =
+      without_case.empty() ? "" : fmt::format("The domain has no case of {}. ", fmt::join(without_case, ", "));
+  return not_posed + fmt::format(
+                         "Families changed some cases after they drew them. They enlarged moments in {} cases, so that "
+                         "the contact lies "
+                         "on the body. They moved {} cases to the origin, so that parallel vectors are exactly "
+                         "parallel. They reversed {} "
+                         "separating cases. They replaced {} cases outside of the domain.",
+                         all.adjusted[Adjustment::moments_enlarged], all.adjusted[Adjustment::moved_to_origin],
+                         all.adjusted[Adjustment::reversed], all.adjusted[Adjustment::drawn_again]);
 }
 
 std::string verdict_in_words(const JudgedSubject& subject) {

@@ -16,6 +16,9 @@ namespace carom::report {
 /// "32 ulps" or "8 digits".
 [[nodiscard]] std::string limit_in_words(const oracles::Yardstick& yardstick);
 
+/// " --within size=0.1:10", the option for a command line; empty for the domain of everything.
+[[nodiscard]] std::string within_option(const properties::Domain& domain);
+
 /// "1000 cases of each of 26 families" or "10 s on 26 families in turn". If the run is one of several shards, the shard
 /// follows. If each subject stopped at its first violation, a note says so.
 [[nodiscard]] std::string extent_of(const Run& run);

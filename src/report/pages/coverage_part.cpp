@@ -50,6 +50,10 @@ Table coverage_table(const Run& run) {
 
 std::string features_in_words(const Run& run, std::size_t most_named) {
   const Features& features = run.features;
+  if (!run.settings.within.is_everything()) {
+    return fmt::format("{} pairs of features in colliding cases; without the domain, {} pairs are feasible",
+                       features.feasible_pairs - features.missing_pairs.size(), features.feasible_pairs);
+  }
   return fmt::format("{} of {} pairs of features in colliding cases{}",
                      features.feasible_pairs - features.missing_pairs.size(), features.feasible_pairs,
                      missing_pairs(features, "; missing", most_named));

@@ -149,8 +149,9 @@ Document violations_part(const Run& run) {
   }
   document.emplace_back(
       Paragraph{document.empty() ? "No subject that counts violates an invariant."
-                                 : "To replay a case by its number: carom replay --family FAMILY --case NUMBER --seed "
-                                   "SEED --subject SUBJECT."});
+                                 : fmt::format("To replay a case by its number: carom replay --family FAMILY --case "
+                                               "NUMBER --seed SEED{} --subject SUBJECT.",
+                                               within_option(run.settings.within))});
   return document;
 }
 

@@ -21,6 +21,8 @@ struct Introduction {
   std::vector<std::string> deviates;
   bool matrix = false;  // whether each outcome of a colliding contact includes the collision matrix
 
+  std::string domain = {};  // for which the subject is meant, as in Subject
+
   bool operator==(const Introduction&) const = default;
 };
 

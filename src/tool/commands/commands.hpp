@@ -21,6 +21,7 @@ using Chosen = std::function<int()>;
 /// Each function adds a command, which sets `chosen` if the command line names it. Precondition: `chosen` outlives
 /// `app`.
 void add_gate(CLI::App& app, Chosen& chosen);
+void add_domain(CLI::App& app, Chosen& chosen);
 void add_lists(CLI::App& app, Chosen& chosen);  // subjects, invariants, families, features
 void add_chart(CLI::App& app, Chosen& chosen);
 void add_plan(CLI::App& app, Chosen& chosen);  // of collisions; refuses scenes

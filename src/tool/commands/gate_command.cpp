@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include <carom/properties/domains/draw_within.hpp>
 #include <carom/properties/gate/gate.hpp>
 #include <carom/report/model/duration.hpp>
 #include <carom/report/model/words.hpp>
@@ -18,6 +19,7 @@
 
 #include "commands/commands.hpp"
 #include "commands/options.hpp"
+#include "io/domain_argument.hpp"
 #include "io/family_argument.hpp"
 #include "io/interrupt.hpp"
 #include "io/orphans.hpp"
@@ -38,6 +40,7 @@ namespace {
 struct GateArguments {
   std::vector<std::string> subjects;
   std::vector<std::string> families;
+  std::optional<properties::Domain> within = {};  // none: the domain that the subjects declare
   std::uint64_t seed = 1;
   std::uint64_t cases = 1000;
   std::optional<std::chrono::nanoseconds> budget;  // in place of `cases`
@@ -73,6 +76,34 @@ std::vector<const properties::Family*> families_of(const GateArguments& argument
     }
   }
   return families;
+}
+
+struct Posed {
+  std::vector<const properties::Family*> families;
+  std::vector<std::string> without_case;  // names of the families that have no case within the domain
+};
+
+/// Throws UsageError if no valid case lies within the domain, or if the command line names a family that has none.
+Posed posed_within(const GateArguments& arguments, const properties::Domain& within) {
+  Posed posed;
+  const auto has_cases = [&](const properties::Family& family) {
+    return within.is_everything() || has_cases_within(within, family, arguments.seed);
+  };
+  if (!has_cases(*properties::family_named("generic"))) {
+    throw UsageError(
+        fmt::format("--within: no case of generic lies within {}; use wider ranges", properties::to_text(within)));
+  }
+  for (const properties::Family* family : families_of(arguments)) {
+    if (has_cases(*family)) {
+      posed.families.push_back(family);
+    } else if (arguments.families.empty()) {
+      posed.without_case.emplace_back(family->name);
+    } else {
+      throw UsageError(
+          fmt::format("--families: no case of {} lies within {}", family->name, properties::to_text(within)));
+    }
+  }
+  return posed;
 }
 
 /// The subjects to judge. A subject counts for the exit status if the command line names it, or if it is expected to
@@ -158,14 +189,17 @@ void let_deviate(std::vector<Subject>& subjects, const std::vector<std::string>&
   }
 }
 
-properties::GateOptions options_of(const GateArguments& arguments, const std::stop_token& stop) {
+properties::GateOptions options_of(const GateArguments& arguments, const properties::Domain& within,
+                                   std::vector<const properties::Family*> families, const std::stop_token& stop) {
   properties::GateOptions options;
   options.seed = arguments.seed;
   options.cases = arguments.cases;
   options.budget = arguments.budget;
   options.fail_fast = arguments.fail_fast;
-  options.families = families_of(arguments);
-  if (arguments.families.empty() && !arguments.budget && !arguments.fail_fast) {
+  options.families = std::move(families);
+  options.within = within;
+  const bool is_whole = arguments.families.empty() && within.is_everything();
+  if (is_whole && !arguments.budget && !arguments.fail_fast) {
     for (const properties::Family& family : properties::families_beyond_domain()) {
       options.beyond_domain.push_back(&family);
     }
@@ -204,7 +238,9 @@ int gate(const GateArguments& arguments) {
   const Orphanage orphanage;
   Selection selection = select(arguments, stop);
   let_deviate(selection.subjects, deviates);
-  const properties::GateOptions options = options_of(arguments, stop);
+  const properties::Domain within = arguments.within ? *arguments.within : declared_domain(selection.subjects);
+  Posed posed = posed_within(arguments, within);
+  const properties::GateOptions options = options_of(arguments, within, std::move(posed.families), stop);
   std::optional<StagedOutput> staged;
   if (!arguments.out.empty()) {
     make_directories(fs::path(arguments.out) / "witnesses");
@@ -213,6 +249,7 @@ int gate(const GateArguments& arguments) {
   const report::Environment environment = this_environment();
   report::Run run = report::run_of(properties::run_gate(selection.subjects, options), selection.counts,
                                    std::move(selection.absent), environment, deviates, arguments.shard.has_value());
+  run.settings.without_case = std::move(posed.without_case);
   return present_run(std::move(run), baseline,
                      {arguments.out, arguments.format, !arguments.annotations.empty(), arguments.summary,
                       [&] { commands_stopped.reset(); }},
@@ -280,6 +317,7 @@ void add_gate(CLI::App& app, Chosen& chosen) {
   command->add_option("--families", arguments->families, "Families of cases, separated by commas (default: all)")
       ->delimiter(',')
       ->allow_extra_args(false);
+  add_within(*command, arguments->within);
   command->add_option(
       "--out", arguments->out,
       "Directory for the reports and for witnesses/; the files of an earlier report there are replaced");

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "io/domain_argument.hpp"
+
 namespace carom::tool {
 namespace {
 
@@ -71,6 +73,21 @@ void add_format(CLI::App& command, std::string& format, std::vector<std::string>
   command.add_option("--format", format, "Format of the output")
       ->check(CLI::IsMember(std::move(formats)))
       ->capture_default_str();
+}
+
+CLI::Option* add_domain_option(CLI::App& command, const char* name, std::optional<properties::Domain>& domain,
+                               const std::string& what) {
+  return command
+      .add_option_function<std::string>(
+          name, [&domain, name](const std::string& text) { domain = domain_from_argument(name, text); }, what)
+      ->type_name("DOMAIN");
+}
+
+CLI::Option* add_within(CLI::App& command, std::optional<properties::Domain>& domain) {
+  return add_domain_option(
+      command, "--within", domain,
+      "Draw every case into this domain: games, robotics, granular, everything, a JSON file of ranges, or ranges such "
+      "as size=0.1:10,mass_ratio=:100 (default: the domain that a program declares, otherwise everything)");
 }
 
 void add_seed(CLI::App& command, std::uint64_t& seed, const std::string& what) {

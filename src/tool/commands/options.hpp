@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include <carom/oracles/judge/yardstick.hpp>
+#include <carom/properties/domains/domain.hpp>
 
 /// Options that several commands share.
 namespace carom::tool {
@@ -29,6 +30,11 @@ void add_yardstick(CLI::App& command, YardstickArguments& arguments);
 /// Adds the option for the seconds that a program may take for each reply.
 void add_timeout(CLI::App& command, double& seconds);
 void add_format(CLI::App& command, std::string& format, std::vector<std::string> formats);
+/// Adds an option that takes a domain: its name, a JSON file, or ranges.
+CLI::Option* add_domain_option(CLI::App& command, const char* name, std::optional<properties::Domain>& domain,
+                               const std::string& what);
+/// Adds `--within`.
+CLI::Option* add_within(CLI::App& command, std::optional<properties::Domain>& domain);
 void add_seed(CLI::App& command, std::uint64_t& seed, const std::string& what);
 void add_jobs(CLI::App& command, unsigned& jobs, const std::string& what);
 

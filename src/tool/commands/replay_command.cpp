@@ -8,6 +8,7 @@
 #include <carom/collision/json/text.hpp>
 #include <carom/oracles/judge/coulomb_answers.hpp>
 #include <carom/oracles/numbers/norm.hpp>
+#include <carom/properties/domains/draw_within.hpp>
 #include <carom/properties/features/coverage.hpp>
 #include <carom/properties/gate/gate.hpp>
 #include <carom/properties/trial/in_words.hpp>
@@ -32,8 +33,9 @@ struct ReplayArguments {
   std::string family;             // the family whose case is replayed in place of a file
   std::uint64_t case_number = 0;  // in the family
   std::uint64_t seed = 1;
-  std::string subject;  // empty: the one that a witness names
-  double timeout = 5;   // for each reply of a program [s]
+  std::optional<properties::Domain> within = {};  // of the case
+  std::string subject;                            // empty: the one that a witness names
+  double timeout = 5;                             // for each reply of a program [s]
   YardstickArguments judged;
   bool shows_all_laws = false;  // whether to show laws that the subject does not claim
   std::string format = "text";
@@ -193,7 +195,9 @@ std::string judgement_text(const properties::Judgement& judgement, const Answer&
 ReadCollision numbered_case(const ReplayArguments& arguments) {
   const properties::Family& family = family_from_argument("--family", arguments.family);
   return {fmt::format("{} #{} of seed {}", family.name, arguments.case_number, arguments.seed),
-          properties::drawn_case(family, arguments.seed, arguments.case_number), std::nullopt};
+          properties::drawn_case_within(arguments.within.value_or(properties::Domain()), family, arguments.seed,
+                                        arguments.case_number),
+          std::nullopt};
 }
 
 struct Shown {
@@ -306,7 +310,8 @@ bool replay_one(const ReadCollision& read, const ReplayArguments& arguments, Rep
 int replay(const ReplayArguments& arguments) {
   const std::stop_token stop = stop_on_interrupt();
   const Orphanage orphanage;
-  ReplaySubjects subjects(arguments.subject, arguments.timeout, arguments.judged.yardstick(), stop);
+  ReplaySubjects subjects(arguments.subject, arguments.timeout, arguments.judged.yardstick(),
+                          arguments.within.value_or(properties::Domain()), stop);
   bool violated = false;
   const auto visit = [&](const ReadCollision& read) {
     if (stop.stop_requested()) {
@@ -345,6 +350,9 @@ void add_replay(CLI::App& app, Chosen& chosen) {
   command->add_option("--seed", arguments->seed, "The seed of the case; needs --family")
       ->check(is_count)
       ->capture_default_str()
+      ->needs(replayed_family);
+  add_domain_option(*command, "--within", arguments->within,
+                    "The domain into which the case was drawn (default: everything); needs --family")
       ->needs(replayed_family);
   command->add_option("--subject", arguments->subject,
                       "Subject to judge (default: the subject of the witness, unless it is a program)");

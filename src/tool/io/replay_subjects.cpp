@@ -59,7 +59,7 @@ bool is_violated(const properties::Judgement& judgement) {
 }
 
 ReplaySubject::ReplaySubject(const std::string& name, double timeout_seconds, const oracles::Yardstick& yardstick,
-                             const std::stop_token& stop) {
+                             const properties::Domain& within, const std::stop_token& stop) {
   const unsigned spellings = runs_in_this_process(name) ? 1 : spelling_count;
   for (unsigned spelling = 0; spelling < spellings; ++spelling) {
     Subject subject = subject_from_argument(name, timeout_seconds, stop, spelling);
@@ -71,6 +71,7 @@ ReplaySubject::ReplaySubject(const std::string& name, double timeout_seconds, co
     subject_ = std::move(subject);
   }
   claim_ = properties::claim_of(subject_, yardstick);
+  claim_.within = within;
 }
 
 ReplayedCase ReplaySubject::judge(const properties::Case& one) {
@@ -102,8 +103,12 @@ void ReplaySubject::close() {
 }
 
 ReplaySubjects::ReplaySubjects(std::string subject, double timeout_seconds, const oracles::Yardstick& yardstick,
-                               std::stop_token stop)
-    : subject_(std::move(subject)), timeout_seconds_(timeout_seconds), stop_(std::move(stop)), yardstick_(yardstick) {}
+                               properties::Domain within, std::stop_token stop)
+    : subject_(std::move(subject)),
+      timeout_seconds_(timeout_seconds),
+      stop_(std::move(stop)),
+      yardstick_(yardstick),
+      within_(within) {}
 
 ReplaySubject* ReplaySubjects::subject_for(const ReadCollision& read) {
   if (!subject_.empty()) {
@@ -131,7 +136,7 @@ ReplaySubject& ReplaySubjects::named(const std::string& name) {
   const auto found = open_.find(name);
   return found != open_.end()
              ? found->second
-             : open_.emplace(name, ReplaySubject(name, timeout_seconds_, yardstick_, stop_)).first->second;
+             : open_.emplace(name, ReplaySubject(name, timeout_seconds_, yardstick_, within_, stop_)).first->second;
 }
 
 }  // namespace carom::tool

@@ -33,7 +33,7 @@ class ReplaySubject {
  public:
   /// Throws UsageError if the subject cannot be run.
   ReplaySubject(const std::string& name, double timeout_seconds, const oracles::Yardstick& yardstick,
-                const std::stop_token& stop);
+                const properties::Domain& within, const std::stop_token& stop);
 
   [[nodiscard]] const Subject& subject() const { return subject_; }
   [[nodiscard]] const properties::Claim& claim() const { return claim_; }
@@ -58,9 +58,9 @@ class ReplaySubject {
 class ReplaySubjects {
  public:
   /// `subject` judges every collision; if it is empty, each file names its subject. `timeout_seconds` is for each reply
-  /// of a program.
+  /// of a program. Relations are judged only if the related collisions lie in `within`.
   ReplaySubjects(std::string subject, double timeout_seconds, const oracles::Yardstick& yardstick,
-                 std::stop_token stop);
+                 properties::Domain within, std::stop_token stop);
 
   /// The subject that judges this collision; nullptr if there is none. Throws UsageError.
   [[nodiscard]] ReplaySubject* subject_for(const ReadCollision& read);
@@ -78,6 +78,7 @@ class ReplaySubjects {
   double timeout_seconds_;
   std::stop_token stop_;
   oracles::Yardstick yardstick_;
+  properties::Domain within_;
   std::map<std::string, ReplaySubject> open_;
 };
 

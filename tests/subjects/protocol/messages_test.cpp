@@ -47,6 +47,14 @@ TEST(Introduction, MaySayThatAMatrixIsShown) {
   EXPECT_EQ(introduction_from(introduction_reply(shown)), shown);
 }
 
+TEST(Introduction, MayDeclareADomain) {
+  EXPECT_EQ(introduction_from(sound).domain, "");
+  const Introduction declared =
+      introduction_from(with(sound, "}", R"(,"domain":{"size":[0.125,1e6],"mass_ratio":[null,100]}})"));
+  EXPECT_EQ(declared.domain, "mass_ratio=:100,size=0.125:1000000.0");
+  EXPECT_EQ(introduction_from(introduction_reply(declared)), declared);
+}
+
 TEST(Introduction, MayClaimEveryLawOfTheProtocol) {
   EXPECT_EQ(introduction_from(with(sound, "frictionless", "reflection")).law, Law::reflection);
   EXPECT_EQ(introduction_from(with(sound, "frictionless", "any")).law, Law::any);
@@ -65,6 +73,9 @@ TEST(Introduction, IsRefusedWithThePlaceWhereItIsWrong) {
                                                {"frictionless", "sticky", "/model"},
                                                {"}", R"(,"deviates":"push"})", "/deviates"},
                                                {"}", R"(,"matrix":1})", "/matrix: expected true or false, found 1"},
+                                               {"}", R"(,"domain":[1,2]})", "/domain: expected an object"},
+                                               {"}", R"(,"domain":{"size":[1]}})", "/domain/size: expected two"},
+                                               {"}", R"(,"domain":{"size":["a",1]}})", "/domain/size: expected two"},
                                                {"}", R"(,"name":"twice"})", "twice"},
                                                {"{", "", "not JSON"}}) {
     const std::string text = with(sound, part, replacement);

@@ -32,7 +32,7 @@ namespace detail {
 
 }  // namespace detail
 
-/// Whether the subject applies gyroscopic torque, but its formula omits this torque.
+/// Whether the subject's engine applies gyroscopic torque, and the subject's formula leaves this torque out.
 [[nodiscard]] inline bool leaves_out_gyroscopic_torque(std::string_view subject) {
   return subject.ends_with("as-shipped") && (subject.starts_with("bullet") || subject.starts_with("ode"));
 }

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <carom/collision/collision.hpp>
+#include <carom/properties/draws/limited_quantity.hpp>
+
+namespace carom::properties {
+
+/// Both ends belong to the range.
+struct Range {
+  double least = 0;
+  double most = std::numeric_limits<double>::infinity();
+
+  [[nodiscard]] bool contains(double x) const { return least <= x && x <= most; }
+  friend bool operator==(const Range&, const Range&) = default;
+};
+
+/// The widest range of a quantity: 0 to ∞ [SI units]; ratios from 1, ε from 0 to 1, and e_t from −1 to 1.
+[[nodiscard]] Range whole_range(LimitedQuantity quantity);
+
+/// A set of collisions: each quantity of the collision lies in its range. A domain decides which collisions the gate
+/// poses. It never decides a verdict.
+struct Domain {
+  PerLimitedQuantity<Range> ranges;
+
+  /// Every valid collision.
+  Domain();
+
+  [[nodiscard]] bool is_everything() const { return *this == Domain(); }
+  friend bool operator==(const Domain&, const Domain&) = default;
+};
+
+/// The values of the quantity, rounded; none if the collision does not have the quantity. Lever arms, speeds, spins and
+/// distances that are zero lie in every range, and are left out. Precondition: the collision is valid.
+[[nodiscard]] std::vector<double> values_of(const Collision& collision, LimitedQuantity quantity);
+
+/// The first quantity that lies outside of its range. None if the domain contains the collision. An invalid collision
+/// has no quantities, so every domain contains it.
+[[nodiscard]] std::optional<LimitedQuantity> quantity_outside(const Domain& domain, const Collision& collision);
+
+[[nodiscard]] inline bool contains(const Domain& domain, const Collision& collision) {
+  return !quantity_outside(domain, collision);
+}
+
+/// Sets the range. Throws std::invalid_argument if the ends are not finite numbers in `whole_range`, or if the first
+/// is greater than the second. An absent end is that of `whole_range`.
+void set_range(Domain& domain, LimitedQuantity quantity, std::optional<double> least, std::optional<double> most);
+
+/// "mass_ratio".
+[[nodiscard]] std::string_view name_of(LimitedQuantity quantity);
+
+/// None if no quantity has this name.
+[[nodiscard]] std::optional<LimitedQuantity> quantity_named(std::string_view name);
+
+/// "size=0.1:10,mass_ratio=:100" lists the ranges that are not whole. "restitution=0.5" permits one value. Throws
+/// std::invalid_argument with the wrong part.
+[[nodiscard]] Domain domain_from(std::string_view text);
+
+/// The text that `domain_from` reads back; "everything" if no range is limited.
+[[nodiscard]] std::string to_text(const Domain& domain);
+
+/// A domain that ships with Carom. docs/reference/domains.md has its sources.
+struct NamedDomain {
+  std::string_view name;
+  std::string_view summary;
+  std::string_view ranges;  // for `domain_from`
+};
+[[nodiscard]] std::span<const NamedDomain> named_domains();
+
+}  // namespace carom::properties

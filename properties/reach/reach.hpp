@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include <carom/properties/domains/domain.hpp>
+#include <carom/properties/gate/gate_report.hpp>
+
+/// Measures the widest domain in which a subject holds.
+namespace carom::properties {
+
+struct ReachOptions {
+  std::uint64_t seed = 1;
+  oracles::Yardstick yardstick;
+  Workers workers = {};
+  Domain core;                       // the subject must hold here; `default_core` is a choice
+  std::uint64_t cases_of_slab = 10;  // of each family, times its weight, for each step of a search
+  std::uint64_t cases_of_box = 200;  // the same, for the domain that results: 10,000 cases or more
+  std::stop_token stop;
+};
+
+/// Ordinary numbers: sizes of 1 m, masses of 1 kg, speeds of 8 m/s, and ratios of at most 2.
+[[nodiscard]] Domain default_core();
+
+/// One end of a quantity's range.
+struct Face {
+  LimitedQuantity quantity;
+  bool is_upper;
+  double end = 0;  // the last value up to which the subject holds, if only this quantity leaves the core
+  /// A violation just beyond the end. None if the subject holds up to the end of the search.
+  std::optional<Witness> beyond = {};
+  std::string error = {};  // why the subject could not be judged beyond the end; empty if it could
+};
+
+struct Reach {
+  /// A violation in the core, an error of the subject there, or a stop. Then nothing else is known.
+  std::optional<Witness> in_core = {};
+  std::string error = {};
+  std::vector<Face> faces = {};
+  /// The domain that results from all faces together. If it had a violation, its ranges were narrowed towards the core,
+  /// all in one proportion.
+  Domain domain = {};
+  double share = 1;         // of the way from the core to the faces, on the scale of the search
+  std::uint64_t cases = 0;  // fresh cases in the domain, without a violation
+};
+
+/// Searches the end of one quantity after the other, and then judges fresh cases of all quantities together. Each step
+/// of a search judges cases in a slab: the quantity lies within a twentieth of the tried value, and the others in the
+/// core. Quantities without which the value is impossible are widened, but not beyond the ends that are known. The
+/// result depends on the options alone. Precondition: `generic` has cases in the core.
+[[nodiscard]] Reach measured_reach(const Subject& subject, const ReachOptions& options);
+
+}  // namespace carom::properties
