@@ -56,7 +56,9 @@ class Fit {
   /// Whether the domain contains the collision, and no contact lies further outside of a body than before. Contacts far
   /// outside make K so ill-conditioned that every solver loses all digits.
   [[nodiscard]] bool is_done() const {
-    constexpr double rounding = 1 + 0x1p-40;
+    // The overreach of a scaled contact has fewer than 2⁷ roundings of 2⁻⁵³. If cancellation makes them matter more,
+    // the case is drawn again.
+    constexpr double rounding = 1 + 0x1p-46;
     return contains(*domain_, *c_) && features::overreach(*c_, c_->a) <= overreach_of_a_ * rounding &&
            features::overreach(*c_, c_->b) <= overreach_of_b_ * rounding;
   }
@@ -215,7 +217,8 @@ class Fit {
       return;
     }
     const Vector3<double> arm = features::lever_arm(*c_, body);
-    const Vector3<double> shortened = arm * (limit / overreach);
+    constexpr double margin = 1 - 0x1p-10;  // for the rounding of the position
+    const Vector3<double> shortened = arm * (margin * limit / overreach);
     const bool is_in_range = range(LimitedQuantity::size).contains(length(shortened));
     set_arm(body, is_in_range ? shortened : features::long_axis(body) * length(arm));
     one_->convex_uniform = false;

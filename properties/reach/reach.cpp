@@ -24,7 +24,11 @@ Range farthest(LimitedQuantity quantity) {
   if (is_linear(quantity)) {
     return whole_range(quantity);
   }
-  return {std::max(1e-9, whole_range(quantity).least), quantity == LimitedQuantity::moment_ratio ? 1e8 : 1e9};
+  constexpr double smallest = 1e-9;
+  constexpr double largest = 1e9;
+  constexpr double most_slender = 1e8;
+  return {std::max(smallest, whole_range(quantity).least),
+          quantity == LimitedQuantity::moment_ratio ? most_slender : largest};
 }
 
 /// A value as a number that the search halves: its logarithm, or the value itself.

@@ -71,7 +71,7 @@ std::string adjusted_sentences(const Run& run) {
   }
   const std::vector<std::string>& without_case = run.settings.without_case;
   const std::string not_posed =
-      without_case.empty() ? "" : fmt::format("The domain has no case of {}. ", fmt::join(without_case, ", "));
+      without_case.empty() ? "" : fmt::format("The domain has no case of {}. ", listed(without_case));
   return not_posed + fmt::format(
                          "Families changed some cases after they drew them. They enlarged moments in {} cases, so that "
                          "the contact lies "

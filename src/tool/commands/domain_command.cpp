@@ -115,9 +115,8 @@ std::string text_of(const Subject& subject, const properties::ReachOptions& opti
   text += report::in_text({table_of(reach)});
   text += fmt::format(
       "\n*holds to*: only this quantity leaves the core. *in the domain*: all quantities leave it together{}.\n\n"
-      "{}\n\nNo violation in {} fresh cases of this domain. A defect that shows in fewer than 3 of so many cases can "
-      "be "
-      "missed.\n",
+      "{}\n\nNo violation in {} fresh cases of this domain. A defect that shows in fewer than 3 of "
+      "so many cases can be missed.\n",
       reach.share < 1 ? fmt::format(", {:.0f} % of the way", 100 * reach.share) : "", to_text(reach.domain),
       reach.cases);
   for (const Face& face : reach.faces) {

@@ -113,7 +113,7 @@ TEST(DrawWithin, PutsNoContactFurtherOutsideOfABody) {
           continue;
         }
         const auto overreach = [](const Collision& c, const Body& body) { return features::overreach(c, body); };
-        constexpr double rounding = 1 + 0x1p-40;
+        constexpr double rounding = 1 + 0x1p-46;  // fewer than 2⁷ roundings of 2⁻⁵³
         EXPECT_LE(overreach(fitted.collision, fitted.collision.a),
                   std::max(1.0, overreach(one.collision, one.collision.a)) * rounding)
             << text << ' ' << family << ' ' << i;

@@ -14,6 +14,7 @@
 #include <carom/properties/reach/reach.hpp>
 #include <carom/subjects/catalogue.hpp>
 
+#include "io/threads.hpp"
 #include "support/cases.hpp"
 
 namespace carom::properties {
@@ -190,7 +191,9 @@ TEST(Reach, ShowsAViolationInTheCore) {
 TEST(Reach, DependsOnTheSeedAlone) {
   const Subject subject = limited({{LimitedQuantity::speed, true, 500}});
   const Reach first = measured_reach(subject, options());
-  const Reach again = measured_reach(subject, options());
+  ReachOptions parallel = options();
+  parallel.workers = tool::threads(3);
+  const Reach again = measured_reach(subject, parallel);
   EXPECT_EQ(to_text(first.domain), to_text(again.domain));
   for (std::size_t i = 0; i < first.faces.size(); ++i) {
     EXPECT_EQ(first.faces[i].end, again.faces[i].end);
