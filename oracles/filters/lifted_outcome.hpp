@@ -37,6 +37,13 @@ class LiftedOutcome {
     }
   }
 
+  /// This outcome with other velocities and the same collision matrix.
+  [[nodiscard]] LiftedOutcome with_velocities(const Outcome<Rational>& exact) && {
+    LiftedOutcome changed{SolvedOutcome<Rational>(exact)};
+    changed.collision_matrix_ = std::move(collision_matrix_);
+    return changed;
+  }
+
   /// The outcome as the subject reported it; nullptr if it was computed in ℚ.
   [[nodiscard]] const Outcome<long double>* reported() const { return reported_ ? &*reported_ : nullptr; }
 

@@ -66,7 +66,7 @@ Verdict Examination::verdict_on(const Case& one) {
     }
     return properties::lift(answer);
   };
-  const JudgedCase judged_case(one, claim_.yardstick.filtered);
+  const JudgedCase judged_case(one, claim_.yardstick.filtered, claim_.effects);
   try {
     if (const auto* about = std::get_if<properties::AboutSession>(&statement_->invariant->about)) {
       answer_ = session_(std::span(&one.collision, 1)).at(0);

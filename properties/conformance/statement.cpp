@@ -54,7 +54,7 @@ void require_known_deviations(const Options& options) {
 
 }  // namespace
 
-properties::Claim Statement::claim() const { return {subject->law, yardstick, {invariant}}; }
+properties::Claim Statement::claim() const { return {subject->law, yardstick, {invariant}, {}, {}, subject->effects}; }
 
 std::vector<Statement> statements(const Subject& subject, const Options& options) {
   const auto shared = std::make_shared<const Subject>(subject);
@@ -62,6 +62,7 @@ std::vector<Statement> statements(const Subject& subject, const Options& options
   yardstick.limit_ulps = options.limit_ulps;
   yardstick.filtered = !judges_exactly(options);
   require_known_deviations(options);
+  properties::require_valid(subject.effects, subject.law);
   Subject deviating = subject;
   deviating.deviates.insert(deviating.deviates.end(), options.deviates.begin(), options.deviates.end());
   properties::Claim claim = properties::claim_of(deviating, yardstick);

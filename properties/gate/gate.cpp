@@ -22,8 +22,9 @@
 namespace carom::properties {
 namespace {
 
-/// Throws std::invalid_argument if a deviation names an unknown invariant or family. Such a deviation has no effect.
-void require_known_deviations(const Subject& subject) {
+/// Throws std::invalid_argument if a deviation names an unknown invariant or family, or if a declared effect is
+/// invalid.
+void require_valid_claims(const Subject& subject) {
   for (const std::string& text : subject.deviates) {
     try {
       (void)deviation_from(text);
@@ -31,6 +32,7 @@ void require_known_deviations(const Subject& subject) {
       throw std::invalid_argument(std::string("deviates: ") + error.what());
     }
   }
+  require_valid(subject.effects, subject.law);
 }
 
 class Budget {
@@ -213,7 +215,7 @@ class Worker {
       examinees_.push_back({subjects[s], run_->claims[s], run_->options.families, sessions_[s],
                             relations_every(subjects[s]), run_->options.fail_fast});
       run_unless_failed(s, [&] {
-        require_known_deviations(subjects[s]);
+        require_valid_claims(subjects[s]);
         sessions_[s] = open_restarting(subjects[s], run_->restarts[s], run_->options.stop);
       });
     }

@@ -74,8 +74,8 @@ void drop_unclaimed(Judgement& judgement, const Claim& claim, const Family& fami
 
 void FirstViolation::add_to(SubjectTally& tally, const Claim& claim) const {
   if (is_of_new_case) {
-    tally.add(asked.family, asked.index, JudgedCase(asked.one, claim.yardstick.filtered), asked.answer, judgement,
-              claim);
+    tally.add(asked.family, asked.index, JudgedCase(asked.one, claim.yardstick.filtered, claim.effects), asked.answer,
+              judgement, claim);
   } else {
     tally.add(asked.family, asked.index, asked.one, asked.answer, judgement.verdicts.back());
   }
@@ -121,8 +121,16 @@ void ask_again(Examinee& examinee, std::uint64_t task, Session& session, const s
   }
 }
 
-void judge_task(Examinee& examinee, const Task& task, const std::deque<JudgedCase>& cases, SubjectTally& tally) {
+void judge_task(Examinee& examinee, const Task& task, const std::deque<JudgedCase>& of_every_subject,
+                SubjectTally& tally) {
   const Claim& claim = examinee.claim;
+  std::deque<JudgedCase> with_effects;
+  if (claim.effects != DeclaredEffects{}) {
+    for (const JudgedCase& one : of_every_subject) {
+      with_effects.emplace_back(one.generated(), claim.yardstick.filtered, claim.effects);
+    }
+  }
+  const std::deque<JudgedCase>& cases = with_effects.empty() ? of_every_subject : with_effects;
   Session& session = examinee.session;
   std::vector<Collision> collisions;
   collisions.reserve(cases.size());

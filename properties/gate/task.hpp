@@ -49,7 +49,8 @@ struct Examinee {
 /// Asks a subject the cases of one task, then the questions of the relations. If the session fails, judges the answers
 /// so far without relations, and rethrows. If the run ends at the first violation, sets `first_violation` and stops
 /// there.
-void judge_task(Examinee& examinee, const Task& task, const std::deque<JudgedCase>& cases, SubjectTally& tally);
+void judge_task(Examinee& examinee, const Task& task, const std::deque<JudgedCase>& of_every_subject,
+                SubjectTally& tally);
 
 /// Asks an invalid collision, then the cases again, from the last to the first. Judges whether the answers are the same
 /// as before.

@@ -117,7 +117,7 @@ Case simplest_violation(const Case& one, const Invariant& invariant, const Verdi
 }
 
 AnswerAndJudgement judge_in_session(const Claim& claim, Session& session, const Case& one) {
-  const JudgedCase judged_case(one, claim.yardstick.filtered);
+  const JudgedCase judged_case(one, claim.yardstick.filtered, claim.effects);
   const Answer answer = answers_of(session, std::span(&one.collision, 1)).front();
   const Trial trial(judged_case, claim, lift(answer));
   const std::vector<Answer> replies =

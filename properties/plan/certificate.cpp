@@ -142,7 +142,7 @@ bool Certifier::has_digits(const oracles::LiftedOutcome& outcome, const Result& 
 
 std::string Certifier::violated_invariant(const Answer& answer) const {
   const Trial trial(judged_, claim_, lift(answer), no_relations);
-  const Judgement judgement = trial.judge(std::span<const ExactAnswer>());
+  const Judgement judgement = trial.judge(std::span<ExactAnswer>());
   for (const NamedVerdict& named : judgement.verdicts) {
     if (named.verdict.status == Status::violated) {
       return std::string(named.invariant->name);

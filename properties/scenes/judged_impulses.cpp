@@ -35,7 +35,7 @@ void ImpulseJudge::record(const scene::Event& event) {
   // The bodies of a scene are convex and uniform, and the contacts are on their surfaces.
   const JudgedCase judged_case({event.collision, true});
   const Trial trial(judged_case, claim_, lift(Answer(outcome)), no_relations);
-  const Judgement judgement = trial.judge(std::span<const ExactAnswer>{}, worst_backward_error_);
+  const Judgement judgement = trial.judge(std::span<ExactAnswer>{}, worst_backward_error_);
   bool is_bad = false;
   for (const NamedVerdict& named : judgement.verdicts) {
     if (named.verdict.status == Status::holds) {

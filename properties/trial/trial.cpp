@@ -49,9 +49,33 @@ bool are_judged(std::span<const oracles::ExactCase> questions, const oracles::Ya
                      [&](const oracles::ExactCase& question) { return !reason_unjudged(question, yardstick); });
 }
 
+/// Whether the declared effects do not change the related collisions.
+bool are_free_of_effects(const Claim& claim, std::span<const oracles::ExactCase> questions) {
+  const auto is_free = [&](const oracles::ExactCase& question) {
+    const Collision judged = judged_collision(question.collision(), claim.effects);
+    return judged.restitution == question.collision().restitution && judged.normal == question.collision().normal &&
+           !is_at_declared_limit(question, claim.effects, claim.yardstick.allowance());
+  };
+  return !depend_on_approach(claim.effects) || std::all_of(questions.begin(), questions.end(), is_free);
+}
+
 bool are_within(const Domain& domain, std::span<const oracles::ExactCase> questions) {
   return std::all_of(questions.begin(), questions.end(),
                      [&](const oracles::ExactCase& question) { return contains(domain, question.collision()); });
+}
+
+/// The verdict of an invariant of one outcome; none for other invariants. If `is_limited`, a declared limit may have
+/// shortened a velocity.
+std::optional<Verdict> verdict_on_outcome(const Invariant& invariant, const Evidence& evidence, bool is_limited) {
+  const auto* of_outcome = std::get_if<AboutOutcome>(&invariant.about);
+  const auto* of_matrix = std::get_if<AboutMatrix>(&invariant.about);
+  if (of_outcome == nullptr && of_matrix == nullptr) {
+    return std::nullopt;
+  }
+  if (is_limited && invariant.name != "backward_error") {
+    return outside_domain("a declared limit shortens a velocity; `backward_error` judges the outcome");
+  }
+  return of_outcome != nullptr ? of_outcome->check(evidence) : of_matrix->check(evidence);
 }
 
 std::vector<Deviation> deviations_of(const Subject& subject) {
@@ -87,7 +111,7 @@ std::vector<const Invariant*> not_claimed_without_matrix(const Subject& subject)
 Claim claim_of(const Subject& subject, oracles::Yardstick yardstick) {
   yardstick.unit_roundoff = unit_roundoff(subject.precision);
   yardstick.least_size = least_size_known_to_a_roundoff(subject.precision);
-  Claim claim{subject.law, yardstick, {}, deviations_of(subject)};
+  Claim claim{subject.law, yardstick, {}, deviations_of(subject), {}, subject.effects};
   for (const Invariant& invariant : all_invariants()) {
     const bool deviates = std::any_of(
         claim.deviations.begin(), claim.deviations.end(),
@@ -100,9 +124,10 @@ Claim claim_of(const Subject& subject, oracles::Yardstick yardstick) {
   return claim;
 }
 
-JudgedCase::JudgedCase(const Case& generated, bool filtered) : generated_(generated), filtered_(filtered) {
+JudgedCase::JudgedCase(const Case& generated, bool filtered, const DeclaredEffects& effects)
+    : generated_(generated), filtered_(filtered), effects_(effects) {
   if (validate(generated.collision).empty()) {
-    exact_.emplace(generated.collision, filtered);
+    exact_.emplace(judged_collision(generated.collision, effects), filtered);
   }
 }
 
@@ -112,13 +137,19 @@ std::span<const oracles::ExactCase> JudgedCase::questions_of(const Invariant& in
   if (is_new) {
     const auto& relation = std::get<AboutRelation>(invariant.about);
     known->second.cases =
-        exact_cases(std::get<AboutRelation::OfCollision>(relation.ask)(generated_.collision), filtered_);
+        exact_cases(std::get<AboutRelation::OfCollision>(relation.ask)(exact().collision()), filtered_);
   }
   return known->second.cases;
 }
 
 std::optional<Unjudged> JudgedCase::reason_unjudged_by(const oracles::Yardstick& yardstick) const {
-  return remembered(unjudged_, yardstick, [&] { return reason_unjudged(exact(), yardstick); });
+  return remembered(unjudged_, yardstick, [&]() -> std::optional<Unjudged> {
+    if (depend_on_approach(effects_) &&
+        is_at_declared_limit(oracles::ExactCase(generated_.collision, filtered_), effects_, yardstick.allowance())) {
+      return Unjudged::at_declared_limit;
+    }
+    return reason_unjudged(exact(), yardstick);
+  });
 }
 
 bool JudgedCase::are_questions_judged_by(const oracles::Yardstick& yardstick, const Invariant& invariant) const {
@@ -132,10 +163,12 @@ Trial::Trial(const JudgedCase& judged_case, const Claim& claim, ExactAnswer answ
       answer_(std::move(answer)),
       relations_(relations),
       questions_(claim.invariants.size()) {
-  const auto* outcome = std::get_if<oracles::LiftedOutcome>(&answer_);
-  if (outcome == nullptr || !judged_case.is_valid()) {
+  CAROM_EXPECTS(judged_case.effects() == claim.effects);
+  if (!std::holds_alternative<oracles::LiftedOutcome>(answer_) || !judged_case.is_valid()) {
     return;
   }
+  is_limited_ = take_out_effects(answer_, claim.effects, judged_case.exact(), claim.law, claim.yardstick.allowance());
+  const auto* outcome = std::get_if<oracles::LiftedOutcome>(&answer_);
   for (std::size_t i = 0; i < claim.invariants.size(); ++i) {
     const Invariant& invariant = *claim.invariants[i];
     const auto* relation = std::get_if<AboutRelation>(&invariant.about);
@@ -149,7 +182,7 @@ Trial::Trial(const JudgedCase& judged_case, const Claim& claim, ExactAnswer answ
     } else {
       questions_[i] = judged_case.questions_of(invariant);
     }
-    if (!are_within(claim.within, questions_[i])) {
+    if (!are_within(claim.within, questions_[i]) || !are_free_of_effects(claim, questions_[i])) {
       questions_[i] = {};
     }
   }
@@ -193,24 +226,33 @@ Judgement Trial::judge(std::span<const Answer> answers, double known_backward_er
   std::vector<ExactAnswer> lifted;
   lifted.reserve(most_questions());
   return judge_by(
-      [&](std::size_t first, std::size_t count) {
+      [&](std::size_t first, std::span<const oracles::ExactCase> questions) {
         lifted.clear();
-        for (const Answer& answer : answers.subspan(first, count)) {
-          lift(answer, lifted.emplace_back(NotFinite{}));
+        for (std::size_t i = 0; i < questions.size(); ++i) {
+          ExactAnswer& answer = lifted.emplace_back(NotFinite{});
+          lift(answers[first + i], answer);
+          take_out_effects(answer, claim_->effects, questions[i], claim_->law, claim_->yardstick.allowance());
         }
         return std::span<const ExactAnswer>(lifted);
       },
       known_backward_error);
 }
 
-Judgement Trial::judge(std::span<const ExactAnswer> answers, double known_backward_error) const {
+Judgement Trial::judge(std::span<ExactAnswer> answers, double known_backward_error) const {
   require_one_answer_each(answers.size());
-  return judge_by([&](std::size_t first, std::size_t count) { return answers.subspan(first, count); },
-                  known_backward_error);
+  return judge_by(
+      [&](std::size_t first, std::span<const oracles::ExactCase> questions) {
+        const std::span<ExactAnswer> to_these = answers.subspan(first, questions.size());
+        for (std::size_t i = 0; i < questions.size(); ++i) {
+          take_out_effects(to_these[i], claim_->effects, questions[i], claim_->law, claim_->yardstick.allowance());
+        }
+        return std::span<const ExactAnswer>(to_these);
+      },
+      known_backward_error);
 }
 
-/// `answers_to(first, count)` returns the lifted answers to `count` questions from index `first` on. They are valid
-/// until the next call.
+/// `answers_to(first, questions)` returns the lifted answers to these questions, which have the indices from `first`
+/// on. The answers are valid until the next call.
 template <class AnswersTo>
 Judgement Trial::judge_by(const AnswersTo& answers_to, double known_backward_error) const {
   Judgement judgement;
@@ -253,12 +295,8 @@ Judgement Trial::judge_by(const AnswersTo& answers_to, double known_backward_err
     if (!evidence) {
       continue;
     }
-    if (const auto* of_outcome = std::get_if<AboutOutcome>(&invariant.about)) {
-      judgement.verdicts.push_back({&invariant, of_outcome->check(*evidence)});
-      continue;
-    }
-    if (const auto* of_matrix = std::get_if<AboutMatrix>(&invariant.about)) {
-      judgement.verdicts.push_back({&invariant, of_matrix->check(*evidence)});
+    if (const std::optional<Verdict> verdict = verdict_on_outcome(invariant, *evidence, is_limited_)) {
+      judgement.verdicts.push_back({&invariant, *verdict});
       continue;
     }
     if (!relations_.has(i) || std::holds_alternative<AboutSession>(invariant.about)) {
@@ -272,7 +310,7 @@ Judgement Trial::judge_by(const AnswersTo& answers_to, double known_backward_err
     const bool is_judged = std::holds_alternative<AboutRelation::OfCollision>(relation.ask)
                                ? judged_case_->are_questions_judged_by(claim_->yardstick, invariant)
                                : are_judged(questions_[i], claim_->yardstick);
-    const std::span<const ExactAnswer> answers = answers_to(next_question, questions_[i].size());
+    const std::span<const ExactAnswer> answers = answers_to(next_question, questions_[i]);
     next_question += questions_[i].size();
     if (!is_judged) {
       judgement.verdicts.push_back({&invariant, outside_domain("the gate does not judge the related collision")});

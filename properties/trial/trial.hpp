@@ -15,6 +15,7 @@
 #include <carom/properties/domains/domain.hpp>
 #include <carom/properties/families/family.hpp>
 #include <carom/properties/invariants/invariant.hpp>
+#include <carom/properties/trial/declared_effects.hpp>
 #include <carom/properties/trial/deviation.hpp>
 #include <carom/properties/trial/unjudged.hpp>
 
@@ -30,6 +31,7 @@ struct Claim {
   std::vector<Deviation> deviations = {};  // in all families, and in single families
   /// A relation is not judged if one of its questions lies outside of this domain.
   Domain within = {};
+  DeclaredEffects effects = {};
 
   /// Whether no deviation excludes the invariant in this family.
   [[nodiscard]] bool is_made_in(const Invariant& invariant, const Family& family) const;
@@ -44,13 +46,16 @@ struct Claim {
 /// A case with exact facts, shared by all subjects that are judged on the case. For one thread.
 class JudgedCase {
  public:
-  /// If `filtered` is false, exact arithmetic alone decides the facts.
-  explicit JudgedCase(const Case& generated, bool filtered = true);
+  /// If `filtered` is false, exact arithmetic alone decides the facts. `effects` are those that the judged subjects
+  /// declare.
+  explicit JudgedCase(const Case& generated, bool filtered = true, const DeclaredEffects& effects = {});
 
+  /// The case that subjects answer.
   [[nodiscard]] const Case& generated() const { return generated_; }
   [[nodiscard]] bool is_valid() const { return exact_.has_value(); }
+  [[nodiscard]] const DeclaredEffects& effects() const { return effects_; }
 
-  /// Precondition: is_valid().
+  /// The facts of `judged_collision`. Precondition: is_valid().
   [[nodiscard]] const oracles::ExactCase& exact() const {
     CAROM_EXPECTS(is_valid());
     return *exact_;
@@ -77,6 +82,7 @@ class JudgedCase {
 
   Case generated_;
   bool filtered_;
+  DeclaredEffects effects_;
   std::optional<oracles::ExactCase> exact_;
   mutable std::map<const Invariant*, Questions> questions_;
   mutable PerYardstick<std::optional<Unjudged>> unjudged_;
@@ -109,7 +115,8 @@ inline constexpr RelationTurn no_relations{0, 0};
 /// `questions` and `judge`, so a subject can answer the questions of many trials at once.
 class Trial {
  public:
-  /// `answer` is the subject's answer to the case. `judged_case` and `claim` must outlive the trial.
+  /// `answer` is the subject's answer to the case. `judged_case` and `claim` must outlive the trial. Precondition: the
+  /// case and the claim have the same declared effects.
   Trial(const JudgedCase& judged_case, const Claim& claim, ExactAnswer answer, RelationTurn relations = {});
 
   // The trial refers to questions that it stores, so it cannot be copied.
@@ -128,7 +135,8 @@ class Trial {
   /// the judgement may state a larger value up to it. So a maximum over many judgements needs few precise values. The
   /// verdicts do not depend on it.
   [[nodiscard]] Judgement judge(std::span<const Answer> answers, double known_backward_error = 0) const;
-  [[nodiscard]] Judgement judge(std::span<const ExactAnswer> answers, double known_backward_error = 0) const;
+  /// Takes the declared effects out of the answers.
+  [[nodiscard]] Judgement judge(std::span<ExactAnswer> answers, double known_backward_error = 0) const;
 
  private:
   template <class AnswersTo>
@@ -141,6 +149,7 @@ class Trial {
   const Claim* claim_;
   ExactAnswer answer_;
   RelationTurn relations_;
+  bool is_limited_ = false;                                     // `take_out_effects` returned true
   std::vector<std::vector<oracles::ExactCase>> by_outcome_;     // the questions that depend on the outcome
   std::vector<std::span<const oracles::ExactCase>> questions_;  // of each claimed invariant
 };

@@ -74,9 +74,11 @@ std::string_view name_of(Unjudged reason) {
     case Unjudged::leaves_range:
       return "leaves_range";
     case Unjudged::no_finite_enclosure:
+      return "no_finite_enclosure";
+    case Unjudged::at_declared_limit:
       break;
   }
-  return "no_finite_enclosure";
+  return "at_declared_limit";
 }
 
 std::string_view in_words(Unjudged reason) {
@@ -84,9 +86,11 @@ std::string_view in_words(Unjudged reason) {
     case Unjudged::leaves_range:
       return "a mass, a moment of inertia, the impulse or its torque leaves the range of the precision";
     case Unjudged::no_finite_enclosure:
+      return "the enclosure of the law over the permitted inputs is unbounded";
+    case Unjudged::at_declared_limit:
       break;
   }
-  return "the enclosure of the law over the permitted inputs is unbounded";
+  return "rounding decides whether the declared threshold or slop applies";
 }
 
 std::optional<Unjudged> reason_unjudged(const oracles::ExactCase& exact_case, const oracles::Yardstick& yardstick) {

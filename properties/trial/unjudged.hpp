@@ -16,9 +16,11 @@ namespace carom::properties {
 enum class Unjudged {
   leaves_range,         // numbers leave the range of the subject's precision
   no_finite_enclosure,  // the law's outcomes over the permitted inputs have no finite bounds (oracles::PermittedInputs)
+  at_declared_limit,    // rounding decides whether the subject's declared threshold or slop applies
 };
-inline constexpr std::array all_reasons_unjudged{Unjudged::leaves_range, Unjudged::no_finite_enclosure};
-static_assert(counts_from_zero_to(all_reasons_unjudged, Unjudged::no_finite_enclosure));
+inline constexpr std::array all_reasons_unjudged{Unjudged::leaves_range, Unjudged::no_finite_enclosure,
+                                                 Unjudged::at_declared_limit};
+static_assert(counts_from_zero_to(all_reasons_unjudged, Unjudged::at_declared_limit));
 
 using UnjudgedCounts = EnumArray<Unjudged, std::uint64_t, all_reasons_unjudged.size()>;
 

@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include <carom/collision/declared_effects.hpp>
 #include <carom/collision/law.hpp>
 #include <carom/collision/precision.hpp>
 #include <carom/collision/solved_outcome.hpp>
@@ -103,6 +104,8 @@ struct Subject {
   /// The domain (a set of collisions) for which the subject is meant: "size=0.1:10,mass_ratio=:100". Empty for all
   /// collisions.
   std::string domain = {};
+  /// What the subject does on purpose besides its law. The gate judges the rest.
+  DeclaredEffects effects = {};
 
   [[nodiscard]] bool is_program() const { return !specification.empty(); }
 };

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <carom/properties/trial/declared_effects.hpp>
 #include <carom/report/model/comparison.hpp>
 #include <carom/report/model/run.hpp>
 #include <carom/report/model/words.hpp>
@@ -207,6 +208,10 @@ ComparedSubject compare_subjects(const OneSubject* before, const OneSubject* now
   }
   if (before != nullptr && now != nullptr) {
     subject.no_longer_claimed = without(subject.now->deviates, subject.before->deviates);
+    if (const std::string effects = properties::to_text(now->subject->effects);
+        !effects.empty() && effects != properties::to_text(before->subject->effects)) {
+      subject.no_longer_claimed.push_back("the law without " + effects);
+    }
     const auto of_matrix = now->not_claimed();
     const auto of_matrix_before = before->not_claimed();
     if (of_matrix && of_matrix_before) {

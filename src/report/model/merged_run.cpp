@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <carom/collision/expects.hpp>
+#include <carom/properties/trial/declared_effects.hpp>
 #include <carom/report/model/answer_json.hpp>
 #include <carom/report/model/merged_run.hpp>
 #include <carom/report/model/words.hpp>
@@ -58,6 +59,7 @@ std::vector<std::pair<std::string, std::string>> common_facts(const ReadShard& s
     facts.emplace_back("law" + of, std::string(name_of(subject.law)));
     facts.emplace_back("precision" + of, std::string(name_of(subject.precision)));
     facts.emplace_back("deviates" + of, listed(subject.deviates));
+    facts.emplace_back("claims" + of, properties::to_text(subject.effects));
     facts.emplace_back("collision matrix" + of, subject.shows_collision_matrix ? "shown" : "not shown");
     facts.emplace_back("counts" + of, shard.run.subjects[s].counts ? "true" : "false");
   }

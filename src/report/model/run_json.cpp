@@ -10,6 +10,7 @@
 #include <carom/properties/domains/draw_within.hpp>
 #include <carom/report/model/answer_json.hpp>
 #include <carom/report/model/comparison_record.hpp>
+#include <carom/report/model/declared_effects_json.hpp>
 #include <carom/report/model/domain_json.hpp>
 #include <carom/report/model/findings.hpp>
 #include <carom/report/model/run_json.hpp>
@@ -261,6 +262,7 @@ void subject_fields(A& archive, Is<Subject> auto& subject) {
   archive("precision", subject.precision);
   archive.detail("expected_to_pass", subject.expected_to_pass);
   archive("deviates", subject.deviates);
+  archive.unless_default("claims", subject.effects);
   archive.detail("shows_collision_matrix", subject.shows_collision_matrix);
   archive.unless_default("specification", subject.specification);
   archive.unless_default("version", subject.version);
@@ -605,7 +607,7 @@ json witness_record(const properties::Witness& witness, const Subject& subject, 
   record["seed"] = settings.seed;
   record["yardstick"] = Json<oracles::Yardstick>::write(settings.yardstick);
   record["replay"] = replay_command(witness_file, subject, settings.yardstick);
-  const properties::JudgedCase judged_case(witness.shrunk);
+  const properties::JudgedCase judged_case(witness.shrunk, true, subject.effects);
   if (judged_case.is_valid()) {
     for (const Law law : laws_with_truth) {
       if (subject.law == law || subject.law == Law::any) {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <carom/properties/trial/declared_effects.hpp>
 #include <carom/properties/trial/in_words.hpp>
 #include <carom/report/model/words.hpp>
 #include <carom/report/pages/pages.hpp>
@@ -53,6 +54,9 @@ std::vector<std::string> notes_on(const JudgedSubject& subject, const Run& run) 
   }
   if (run.settings.budget_seconds && subject.status == "sound") {
     notes.push_back(cases_judged(run, subject));
+  }
+  if (const std::string effects = properties::to_text(result.subject.effects); !effects.empty()) {
+    notes.push_back("judged without its declared effects: " + effects);
   }
   add_deviations(notes, result.subject, run.settings.deviates);
   return notes;

@@ -5,6 +5,7 @@
 
 #include <carom/oracles/judge/coulomb_answers.hpp>
 #include <carom/oracles/laws/kinematics.hpp>
+#include <carom/properties/trial/declared_effects.hpp>
 #include <carom/properties/trial/in_words.hpp>
 #include <carom/report/document/markup.hpp>
 #include <carom/report/drawing/contact_drawing.hpp>
@@ -204,8 +205,12 @@ Section witness_section(const Run& run, std::size_t s, const Witness& witness, c
   const std::string replay = replay_line(run, subject, witness, out_directory);
   Document numbers;
   add_collision(numbers, witness.shrunk.collision);
+  if (const std::string effects = properties::to_text(result.subject.effects); !effects.empty()) {
+    numbers.emplace_back(Paragraph{"The subject declares " + effects +
+                                   ". The exact outcome is the law's, before damping and limits of speeds."});
+  }
   // The picture refers to the witness, so the page must be written while the run exists.
-  const auto judged_case = std::make_shared<const properties::JudgedCase>(witness.shrunk);
+  const auto judged_case = std::make_shared<const properties::JudgedCase>(witness.shrunk, true, result.subject.effects);
   add_outcome(numbers, witness, *judged_case, result.subject.law);
   add_sides(numbers, witness.verdict);
   Picture picture{[&witness, judged_case, law = result.subject.law, anchor, title](pugi::xml_node node) {

@@ -161,6 +161,7 @@ Subject exec_subject(const std::string& specification, const ExecOptions& option
     subject.precision = introduction.precision;
     subject.deviates = introduction.deviates;
     subject.domain = introduction.domain;
+    subject.effects = introduction.effects;
     subject.shows_collision_matrix = introduction.matrix;
     const auto first = std::make_shared<FirstConversation>(std::move(conversation));
     subject.open = [words, options, introduction, first] { return open_session(words, options, introduction, *first); };

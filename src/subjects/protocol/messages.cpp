@@ -123,6 +123,31 @@ std::string domain_from(const json& domain) {
   return text;
 }
 
+DeclaredEffects effects_from(const json& claims) {
+  if (!claims.is_object()) {
+    throw FormatError("/claims", "expected an object");
+  }
+  DeclaredEffects effects;
+  for (const auto& [name, size] : claims.items()) {
+    const std::string place = "/claims/" + printable_line(name, longest_name);
+    const std::optional<DeclaredEffect> effect = declared_effect_named(name);
+    if (!effect) {
+      std::string known;
+      for (const DeclaredEffect one : all_declared_effects) {
+        known += fmt::format("{}{}", known.empty() ? "" : ", ", name_of(one));
+      }
+      throw FormatError(place, "is not an effect that a subject can declare; expected one of " + known);
+    }
+    if (!size.is_number() || !is_valid_size(*effect, size.get<double>())) {
+      throw FormatError(
+          place, fmt::format("expected a positive number{}, found {}", unit_of(*effect).empty() ? " below 1" : "",
+                             printable(size.dump(), longest_name)));
+    }
+    effects[*effect] = size.get<double>();
+  }
+  return effects;
+}
+
 /// The object that `domain_from` reads back.
 json domain_record(std::string_view text) {
   json record = json::object();
@@ -183,6 +208,9 @@ Introduction introduction_from(std::string_view line) {
   }
   if (reply.contains("domain")) {
     introduction.domain = domain_from(reply.at("domain"));
+  }
+  if (reply.contains("claims")) {
+    introduction.effects = effects_from(reply.at("claims"));
   }
   if (reply.contains("matrix")) {
     const json& matrix = reply.at("matrix");
@@ -250,6 +278,11 @@ std::string introduction_reply(const Introduction& introduction) {
   }
   if (!introduction.domain.empty()) {
     reply["domain"] = domain_record(introduction.domain);
+  }
+  for (const DeclaredEffect effect : all_declared_effects) {
+    if (introduction.effects[effect] != 0) {
+      reply["claims"][std::string(name_of(effect))] = introduction.effects[effect];
+    }
   }
   return reply.dump() + '\n';
 }

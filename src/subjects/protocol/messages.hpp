@@ -22,6 +22,7 @@ struct Introduction {
   bool matrix = false;  // whether each outcome of a colliding contact includes the collision matrix
 
   std::string domain = {};  // for which the subject is meant, as in Subject
+  DeclaredEffects effects = {};
 
   bool operator==(const Introduction&) const = default;
 };

@@ -28,7 +28,7 @@ int serve(const Subject& subject, std::istream& input, std::ostream& output) {
       const std::string command = request.value("cmd", "");
       if (command == "start") {
         output << introduction_reply({subject.name, subject.version, subject.precision, subject.law, subject.deviates,
-                                      subject.shows_collision_matrix, subject.domain});
+                                      subject.shows_collision_matrix, subject.domain, subject.effects});
       } else if (command == "solve") {
         const Collision collision = collision_from_json(request.at("collision"), "/collision");
         output << answer_reply(id_of(request), session(std::span(&collision, 1)).at(0), subject.precision);

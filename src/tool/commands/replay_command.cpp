@@ -11,6 +11,7 @@
 #include <carom/properties/domains/draw_within.hpp>
 #include <carom/properties/features/coverage.hpp>
 #include <carom/properties/gate/gate.hpp>
+#include <carom/properties/trial/declared_effects.hpp>
 #include <carom/properties/trial/in_words.hpp>
 #include <carom/report/model/answer_json.hpp>
 
@@ -275,11 +276,16 @@ void show_judgement(const ReplaySubject& open, const ReplayedCase& replayed, Sho
 
 /// Shows the collision. Returns whether the subject violates an invariant on it.
 bool replay_one(const ReadCollision& read, const ReplayArguments& arguments, ReplaySubjects& subjects) {
-  const properties::JudgedCase judged_case(read.one, !arguments.judged.exact);
   Shown shown{{{"place", read.place}, {"collision", collision_to_json(read.one.collision)}},
               fmt::format("{}\n{}", read.place, in_words(read.one.collision, "  "))};
   ReplaySubject* const open = subjects.subject_for(read);
+  const DeclaredEffects effects = open != nullptr ? open->subject().effects : DeclaredEffects{};
+  const properties::JudgedCase judged_case(read.one, !arguments.judged.exact, effects);
   std::vector<oracles::CoulombAnswer> answers;
+  if (const std::string declared = properties::to_text(effects); !declared.empty()) {
+    shown.text += fmt::format("  {} declares {}; the exact outcome is the law's, before damping and limits of speeds\n",
+                              open->subject().name, declared);
+  }
   if (judged_case.is_valid()) {
     answers = show_truth(read.one.collision, judged_case, arguments.shows_all_laws ? Law::any : claimed_law(read, open),
                          shown);

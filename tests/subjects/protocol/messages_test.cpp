@@ -55,6 +55,14 @@ TEST(Introduction, MayDeclareADomain) {
   EXPECT_EQ(introduction_from(introduction_reply(declared)), declared);
 }
 
+TEST(Introduction, MayDeclareEffects) {
+  EXPECT_EQ(introduction_from(sound).effects, DeclaredEffects{});
+  const Introduction declared =
+      introduction_from(with(sound, "}", R"(,"claims":{"restitution_threshold":0.5,"max_speed":100}})"));
+  EXPECT_EQ(declared.effects, (DeclaredEffects{{{0.5, 0, 0, 0, 100, 0}}}));
+  EXPECT_EQ(introduction_from(introduction_reply(declared)), declared);
+}
+
 TEST(Introduction, MayClaimEveryLawOfTheProtocol) {
   EXPECT_EQ(introduction_from(with(sound, "frictionless", "reflection")).law, Law::reflection);
   EXPECT_EQ(introduction_from(with(sound, "frictionless", "any")).law, Law::any);
@@ -76,6 +84,10 @@ TEST(Introduction, IsRefusedWithThePlaceWhereItIsWrong) {
                                                {"}", R"(,"domain":[1,2]})", "/domain: expected an object"},
                                                {"}", R"(,"domain":{"size":[1]}})", "/domain/size: expected two"},
                                                {"}", R"(,"domain":{"size":["a",1]}})", "/domain/size: expected two"},
+                                               {"}", R"(,"claims":[1]})", "/claims: expected an object"},
+                                               {"}", R"(,"claims":{"slop":"a"}})", "/claims/slop: expected a positive"},
+                                               {"}", R"(,"claims":{"linear_damping":1}})", "below 1, found 1"},
+                                               {"}", R"(,"claims":{"slip":1}})", "/claims/slip: is not an effect"},
                                                {"}", R"(,"name":"twice"})", "twice"},
                                                {"{", "", "not JSON"}}) {
     const std::string text = with(sound, part, replacement);

@@ -181,6 +181,8 @@ int run(int argc, char** argv) {
         changed["protocol"] = 2;
       } else if (fault.starts_with("domain=")) {
         changed["domain"] = json::parse(fault.substr(fault.find('=') + 1));
+      } else if (fault.starts_with("claims=")) {
+        changed["claims"] = json::parse(fault.substr(fault.find('=') + 1));
       } else if (fault == "hang-at-start") {
         hang();
       } else if (fault == "markup") {

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <carom/collision/declared_effects.hpp>
+#include <carom/report/model/archive.hpp>
+
+namespace carom::report {
+
+/// {"restitution_threshold": 0.5}: the size of each declared effect. `read` throws FormatError that names the place.
+template <>
+struct Json<DeclaredEffects> {
+  static nlohmann::json write(const DeclaredEffects& effects);
+  static DeclaredEffects read(const Field& field, Reading reading);
+};
+
+}  // namespace carom::report

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <carom/collision/validate.hpp>
+#include <carom/oracles/laws/mechanics.hpp>
+#include <carom/properties/families/family.hpp>
+#include <carom/properties/gate/gate.hpp>
+#include <carom/properties/trial/declared_effects.hpp>
+#include <carom/properties/trial/trial.hpp>
+#include <carom/subjects/catalogue.hpp>
+
+#include "io/threads.hpp"
+#include "support/effort.hpp"
+
+namespace carom::properties {
+namespace {
+
+DeclaredEffects only(DeclaredEffect effect, double size) {
+  DeclaredEffects effects;
+  effects[effect] = size;
+  return effects;
+}
+
+double approach_speed(const Collision& c) { return -oracles::normal_velocity_before(c) / c.normal.stableNorm(); }
+
+template <class S>
+void damp_and_limit(Vector3<S>& velocity, double damping, double limit) {
+  velocity *= S(1) - S(damping);
+  const S length = velocity.stableNorm();
+  if (limit > 0 && length > S(limit)) {
+    velocity *= S(limit) / length;
+  }
+}
+
+Answer with_effects(Session& session, Collision c, const DeclaredEffects& effects) {
+  if (!validate(c).empty()) {
+    return session(std::span(&c, 1)).at(0);
+  }
+  const double approach = approach_speed(c);
+  if (approach > 0 && approach < effects[DeclaredEffect::restitution_threshold]) {
+    c.restitution = 0;
+  }
+  Answer answer = session(std::span(&c, 1)).at(0);
+  auto* outcome = std::get_if<ReportedOutcome>(&answer);
+  if (outcome == nullptr) {
+    return answer;
+  }
+  if (approach > 0 && approach < effects[DeclaredEffect::slop]) {
+    *outcome = reported(unchanged(c));
+  }
+  const auto change = [&](const Body& body, BodyVelocity<long double>& motion) {
+    if (!body.immovable) {
+      damp_and_limit(motion.velocity, effects[DeclaredEffect::linear_damping], effects[DeclaredEffect::max_speed]);
+      damp_and_limit(motion.angular_velocity, effects[DeclaredEffect::angular_damping],
+                     effects[DeclaredEffect::max_angular_velocity]);
+    }
+  };
+  change(c.a, outcome->a);
+  change(c.b, outcome->b);
+  *outcome = reported(map_outcome<double>(*outcome, [](long double x) { return static_cast<double>(x); }));
+  return answer;
+}
+
+/// A built-in solver with the effects `done`, which declares the effects `declared`.
+Subject with_effects(const std::string& solver, const DeclaredEffects& done, const DeclaredEffects& declared) {
+  Subject subject = *subjects::subject_named(solver);
+  subject.name += " with effects";
+  subject.effects = declared;
+  subject.open = [done, open = subject.open] {
+    return Session([done, session = std::make_shared<Session>(open())](std::span<const Collision> collisions) {
+      std::vector<Answer> answers;
+      for (const Collision& collision : collisions) {
+        answers.push_back(with_effects(*session, collision, done));
+      }
+      return answers;
+    });
+  };
+  return subject;
+}
+
+SubjectResult judged(const Subject& subject, const char* only_family = nullptr) {
+  GateOptions options;
+  options.seed = 1;
+  options.cases = static_cast<std::uint64_t>(only_family == nullptr ? unit::effort(5) : 10);
+  options.workers = tool::threads(2);
+  for (const Family& family : all_families()) {
+    if (only_family == nullptr || family.name == only_family) {
+      options.families.push_back(&family);
+    }
+  }
+  options.shrinks = false;
+  return run_gate({subject}, options).results.at(0);
+}
+
+/// A size of each effect that changes many cases.
+constexpr DeclaredEffects sizes{{{0.5, 0.25, 0.01, 0.02, 2, 3}}};
+
+void expect_sound(const char* solver, const DeclaredEffects& effects) {
+  const SubjectResult result = judged(with_effects(solver, effects, effects));
+  EXPECT_EQ(result.error, "");
+  EXPECT_EQ(result.violated_invariants(), std::vector<std::string>{}) << solver << ", " << to_text(effects);
+}
+
+TEST(DeclaredEffects, AreJudgedWithoutThem) {
+  std::vector<DeclaredEffects> all;
+  for (const DeclaredEffect effect : all_declared_effects) {
+    all.push_back(only(effect, sizes[effect]));
+  }
+  all.push_back(sizes);
+  for (const DeclaredEffects& effects : all) {
+    for (const char* solver : {"reflection-double", "frictionless-float"}) {
+      expect_sound(solver, effects);
+    }
+  }
+  expect_sound("rough-double", sizes);
+}
+
+TEST(DeclaredEffects, AreViolationsIfTheyAreNotDeclared) {
+  for (const DeclaredEffect effect : all_declared_effects) {
+    const SubjectResult result = judged(with_effects("reflection-double", only(effect, sizes[effect]), {}));
+    EXPECT_NE(result.violated_invariants(), std::vector<std::string>{}) << name_of(effect);
+  }
+}
+
+TEST(DeclaredEffects, AreViolationsIfTheirSizeIsWrong) {
+  for (const DeclaredEffect effect : all_declared_effects) {
+    const DeclaredEffects done = only(effect, sizes[effect]);
+    // A wrong threshold shows only in contacts that approach at a speed between both thresholds.
+    const double factor = depend_on_approach(done) ? 2 : 1.02;
+    for (const double declared : {sizes[effect] / factor, sizes[effect] * factor}) {
+      const SubjectResult result = judged(with_effects("reflection-double", done, only(effect, declared)));
+      EXPECT_NE(result.violated_invariants(), std::vector<std::string>{}) << name_of(effect) << ' ' << declared;
+    }
+  }
+}
+
+TEST(DeclaredEffects, DoNotHideAnotherDefect) {
+  for (const DeclaredEffect effect : all_declared_effects) {
+    const DeclaredEffects effects = only(effect, sizes[effect]);
+    const SubjectResult result = judged(with_effects("reflection-world-double", effects, effects), "structured");
+    EXPECT_NE(result.violated_invariants(), std::vector<std::string>{}) << name_of(effect);
+  }
+}
+
+TEST(DeclaredEffects, OfApproachChangeTheJudgedCollision) {
+  Collision c;
+  c.a.velocity = {0, -1, 0};
+  c.b.immovable = true;
+  c.normal = {0, 2, 0};  // only its direction matters
+  c.restitution = 0.5;
+  const auto judged = [&](DeclaredEffect effect, double size) { return judged_collision(c, only(effect, size)); };
+  EXPECT_EQ(judged(DeclaredEffect::restitution_threshold, 1.001).restitution, 0);
+  EXPECT_EQ(judged(DeclaredEffect::restitution_threshold, 0.999).restitution, 0.5);
+  EXPECT_EQ(judged(DeclaredEffect::slop, 1.001).normal, (Vector3<double>{0, -2, 0}));
+  EXPECT_EQ(judged(DeclaredEffect::slop, 0.999).normal, c.normal);
+  c.a.velocity = {0, 1, 0};
+  EXPECT_EQ(judged(DeclaredEffect::slop, 2).normal, c.normal);
+  EXPECT_EQ(judged(DeclaredEffect::restitution_threshold, 2).restitution, 0.5);
+}
+
+TEST(DeclaredEffects, AreNotJudgedAtTheirLimit) {
+  Case one;
+  Collision& c = one.collision;
+  c.a.velocity = {0, -0.5, 0};
+  c.b.immovable = true;
+  c.normal = {0, 1, 0};
+  c.restitution = 0.5;
+  oracles::Yardstick yardstick;
+  yardstick.unit_roundoff = unit_roundoff(Precision::binary64);
+  const auto reason = [&](double threshold) {
+    return JudgedCase(one, true, only(DeclaredEffect::restitution_threshold, threshold)).reason_unjudged_by(yardstick);
+  };
+  EXPECT_EQ(reason(0.5), Unjudged::at_declared_limit);
+  EXPECT_EQ(reason(0.5 + 0x1p-50), Unjudged::at_declared_limit);
+  EXPECT_EQ(reason(0.5 + 0x1p-40), std::nullopt);
+  c.restitution = 0;  // the threshold changes nothing
+  EXPECT_EQ(reason(0.5), std::nullopt);
+}
+
+TEST(DeclaredEffects, AreRefusedIfTheyAreNotValid) {
+  const auto why = [](DeclaredEffect effect, double size, Law law) -> std::string {
+    try {
+      require_valid(only(effect, size), law);
+      return "";
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+  };
+  EXPECT_EQ(why(DeclaredEffect::slop, 0.1, Law::any), "");
+  EXPECT_EQ(why(DeclaredEffect::max_speed, 10, Law::rough), "");
+  EXPECT_EQ(why(DeclaredEffect::slop, -1, Law::any), "slop: expected a positive number, found -1");
+  EXPECT_EQ(why(DeclaredEffect::linear_damping, 1, Law::any),
+            "linear_damping: expected a positive number below 1, found 1");
+  EXPECT_EQ(why(DeclaredEffect::max_speed, 10, Law::coulomb),
+            "a limit of speeds needs a law that determines the outcome; coulomb does not");
+}
+
+TEST(DeclaredEffects, HaveATextWithUnits) {
+  EXPECT_EQ(to_text(DeclaredEffects{}), "");
+  EXPECT_EQ(to_text(sizes),
+            "restitution_threshold 0.5 m/s, slop 0.25 m/s, linear_damping 0.01, angular_damping 0.02, max_speed 2 m/s, "
+            "max_angular_velocity 3 rad/s");
+}
+
+}  // namespace
+}  // namespace carom::properties

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "support/program.hpp"
+#include "support/schema.hpp"
+
+namespace carom::tests {
+namespace {
+
+using nlohmann::json;
+
+const std::string threshold = R"({"restitution_threshold": 0.5})";
+
+/// A sound program that declares effects which it does not have.
+std::string declaring(const std::string& claims) {
+  return std::string("exec:") + CAROM_MISBEHAVING + " 'claims=" + claims + "' declaring";
+}
+
+RunResult gate(const std::string& claims, const std::vector<std::string>& more) {
+  std::vector<std::string> arguments{"gate", declaring(claims), "--families", "generic", "--cases", "20"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return run_carom(arguments);
+}
+
+TEST(DeclaredEffects, AreInTheReport) {
+  const TemporaryDirectory directory;
+  const std::string out = (directory.path() / "run").string();
+  const RunResult result = gate(threshold, {"--out", out});
+  EXPECT_EQ(result.exit_status, 1) << result.errors;
+  EXPECT_NE(result.output.find("judged without its declared effects: restitution_threshold 0.5 m/s"), std::string::npos)
+      << result.output;
+  const json report = json::parse(content_of(out + "/report.json"));
+  EXPECT_EQ(report.at("subjects")[0].at("claims"), json::parse(threshold));
+  const std::string schema = std::string(CAROM_SOURCE_DIR) + "/docs/reference/schemas/report.schema.json";
+  EXPECT_EQ(accepted_by(schema, {out + "/report.json"}).size(), 1U);
+  EXPECT_NE(content_of(out + "/report.html").find("The subject declares restitution_threshold 0.5 m/s."),
+            std::string::npos);
+  const std::string witness = report.at("subjects")[0].at("violations")[0].at("witness");
+  const RunResult replayed = run_carom({"replay", out + "/" + witness, "--subject", declaring(threshold)});
+  EXPECT_EQ(replayed.exit_status, 1) << replayed.errors;
+  EXPECT_NE(replayed.output.find("declaring declares restitution_threshold 0.5 m/s"), std::string::npos)
+      << replayed.output;
+}
+
+TEST(DeclaredEffects, ThatAreNewAreNoLongerClaimed) {
+  const TemporaryDirectory directory;
+  const std::string before = (directory.path() / "before").string();
+  const std::string now = (directory.path() / "now").string();
+  EXPECT_EQ(gate("{}", {"--out", before}).exit_status, 0);
+  (void)gate(threshold, {"--out", now});
+  const RunResult compared = run_carom({"compare", before, now});
+  EXPECT_NE(compared.output.find("the law without restitution_threshold 0.5 m/s"), std::string::npos)
+      << compared.output;
+}
+
+TEST(DeclaredEffects, AreTheSameInShards) {
+  const TemporaryDirectory directory;
+  const auto path = [&](const char* name) { return (directory.path() / name).string(); };
+  (void)gate(threshold, {"--shard", "1/2", "--out", path("first")});
+  (void)gate(threshold, {"--shard", "2/2", "--out", path("second")});
+  json second = json::parse(content_of(path("second") + "/report.json"));
+  second.at("subjects")[0].erase("claims");
+  std::ofstream(path("second") + "/report.json") << second;
+  const RunResult merged = run_carom({"merge", "--out", path("merged"), path("first"), path("second")});
+  EXPECT_EQ(merged.exit_status, 2);
+  EXPECT_NE(merged.errors.find("claims of declaring: restitution_threshold 0.5 m/s"), std::string::npos)
+      << merged.errors;
+}
+
+TEST(DeclaredEffects, ThatAreNotKnownAreAnError) {
+  const RunResult result = gate(R"({"slip": 1})", {});
+  EXPECT_EQ(result.exit_status, 2);
+  EXPECT_NE(result.output.find("/claims/slip: is not an effect that a subject can declare"), std::string::npos)
+      << result.output << result.errors;
+}
+
+}  // namespace
+}  // namespace carom::tests
