@@ -53,6 +53,17 @@ std::optional<NamedVerdict> verdict_on_failure(const Claim& claim, const Case& o
   return std::nullopt;
 }
 
+/// The cases with the effects that the subject declares. Empty if it declares none.
+std::deque<JudgedCase> with_effects(const Claim& claim, const std::deque<JudgedCase>& cases) {
+  std::deque<JudgedCase> own;
+  for (const JudgedCase& one : cases) {
+    if (claim.effects != DeclaredEffects{}) {
+      own.emplace_back(one.generated(), claim.yardstick.filtered, claim.effects);
+    }
+  }
+  return own;
+}
+
 bool cut_after_violation(Judgement& judgement) {
   const auto found = std::find_if(judgement.verdicts.begin(), judgement.verdicts.end(),
                                   [](const NamedVerdict& named) { return named.verdict.status == Status::violated; });
@@ -124,13 +135,8 @@ void ask_again(Examinee& examinee, std::uint64_t task, Session& session, const s
 void judge_task(Examinee& examinee, const Task& task, const std::deque<JudgedCase>& of_every_subject,
                 SubjectTally& tally) {
   const Claim& claim = examinee.claim;
-  std::deque<JudgedCase> with_effects;
-  if (claim.effects != DeclaredEffects{}) {
-    for (const JudgedCase& one : of_every_subject) {
-      with_effects.emplace_back(one.generated(), claim.yardstick.filtered, claim.effects);
-    }
-  }
-  const std::deque<JudgedCase>& cases = with_effects.empty() ? of_every_subject : with_effects;
+  const std::deque<JudgedCase> own = with_effects(claim, of_every_subject);
+  const std::deque<JudgedCase>& cases = own.empty() ? of_every_subject : own;
   Session& session = examinee.session;
   std::vector<Collision> collisions;
   collisions.reserve(cases.size());
