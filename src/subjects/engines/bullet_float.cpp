@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <carom/subjects/engines/bullet_contact.hpp>
+#include <carom/subjects/engines/claims.hpp>
 #include <carom/subjects/protocol/serve.hpp>
 
 static_assert(std::is_same_v<btScalar, float>, "needs the float build of Bullet, bullet");
@@ -21,6 +22,7 @@ int serve(const carom::subjects::EngineSetting& setting) {
   subject.version = bullet::version();
   subject.law = setting.law;
   subject.precision = carom::Precision::binary32;
+  subject.effects = setting.configured ? carom::DeclaredEffects{} : carom::subjects::bullet_as_shipped();
   subject.open = [&setting] { return bullet::session_with(bullet::settings_of(setting)); };
   return carom::subjects::protocol::serve(subject, std::cin, std::cout);
 }

@@ -29,6 +29,7 @@ struct EngineSummary {
   std::string engine;      // the engine, and the part of it that is judged
   std::string configured;  // the settings of the configured subjects
   std::string friction;    // the engine's own friction law, which differs from `coulomb`
+  DeclaredEffects as_shipped = {};
 };
 
 /// The subjects of an engine, before `open` or `absent` is set. No subject is expected to pass. Even the configured
@@ -44,15 +45,24 @@ struct EngineSummary {
     claim.expected_to_pass = false;
     claim.law = setting.law;
     claim.precision = precision;
+    claim.effects = setting.configured ? DeclaredEffects{} : summary.as_shipped;
     claims.push_back(claim);
   }
   return claims;
 }
 
+/// Bullet's default `m_restitutionVelocityThreshold`.
+[[nodiscard]] inline DeclaredEffects bullet_as_shipped() {
+  DeclaredEffects effects;
+  effects[DeclaredEffect::restitution_threshold] = 0.2F;
+  return effects;
+}
+
 [[nodiscard]] inline std::vector<Subject> bullet_claims() {
-  return engine_claims({"bullet-double", "Bullet's sequential impulses",
-                        "restitution threshold 0, no gyroscopic torque", "friction along the slip before the impulse"},
-                       Precision::binary64);
+  return engine_claims(
+      {"bullet-double", "Bullet's sequential impulses", "restitution threshold 0, no gyroscopic torque",
+       "friction along the slip before the impulse", bullet_as_shipped()},
+      Precision::binary64);
 }
 
 [[nodiscard]] inline std::vector<Subject> ode_claims() {

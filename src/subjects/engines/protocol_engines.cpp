@@ -56,7 +56,7 @@ std::vector<Subject> bullet_float() {
   return started_by(
       engine_claims({"bullet-float", "Bullet's float build",
                      "restitution threshold 0, no gyroscopic torque; ignores contacts of bodies above about 1.5e7 kg",
-                     "friction along the slip before the impulse"},
+                     "friction along the slip before the impulse", bullet_as_shipped()},
                     Precision::binary32),
       {program.string()},
       std::filesystem::exists(program, none)

@@ -88,5 +88,6 @@ const claims = {
   version: createRequire(import.meta.url)('cannon-es/package.json').version,
   precision: 'binary64',
   model,
+  claims: configured ? undefined : { linear_damping: 1 - 0.99 ** step, angular_damping: 1 - 0.99 ** step },
 };
 await serve(claims, solve);

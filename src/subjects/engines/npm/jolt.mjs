@@ -3,7 +3,7 @@ import { createRequire } from 'node:module';
 
 import initialize from 'jolt-physics';
 
-import { serve, settings, subject_name } from './line_protocol.mjs';
+import { limits, serve, settings, subject_name } from './line_protocol.mjs';
 import { spheres, unit } from './posing.mjs';
 
 const Jolt = await initialize();
@@ -100,5 +100,11 @@ const claims = {
   version: createRequire(import.meta.url)('jolt-physics/package.json').version,
   precision: 'binary32',
   model,
+  claims: configured ? undefined : {
+    restitution_threshold: 1,
+    linear_damping: 0.05 * step,
+    angular_damping: 0.05 * step,
+    ...limits(model, { max_speed: 500, max_angular_velocity: Math.PI / 4 / step }),
+  },
 };
 await serve(claims, solve);

@@ -142,6 +142,11 @@ export function settings() {
   return { configured: setting === 'configured', model };
 }
 
+/** The limits of speeds that a subject of this model can declare: only if the model determines the outcome. */
+export function limits(model, sizes) {
+  return model === 'frictionless' ? sizes : {};
+}
+
 /** The name of an engine's subject with these settings, as `carom subjects` lists it. */
 export function subject_name(engine, { configured, model }) {
   return engine + (model === 'coulomb' ? '-coulomb' : '') + (configured ? '' : '-as-shipped');

@@ -3,7 +3,7 @@ import { createRequire } from 'node:module';
 
 import { oimo } from 'oimophysics';
 
-import { serve, settings, subject_name } from './line_protocol.mjs';
+import { limits, serve, settings, subject_name } from './line_protocol.mjs';
 import { components, spheres, unit } from './posing.mjs';
 
 const { Mat3, Quat, Setting, Vec3 } = oimo.common;
@@ -75,5 +75,9 @@ const claims = {
   version: createRequire(import.meta.url)('oimophysics/package.json').version,
   precision: 'binary64',
   model,
+  claims: configured ? undefined : {
+    restitution_threshold: 0.5,
+    ...limits(model, { max_speed: 20 / step, max_angular_velocity: Math.PI / step }),
+  },
 };
 await serve(claims, solve);

@@ -4,7 +4,7 @@ import { createRequire } from 'node:module';
 
 import initialize from 'physx-js-webidl';
 
-import { serve, settings, subject_name } from './line_protocol.mjs';
+import { limits, serve, settings, subject_name } from './line_protocol.mjs';
 import { components, spheres, unit, xyz } from './posing.mjs';
 
 const require = createRequire(import.meta.url);
@@ -104,5 +104,6 @@ const claims = {
   version: [24, 16, 8].map((shift) => (version >> shift) & 255).join('.'),
   precision: 'binary32',
   model,
+  claims: configured ? undefined : { restitution_threshold: 2, ...limits(model, { max_angular_velocity: 100 }) },
 };
 await serve(claims, solve);
