@@ -128,7 +128,7 @@ def test_slurm(carom):
         return f"there is no {', '.join(missing)}"
     job = shell_blocks()[1].replace("--array=1-10 --ntasks=10 ", "--array=1-2 --ntasks=2 ")
     with tempfile.TemporaryDirectory() as work, local_slurm.LocalSlurm(pathlib.Path(work) / "slurm") as slurm:
-        run = Run(carom, work, ["--families", "head_on,near_head_on", "--cases", "32000"])
+        run = Run(carom, work, ["--families", "elastic", "--cases", "32000"])
         slurm.environment["PATH"] = run.path
         (run.work / "job.sh").write_text(job, encoding="utf-8")
         number = slurm.run("sbatch", "--parsable", "job.sh", cwd=work).stdout.strip()
@@ -137,6 +137,9 @@ def test_slurm(carom):
         wait_until(lambda: len(list(shards.glob("shard-1-of-4/journal/part-*.json"))) >= 2, slurm)
         requeued = slurm.run("scontrol", "requeue", f"{number}_1")
         expect(requeued.returncode == 0, f"scontrol requeue: {requeued.stderr}")
+        # Slurm would wait for two minutes.
+        wait_until(lambda: "PENDING" in slurm.run("squeue", "--noheader", f"--jobs={number}_1", "--format=%T").stdout, slurm)
+        slurm.run("scontrol", "update", f"JobId={number}_1", "StartTime=now")
         wait_until(lambda: not slurm.run("squeue", "--noheader").stdout.strip(), slurm)
         output = "".join(file.read_text(encoding="utf-8") for file in run.work.glob("slurm-*.out"))
         expect("parts are in the journal, and are not judged again" in output,
