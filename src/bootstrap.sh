@@ -46,6 +46,7 @@ program=(impulse judge report program) # `carom` and the components below it
 mapfile -t packages < <(packages_of "${program[@]}" kit scenes)
 tools=(g++ cmake ninja-build gnuplot-nox)
 engines=(libbullet-dev libode-dev) # the gate reports an engine as absent if its package is not installed
+batch_systems=(openmpi-bin slurm-client slurmctld slurmd) # the tests of docs/guide/scale.md run shards under these
 compilers=(clang g++-i686-linux-gnu g++-aarch64-linux-gnu qemu-user) # these build the families, too
 judged='/all$|generate|^gate/' # of the judge's benchmarks; those of each subject and family take four minutes more
 jobs=$(nproc 2>/dev/null || echo 2)
@@ -87,14 +88,15 @@ install_test_programs() {
   install_packages "${programs[@]}" "$@"
 }
 
-# Installs the programs of all tests: those of install_test_programs, a browser for the report, the proof checker, and
-# the compilers that must draw the same cases.
+# Installs the programs of all tests: those of install_test_programs, a browser for the report, the proof checker, the
+# compilers that must draw the same cases, and batch systems.
 install_all_test_programs() {
   local browser=()
   command -v chromium >/dev/null || browser=(chromium)
   install_test_programs "${browser[@]}"
   install_proof_checker
   (install_packages "${compilers[@]}") || echo "bootstrap: SameCases will be skipped" >&2
+  (install_packages "${batch_systems[@]}") || echo "bootstrap: BatchSystems will be skipped" >&2
 }
 
 # Installs the proof checker and the compiler of the oracle that is extracted from the proofs.

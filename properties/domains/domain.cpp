@@ -97,6 +97,13 @@ std::vector<double> values_of(const Collision& c, LimitedQuantity quantity) {
       }
     }
   };
+  const auto for_each_wall = [&](const auto& use) {
+    for (const Body* body : {&c.a, &c.b}) {
+      if (body->immovable) {
+        use(*body);
+      }
+    }
+  };
   switch (quantity) {
     case LimitedQuantity::size:
       for_each_movable([&](const Body& body) {
@@ -123,6 +130,9 @@ std::vector<double> values_of(const Collision& c, LimitedQuantity quantity) {
     case LimitedQuantity::speed:
       add_unless_zero(values, length(c.a.velocity));
       add_unless_zero(values, length(c.b.velocity));
+      for_each_wall([&](const Body& wall) {
+        add_unless_zero(values, length(cross(wall.angular_velocity, features::lever_arm(c, wall))));
+      });
       break;
     case LimitedQuantity::approach:
       if (is_approaching(c)) {
@@ -141,6 +151,7 @@ std::vector<double> values_of(const Collision& c, LimitedQuantity quantity) {
       for_each_movable(
           [&](const Body& body) { least_radius = std::min(least_radius, features::radius_of_gyration(body)); });
       add_unless_zero(values, length(c.point) / least_radius);
+      for_each_wall([&](const Body& wall) { add_unless_zero(values, length(wall.position) / least_radius); });
       break;
     }
     case LimitedQuantity::restitution:

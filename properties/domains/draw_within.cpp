@@ -137,6 +137,15 @@ class Fit {
     }
   }
 
+  template <class Use>
+  void for_each_wall(const Use& use) {
+    for (Body* body : {&c_->a, &c_->b}) {
+      if (body->immovable) {
+        use(*body);
+      }
+    }
+  }
+
   /// Brings the ratio of `of` the two bodies into its range. `scale(body, factor)` multiplies `of` the body.
   template <class Of, class Scale>
   void ratio(LimitedQuantity quantity, const Of& of, const Scale& scale) {
@@ -231,6 +240,21 @@ class Fit {
     if (by != 1) {
       set_point(c_->point * by);
     }
+    const Range& permitted = range(LimitedQuantity::distance);
+    for_each_wall([&](Body& wall) {
+      const double x = length(wall.position) / radius;
+      if (x != 0 && !permitted.contains(x)) {
+        bring_near_point(
+            wall, std::min(permitted.most * radius - length(c_->point), length(c_->point) - permitted.least * radius));
+      }
+    });
+  }
+
+  /// Shortens the lever arm of a wall to at most `most`, by a power of two.
+  void bring_near_point(Body& wall, double most) {
+    const Vector3<double> arm = features::lever_arm(*c_, wall);
+    const double by = most > 0 ? std::exp2(std::floor(std::log2(most / length(arm)))) : 0;
+    set_arm(wall, arm * std::min(by, 1.0));
   }
 
   void speeds() {
@@ -247,6 +271,10 @@ class Fit {
         body->velocity *= by;
       }
     }
+    for_each_wall([&](Body& wall) {
+      const Vector3<double> of_spin = cross(wall.angular_velocity, features::lever_arm(*c_, wall));
+      wall.angular_velocity *= factor(LimitedQuantity::speed, length(of_spin));
+    });
   }
 
   void spins() {

@@ -374,9 +374,6 @@ GateReport run_gate(const std::vector<Subject>& subjects, const GateOptions& opt
       // Other programs disturb single batches by far more than solvers differ, so the report gives the median.
       result.nanoseconds_per_solve = times.at(times.size() / 2);
     }
-    for (const std::string& invariant : result.violated_invariants()) {
-      result.witnesses.push_back(found_witness(result, options, invariant));
-    }
     report.results.push_back(std::move(result));
   }
   for (const Worker& worker : workers) {
@@ -395,27 +392,7 @@ GateReport run_gate(const std::vector<Subject>& subjects, const GateOptions& opt
     result.not_judged = was_cut_short ? "" : why_not_judged(result, options.families, report.coverage);
   }
   judge_beyond_domain(subjects, claims, options, report.results);
-  struct FoundWitness {
-    std::size_t subject;
-    std::size_t witness;
-  };
-  std::vector<FoundWitness> found;
-  for (std::size_t s = 0; s < subjects.size(); ++s) {
-    for (std::size_t w = 0; w < report.results[s].witnesses.size(); ++w) {
-      found.push_back({s, w});
-    }
-  }
-  options.workers.run(found.size(), [&](std::size_t i) {
-    SubjectResult& result = report.results[found[i].subject];
-    Witness& witness = result.witnesses[found[i].witness];
-    try {
-      if (options.shrinks && !options.stop.stop_requested()) {
-        witness = shrunk_witness(result.subject, claims[found[i].subject], witness, options.within);
-      }
-    } catch (const std::exception&) {
-      // The witness stays as it was found.
-    }
-  });
+  add_witnesses(report);
   report.interrupted = options.stop.stop_requested();
   return report;
 }

@@ -87,6 +87,35 @@ Witness shrunk_witness(const Subject& subject, const Claim& claim, Witness witne
   return witness;
 }
 
+void add_witnesses(GateReport& report) {
+  const GateOptions& options = report.options;
+  struct FoundWitness {
+    std::size_t subject;
+    std::size_t witness;
+  };
+  std::vector<FoundWitness> found;
+  for (std::size_t s = 0; s < report.results.size(); ++s) {
+    SubjectResult& result = report.results[s];
+    for (const std::string& invariant : result.violated_invariants()) {
+      found.push_back({s, result.witnesses.size()});
+      result.witnesses.push_back(found_witness(result, options, invariant));
+    }
+  }
+  options.workers.run(found.size(), [&](std::size_t i) {
+    SubjectResult& result = report.results[found[i].subject];
+    Witness& witness = result.witnesses[found[i].witness];
+    try {
+      if (options.shrinks && !options.stop.stop_requested()) {
+        Claim claim = claim_of(result.subject, options.yardstick);
+        claim.within = options.within;
+        witness = shrunk_witness(result.subject, claim, witness, options.within);
+      }
+    } catch (const std::exception&) {
+      // The witness stays as it was found.
+    }
+  });
+}
+
 bool is_as_bad(const Verdict& verdict, const Collision& collision, const Verdict& found, const Collision& found_on) {
   // A shrunk violation keeps at least a sixteenth of the original's seriousness, and at least 1 if the original has 1.
   const double worst = seriousness(found, found_on);

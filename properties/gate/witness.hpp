@@ -18,6 +18,11 @@ namespace carom::properties {
 /// of the subject's session.
 [[nodiscard]] Witness shrunk_witness(const Subject& subject, const Claim& claim, Witness witness, const Domain& within);
 
+/// Gives each result a witness of each violated invariant. If options.shrinks, the witness is shrunk. A stop that
+/// options.stop requests ends the shrinking. Preconditions: the results have no witnesses, and their subjects open
+/// sessions.
+void add_witnesses(GateReport& report);
+
 /// Whether `verdict` is about as serious a violation as `found`, and of the same kind.
 [[nodiscard]] bool is_as_bad(const Verdict& verdict, const Collision& collision, const Verdict& found,
                              const Collision& found_on);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -13,20 +12,25 @@
 #include <carom/properties/domains/draw_within.hpp>
 #include <carom/properties/gate/gate.hpp>
 #include <carom/report/model/duration.hpp>
+#include <carom/report/model/run_facts.hpp>
 #include <carom/report/model/words.hpp>
 #include <carom/subjects/catalogue.hpp>
 #include <carom/subjects/protocol/exec.hpp>
 
 #include "commands/commands.hpp"
+#include "commands/journaled_gate.hpp"
 #include "commands/options.hpp"
 #include "io/domain_argument.hpp"
 #include "io/family_argument.hpp"
 #include "io/interrupt.hpp"
+#include "io/job_shard.hpp"
+#include "io/journal.hpp"
 #include "io/orphans.hpp"
 #include "io/output_file.hpp"
 #include "io/present_run.hpp"
 #include "io/progress.hpp"
 #include "io/report_file.hpp"
+#include "io/shard_argument.hpp"
 #include "io/staged_output.hpp"
 #include "io/subject_argument.hpp"
 #include "io/this_environment.hpp"
@@ -54,9 +58,10 @@ struct GateArguments {
   std::uint64_t relations_every = 0;  // 0: the default of GateOptions
   double timeout = 5;                 // for each reply of a program [s]
   std::string format = "text";
-  std::string baseline;                         // a report.json, or the directory that holds it; empty for none
-  std::vector<std::string> deviates;            // "invariant" or "invariant@family"
-  std::optional<properties::Shard> shard = {};  // the only part that is judged; empty for the whole
+  std::string baseline;               // a report.json, or the directory that holds it; empty for none
+  std::vector<std::string> deviates;  // "invariant" or "invariant@family"
+  std::string shard;                  // "I/N" or automatic_shard; empty for the whole
+  bool has_journal = false;
 };
 
 namespace fs = std::filesystem;
@@ -189,6 +194,28 @@ void let_deviate(std::vector<Subject>& subjects, const std::vector<std::string>&
   }
 }
 
+/// The shard that is judged; none for the whole run. Throws UsageError.
+std::optional<properties::Shard> shard_of(const GateArguments& arguments) {
+  if (arguments.shard.empty()) {
+    return std::nullopt;
+  }
+  const properties::Shard shard =
+      arguments.shard == automatic_shard ? shard_of_job(variable_of_process) : *shard_from(arguments.shard);
+  if (arguments.cases < shard.of) {
+    throw UsageError(
+        fmt::format("--shard: {} cases of each family are too few for {} shards; use fewer shards, or a larger --cases",
+                    arguments.cases, shard.of));
+  }
+  return shard;
+}
+
+/// The directory of the reports; empty for none. All processes of a job have the same --out, so each shard that the job
+/// determines has its own folder there.
+std::string directory_of(const GateArguments& arguments, const std::optional<properties::Shard>& shard) {
+  const bool has_folder = !arguments.out.empty() && arguments.shard == automatic_shard;
+  return has_folder ? (fs::path(arguments.out) / folder_of(*shard)).string() : arguments.out;
+}
+
 properties::GateOptions options_of(const GateArguments& arguments, const properties::Domain& within,
                                    std::vector<const properties::Family*> families, const std::stop_token& stop) {
   properties::GateOptions options;
@@ -209,19 +236,22 @@ properties::GateOptions options_of(const GateArguments& arguments, const propert
   options.progress = progress_line(arguments.budget ? "ms of the budget spent" : "cases judged");
   options.stop = stop;
   options.relations_every = arguments.relations_every;
-  if (arguments.shard) {
-    if (arguments.cases < arguments.shard->of) {
-      throw UsageError(fmt::format(
-          "--shard: {} cases of each family are too few for {} shards; use fewer shards, or a larger --cases",
-          arguments.cases, arguments.shard->of));
-    }
-    options.shard = *arguments.shard;
-  }
   return options;
+}
+
+Journal journal_of(const Selection& selection, const properties::GateOptions& options,
+                   const std::vector<std::string>& deviates, const std::string& out) {
+  properties::GateOptions of_part = options;
+  of_part.shard = options.shard.part(1, parts_of(options));
+  return {fs::path(out) / "journal",
+          report::run_facts(of_part, selection.subjects, selection.counts, selection.absent, deviates),
+          of_part.shard.of};
 }
 
 int gate(const GateArguments& arguments) {
   const std::vector<std::string> deviates = known_deviations(arguments);
+  const std::optional<properties::Shard> shard = shard_of(arguments);
+  const std::string out = directory_of(arguments, shard);
   const std::optional<ReadRun> baseline =
       arguments.baseline.empty() ? std::nullopt : std::optional(read_report(arguments.baseline));
   if (!arguments.annotations.empty() && arguments.format != "text") {
@@ -240,43 +270,38 @@ int gate(const GateArguments& arguments) {
   let_deviate(selection.subjects, deviates);
   const properties::Domain within = arguments.within ? *arguments.within : declared_domain(selection.subjects);
   Posed posed = posed_within(arguments, within);
-  const properties::GateOptions options = options_of(arguments, within, std::move(posed.families), stop);
+  properties::GateOptions options = options_of(arguments, within, std::move(posed.families), stop);
+  options.shard = shard.value_or(properties::Shard{});
   std::optional<StagedOutput> staged;
-  if (!arguments.out.empty()) {
-    make_directories(fs::path(arguments.out) / "witnesses");
-    staged.emplace(arguments.out);
+  if (!out.empty()) {
+    make_directories(fs::path(out) / "witnesses");
+    staged.emplace(out);
   }
-  const report::Environment environment = this_environment();
-  report::Run run = report::run_of(properties::run_gate(selection.subjects, options), selection.counts,
-                                   std::move(selection.absent), environment, deviates, arguments.shard.has_value());
-  run.settings.without_case = std::move(posed.without_case);
-  return present_run(std::move(run), baseline,
-                     {arguments.out, arguments.format, !arguments.annotations.empty(), arguments.summary,
-                      [&] { commands_stopped.reset(); }},
-                     staged);
+  const auto as_run = [&, environment = this_environment()](properties::GateReport report) {
+    report::Run run =
+        report::run_of(std::move(report), selection.counts, selection.absent, environment, deviates, shard.has_value());
+    run.settings.without_case = posed.without_case;
+    return run;
+  };
+  std::optional<Journal> journal;
+  if (arguments.has_journal) {
+    journal = journal_of(selection, options, deviates, out);
+  }
+  report::Run run = as_run(journal ? journaled_gate(selection.subjects, options, *journal, as_run)
+                                   : properties::run_gate(selection.subjects, options));
+  const bool is_finished = !run.interrupted;
+  const int status = present_run(
+      std::move(run), baseline,
+      {out, arguments.format, !arguments.annotations.empty(), arguments.summary, [&] { commands_stopped.reset(); }},
+      staged);
+  if (journal && is_finished) {
+    journal->remove();
+  }
+  return status;
 }
 
 std::string is_duration(const std::string& text) {
   return report::duration_from(text) ? std::string() : std::string("expected ") + report::duration_form;
-}
-
-/// Parses "2/3". None if the text is not I/N with 1 ≤ I ≤ N ≤ 1,000,000.
-std::optional<properties::Shard> shard_from(std::string_view text) {
-  constexpr std::uint64_t most = 1'000'000;
-  properties::Shard shard;
-  const std::size_t slash = std::min(text.find('/'), text.size());
-  const auto is_read = [](std::string_view digits, std::uint64_t& number) {
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-    return error == std::errc() && end == digits.data() + digits.size();
-  };
-  const bool is_shard = slash < text.size() && is_read(text.substr(0, slash), shard.number) &&
-                        is_read(text.substr(slash + 1), shard.of) && shard.number >= 1 && shard.number <= shard.of &&
-                        shard.of <= most;
-  return is_shard ? std::optional(shard) : std::nullopt;
-}
-
-std::string is_shard(const std::string& text) {
-  return shard_from(text) ? std::string() : std::string("expected I/N with I from 1 to N and N at most 1000000");
 }
 
 }  // namespace
@@ -326,16 +351,23 @@ void add_gate(CLI::App& app, Chosen& chosen) {
                    "An earlier report.json, or its directory. Its violations count as known. The exit status is 0 if "
                    "there are no new violations")
       ->excludes("--fail-fast");  // the first violation may be a known one, and would hide a new one
+  CLI::Option* shard =
+      command
+          ->add_option("--shard", arguments->shard,
+                       "Judge one part of a run: every Nth case of each family, starting with the Ith. `carom merge` "
+                       "combines all N parts into one report. With auto, the variables of a batch system decide I and "
+                       "N (Slurm, Open MPI, Kubernetes, GitHub, GitLab), and the reports go to --out/shard-I-of-N")
+          ->check(is_shard)
+          ->type_name("I/N|auto")
+          ->excludes("--budget")
+          ->excludes("--fail-fast")
+          ->excludes("--baseline");
   command
-      ->add_option_function<std::string>(
-          "--shard", [arguments](const std::string& text) { arguments->shard = shard_from(text); },
-          "Judge one part of a run: every Nth case of each family, starting with the Ith. `carom merge` combines all N "
-          "parts into one report")
-      ->check(is_shard)
-      ->type_name("I/N")
-      ->excludes("--budget")
-      ->excludes("--fail-fast")
-      ->excludes("--baseline");
+      ->add_flag("--journal", arguments->has_journal,
+                 "Keep each finished part of the shard in the folder journal of its reports. If the shard is killed, "
+                 "the same command goes on after the last finished part")
+      ->needs(shard)
+      ->needs("--out");
   command
       ->add_option("--deviates", arguments->deviates,
                    "Invariants that the gate does not judge in this run, separated by commas: INVARIANT, or "

@@ -43,10 +43,12 @@ ReadRun read_report(const std::string& file_or_directory) {
   return {file, read_from(file, "this is not a report.json of `carom gate --out`: ", report::run_from)};
 }
 
+report::ReadShard read_shard_report(const std::string& file) {
+  return read_from(file, "", [&](const nlohmann::json& record) { return report::shard_from(record, file); });
+}
+
 report::ReadShard read_shard(const std::string& directory) {
-  const std::string file = (fs::path(directory) / "report.json").string();
-  report::ReadShard shard =
-      read_from(file, "", [&](const nlohmann::json& record) { return report::shard_from(record, file); });
+  report::ReadShard shard = read_shard_report((fs::path(directory) / "report.json").string());
   for (std::size_t s = 0; s < shard.run.subjects.size(); ++s) {
     properties::SubjectResult& result = shard.report.results[s];
     for (const report::Violation& violation : shard.run.subjects[s].violations) {

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
+#include <cstddef>
+
+#include <carom/properties/trial/declared_effects.hpp>
+#include <carom/report/model/answer_json.hpp>
+#include <carom/report/model/run_facts.hpp>
+#include <carom/report/model/words.hpp>
+
+namespace carom::report {
+
+RunFacts run_facts(const properties::GateOptions& options, const std::vector<Subject>& subjects,
+                   const std::vector<bool>& counts, const std::vector<Subject>& absent,
+                   const std::vector<std::string>& deviates) {
+  std::vector<std::string> families;
+  for (const auto* of_run : {&options.families, &options.beyond_domain}) {
+    for (const properties::Family* family : *of_run) {
+      families.emplace_back(family->name);
+    }
+  }
+  RunFacts facts{{"number of shards", std::to_string(options.shard.of)},
+                 {"seed", std::to_string(options.seed)},
+                 {"cases of each family", std::to_string(options.cases)},
+                 {"families", listed(families)},
+                 {"within", properties::to_text(options.within)},
+                 {"yardstick", Json<oracles::Yardstick>::write(options.yardstick).dump()},
+                 {"relations_every", std::to_string(options.relations_every)},
+                 {"deviates", listed(deviates)}};
+  std::vector<std::string> names;
+  for (const Subject& subject : subjects) {
+    names.push_back(subject.name);
+  }
+  for (const Subject& subject : absent) {
+    names.push_back(subject.name + " (absent)");
+  }
+  facts.emplace_back("subjects", listed(names));
+  for (std::size_t s = 0; s < subjects.size(); ++s) {
+    const Subject& subject = subjects[s];
+    const std::string of = " of " + subject.name;
+    facts.emplace_back("specification" + of, subject.specification);
+    facts.emplace_back("version" + of, subject.version);
+    facts.emplace_back("law" + of, std::string(name_of(subject.law)));
+    facts.emplace_back("precision" + of, std::string(name_of(subject.precision)));
+    facts.emplace_back("deviates" + of, listed(subject.deviates));
+    facts.emplace_back("claims" + of, properties::to_text(subject.effects));
+    facts.emplace_back("collision matrix" + of, subject.shows_collision_matrix ? "shown" : "not shown");
+    facts.emplace_back("counts" + of, counts[s] ? "true" : "false");
+  }
+  return facts;
+}
+
+RunFacts run_facts(const ReadShard& shard) {
+  std::vector<Subject> subjects;
+  std::vector<bool> counts;
+  for (const JudgedSubject& judged : shard.run.subjects) {
+    subjects.push_back(judged.result.subject);
+    counts.push_back(judged.counts);
+  }
+  return run_facts(shard.report.options, subjects, counts, shard.run.absent, shard.run.settings.deviates);
+}
+
+std::optional<FactDifference> first_difference(const RunFacts& first, const RunFacts& second) {
+  for (std::size_t i = 0; i < std::min(first.size(), second.size()); ++i) {
+    if (first[i] != second[i]) {
+      return FactDifference{first[i].first, first[i].second, second[i].second};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace carom::report

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <carom/report/model/run_json.hpp>
+
+namespace carom::report {
+
+/// The facts that are the same in all shards of a run, in words. Each has the name of its field.
+using RunFacts = std::vector<std::pair<std::string, std::string>>;
+
+/// `counts` tells for each subject if it decides the exit status. `deviates` are those of the command line.
+[[nodiscard]] RunFacts run_facts(const properties::GateOptions& options, const std::vector<Subject>& subjects,
+                                 const std::vector<bool>& counts, const std::vector<Subject>& absent,
+                                 const std::vector<std::string>& deviates);
+
+[[nodiscard]] RunFacts run_facts(const ReadShard& shard);
+
+struct FactDifference {
+  std::string field;
+  std::string first;
+  std::string second;
+};
+
+/// The first field in which two runs differ; none if all facts agree.
+[[nodiscard]] std::optional<FactDifference> first_difference(const RunFacts& first, const RunFacts& second);
+
+}  // namespace carom::report
