@@ -178,6 +178,10 @@ class Pages(unittest.TestCase):
         table = PAGES["docs/reference/yardstick.md"].split("## What is not judged")[1]
         self.assertEqual(set(re.findall(r"\| `(\w+)` \|", table)), set(run["subjects"][0]["not_judged"]))
 
+    def test_show_or_link_every_chart(self):
+        named = {name for text in PAGES.values() for name in re.findall(r"charts/([\w.-]+\.(?:svg|csv))", text)}
+        self.assertEqual({chart.name for chart in (TOP / "docs/charts").iterdir()}, named)
+
 
 class PlantedDefects(unittest.TestCase):
     TEXT = (TOP / "tests/mutants/catalogue.cpp").read_text(encoding="utf-8")
@@ -190,6 +194,15 @@ class PlantedDefects(unittest.TestCase):
             found = re.search(pattern, PAGES[page], re.M)
             self.assertIsNotNone(found, page)
             self.assertEqual(int(found[1]), len(self.ENTRIES), f"{page}: {found[0]}")
+
+    def test_are_in_the_tables_of_detection(self):
+        page = "docs/reference/detection.md"
+        planted, matrix = PAGES[page].split("\n## ")[1:3]
+        rejecting = re.findall(r"^\| \d+ \| `(\w+)` \|", planted, re.M)
+        self.assertEqual(rejecting, [each["name"] for each in listed("invariants")], page)
+        self.assertEqual(re.findall(r"^\| `(\w+)` \|", matrix, re.M), list(self.ENTRIES), page)
+        found = re.search(r"The run has (\d+) mutants and (\d+) invariants", planted)
+        self.assertEqual([int(number) for number in found.groups()], [len(self.ENTRIES), len(rejecting)], page)
 
     def test_stand_at_the_failures_that_they_are_of(self):
         page = PAGES["docs/reference/failure-cases.md"]
