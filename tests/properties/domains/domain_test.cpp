@@ -73,6 +73,18 @@ TEST(Domain, LeavesOutWhatACollisionDoesNotHave) {
   }
 }
 
+TEST(Domain, LimitsHowFarAndHowFastAWallIs) {
+  Collision c = known();
+  c.a.velocity.setZero();
+  c.b = Body{.immovable = true};
+  c.point.setZero();
+  c.b.position = {0, 100, 0};
+  c.b.angular_velocity = {0, 0, 0.5};
+  const double radius = values_of(c, LimitedQuantity::size).back();
+  EXPECT_EQ(values_of(c, LimitedQuantity::speed), std::vector<double>{50});
+  EXPECT_EQ(values_of(c, LimitedQuantity::distance), std::vector<double>{100 / radius});
+}
+
 TEST(Domain, ContainsACollisionUpToTheEndsOfEachRange) {
   for (const LimitedQuantity quantity : all_limited_quantities) {
     const std::vector<double> values = values_of(known(), quantity);
