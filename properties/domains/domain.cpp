@@ -56,6 +56,28 @@ std::optional<double> number_from(std::string_view text) {
 
 std::string_view name_of(LimitedQuantity quantity) { return names[static_cast<std::size_t>(quantity)]; }
 
+std::string_view unit_of(LimitedQuantity quantity) {
+  switch (quantity) {
+    case LimitedQuantity::size:
+      return "m";
+    case LimitedQuantity::mass:
+      return "kg";
+    case LimitedQuantity::speed:
+    case LimitedQuantity::approach:
+      return "m/s";
+    case LimitedQuantity::mass_ratio:
+    case LimitedQuantity::moment_ratio:
+    case LimitedQuantity::size_ratio:
+    case LimitedQuantity::spin:
+    case LimitedQuantity::distance:
+    case LimitedQuantity::restitution:
+    case LimitedQuantity::friction:
+    case LimitedQuantity::tangential_restitution:
+      break;
+  }
+  return "";
+}
+
 std::span<const NamedDomain> named_domains() { return domains; }
 
 Range whole_range(LimitedQuantity quantity) {

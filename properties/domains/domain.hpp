@@ -56,6 +56,9 @@ void set_range(Domain& domain, LimitedQuantity quantity, std::optional<double> l
 /// "mass_ratio".
 [[nodiscard]] std::string_view name_of(LimitedQuantity quantity);
 
+/// "m", "kg" or "m/s"; empty for a quantity without a unit.
+[[nodiscard]] std::string_view unit_of(LimitedQuantity quantity);
+
 /// None if no quantity has this name.
 [[nodiscard]] std::optional<LimitedQuantity> quantity_named(std::string_view name);
 

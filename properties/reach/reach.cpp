@@ -13,24 +13,6 @@
 namespace carom::properties {
 namespace {
 
-/// The coefficients ε and e_t are searched in equal steps, and all other quantities in equal ratios.
-bool is_linear(LimitedQuantity quantity) {
-  return quantity == LimitedQuantity::restitution || quantity == LimitedQuantity::tangential_restitution;
-}
-
-/// The ends of a search: sizes, masses and speeds from 10⁻⁹ to 10⁹, and ratios of moments up to 10⁸. The gate's
-/// families do not claim more slender bodies.
-Range farthest(LimitedQuantity quantity) {
-  if (is_linear(quantity)) {
-    return whole_range(quantity);
-  }
-  constexpr double smallest = 1e-9;
-  constexpr double largest = 1e9;
-  constexpr double most_slender = 1e8;
-  return {std::max(smallest, whole_range(quantity).least),
-          quantity == LimitedQuantity::moment_ratio ? most_slender : largest};
-}
-
 /// A value as a number that the search halves: its logarithm, or the value itself.
 double on_scale(LimitedQuantity quantity, double value) { return is_linear(quantity) ? value : std::log10(value); }
 /// Rounded to three digits, so that the value does not depend on how a machine rounds logarithms.
@@ -89,7 +71,8 @@ bool fails(const SubjectResult& result) {
 
 class Search {
  public:
-  Search(const Subject& subject, const ReachOptions& options) : subject_(&subject), options_(&options) {}
+  Search(const Subject& subject, const ReachOptions& options, const oracles::Yardstick& yardstick)
+      : subject_(&subject), options_(&options), yardstick_(yardstick) {}
 
   /// The gate's result for the subject in this domain.
   [[nodiscard]] SubjectResult judged(const Domain& domain, std::uint64_t seed, std::uint64_t cases,
@@ -98,7 +81,7 @@ class Search {
     options.seed = seed;
     options.cases = cases;
     options.within = domain;
-    options.yardstick = options_->yardstick;
+    options.yardstick = yardstick_;
     options.workers = options_->workers;
     options.fail_fast = true;
     options.shrinks = shrinks;
@@ -119,7 +102,7 @@ class Search {
 
   [[nodiscard]] Face face(const std::vector<Face>& known, LimitedQuantity quantity, bool is_upper) const {
     const Range& core = options_->core.ranges[quantity];
-    const Range end = farthest(quantity);
+    const Range end = searched_range(quantity);
     // A core may end at 0, or beyond the ends of the search.
     const double first = on_scale(quantity, is_upper ? std::max(core.most, end.least) : core.least);
     const double last =
@@ -167,11 +150,43 @@ class Search {
 
   const Subject* subject_;
   const ReachOptions* options_;
+  oracles::Yardstick yardstick_;
 };
+
+/// An error "interrupted" says that a stop was requested.
+Ends searched_ends(const Search& search, const ReachOptions& options) {
+  const Ends interrupted{{}, "interrupted"};
+  const SubjectResult in_core = search.judged(options.core, options.seed, options.cases_of_box, true);
+  if (options.stop.stop_requested()) {
+    return interrupted;
+  }
+  Ends ends;
+  ends.cases_of_core = in_core.cases();
+  if (fails(in_core)) {
+    ends.error = in_core.error.empty() ? in_core.not_judged : in_core.error;
+    if (!in_core.witnesses.empty()) {
+      ends.in_core = in_core.witnesses.front();
+    }
+    return ends;
+  }
+  for (const LimitedQuantity quantity : all_limited_quantities) {
+    for (const bool is_upper : {false, true}) {
+      const Range& core = options.core.ranges[quantity];
+      const Range whole = whole_range(quantity);
+      if (is_upper ? core.most < whole.most : core.least > whole.least) {
+        ends.faces.push_back(search.face(ends.faces, quantity, is_upper));
+      }
+      if (options.stop.stop_requested()) {
+        return interrupted;
+      }
+    }
+  }
+  return ends;
+}
 
 /// The end of a range, this share of the way from the core's end to the face's.
 double between(LimitedQuantity quantity, double core, double face, double share) {
-  const double from = on_scale(quantity, std::max(core, farthest(quantity).least));
+  const double from = on_scale(quantity, std::max(core, searched_range(quantity).least));
   return share == 1 ? face : from_scale(quantity, from + share * (on_scale(quantity, face) - from));
 }
 
@@ -193,42 +208,42 @@ Domain default_core() {
       "restitution=0.25:0.75,friction=:0.75,tangential_restitution=0:0.5");
 }
 
+bool is_linear(LimitedQuantity quantity) {
+  return quantity == LimitedQuantity::restitution || quantity == LimitedQuantity::tangential_restitution;
+}
+
+Range searched_range(LimitedQuantity quantity) {
+  if (is_linear(quantity)) {
+    return whole_range(quantity);
+  }
+  constexpr double smallest = 1e-9;
+  constexpr double largest = 1e9;
+  constexpr double most_slender = 1e8;
+  return {std::max(smallest, whole_range(quantity).least),
+          quantity == LimitedQuantity::moment_ratio ? most_slender : largest};
+}
+
+Range range_of(const Ends& ends, const Domain& core, LimitedQuantity quantity) {
+  return domain_at(core, ends.faces, 1).ranges[quantity];
+}
+
 Reach measured_reach(const Subject& subject, const ReachOptions& options) {
   CAROM_EXPECTS(has_cases_within(options.core, *family_named("generic"), options.seed), to_text(options.core));
-  const Search search(subject, options);
-  const Reach interrupted{{}, "interrupted", {}, options.core};
+  const Search search(subject, options, options.yardstick);
+  const Reach interrupted{{{}, "interrupted"}, {}, options.core};
   Reach reach;
-  const SubjectResult in_core = search.judged(options.core, options.seed, options.cases_of_box, true);
   reach.domain = options.core;
-  reach.cases = in_core.cases();
-  if (options.stop.stop_requested()) {
-    return interrupted;
-  }
-  if (fails(in_core)) {
-    reach.error = in_core.error.empty() ? in_core.not_judged : in_core.error;
-    if (!in_core.witnesses.empty()) {
-      reach.in_core = in_core.witnesses.front();
-    }
+  reach.ends = searched_ends(search, options);
+  reach.cases = reach.ends.cases_of_core;
+  if (!reach.ends.error.empty() || reach.ends.in_core) {
     return reach;
-  }
-  for (const LimitedQuantity quantity : all_limited_quantities) {
-    for (const bool is_upper : {false, true}) {
-      const Range& core = options.core.ranges[quantity];
-      const Range whole = whole_range(quantity);
-      if (is_upper ? core.most < whole.most : core.least > whole.least) {
-        reach.faces.push_back(search.face(reach.faces, quantity, is_upper));
-      }
-      if (options.stop.stop_requested()) {
-        return interrupted;
-      }
-    }
   }
   double held = 0;
   double failed = 1;
   std::uint64_t seed = options.seed;  // each domain gets fresh cases
   constexpr double narrowest = 1.0 / 64;
   for (double share = 1; failed - held > narrowest; share = held + (failed - held) / 2) {
-    const Domain domain = domain_at(options.core, reach.faces, share);
+    const Domain domain = domain_at(options.core, reach.ends.faces, share);
     const SubjectResult result = search.judged(domain, ++seed, options.cases_of_box, false);
     if (options.stop.stop_requested()) {
       return interrupted;
@@ -245,6 +260,12 @@ Reach measured_reach(const Subject& subject, const ReachOptions& options) {
     }
   }
   reach.share = held;
+  if (options.stricter) {
+    reach.stricter = searched_ends(Search(subject, options, *options.stricter), options);
+  }
+  if (options.stop.stop_requested()) {
+    return interrupted;
+  }
   return reach;
 }
 

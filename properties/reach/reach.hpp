@@ -16,6 +16,8 @@ namespace carom::properties {
 struct ReachOptions {
   std::uint64_t seed = 1;
   oracles::Yardstick yardstick;
+  /// A yardstick that permits less rounding. If given, the ends are searched with it, too.
+  std::optional<oracles::Yardstick> stricter = {};
   Workers workers = {};
   Domain core;                       // the subject must hold here; `default_core` is a choice
   std::uint64_t cases_of_slab = 10;  // of each family, times its weight, for each step of a search
@@ -36,17 +38,36 @@ struct Face {
   std::string error = {};  // why the subject could not be judged beyond the end; empty if it could
 };
 
-struct Reach {
+/// The ends of the ranges with one yardstick.
+struct Ends {
   /// A violation in the core, an error of the subject there, or a stop. Then nothing else is known.
   std::optional<Witness> in_core = {};
   std::string error = {};
   std::vector<Face> faces = {};
+  std::uint64_t cases_of_core = 0;
+};
+
+struct Reach {
+  Ends ends = {};
+  /// The ends with the stricter yardstick. None if the options have none, or if nothing is known of `ends`.
+  std::optional<Ends> stricter = {};
   /// The domain that results from all faces together. If it had a violation, its ranges were narrowed towards the core,
   /// all in one proportion.
   Domain domain = {};
   double share = 1;         // of the way from the core to the faces, on the scale of the search
   std::uint64_t cases = 0;  // fresh cases in the domain, without a violation
 };
+
+/// Whether the quantity is searched in equal steps, as the coefficients ε and e_t are. All others are searched in equal
+/// ratios.
+[[nodiscard]] bool is_linear(LimitedQuantity quantity);
+
+/// The ends of a search: sizes, masses and speeds from 10⁻⁹ to 10⁹, and ratios of moments up to 10⁸. The gate's
+/// families do not claim more slender bodies.
+[[nodiscard]] Range searched_range(LimitedQuantity quantity);
+
+/// The range in which the subject holds if only this quantity leaves the core.
+[[nodiscard]] Range range_of(const Ends& ends, const Domain& core, LimitedQuantity quantity);
 
 /// Searches the end of one quantity after the other, and then judges fresh cases of all quantities together. Each step
 /// of a search judges cases in a slab: the quantity lies within a twentieth of the tried value, and the others in the

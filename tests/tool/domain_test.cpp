@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <array>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <pugixml.hpp>
 
 #include "support/program.hpp"
+#include "support/schema.hpp"
 
 namespace carom::tests {
 namespace {
@@ -56,6 +59,102 @@ TEST(DomainCommand, ShowsAViolationWhereTheSearchStarts) {
   EXPECT_NE(result.output.find(" there, so it has no domain around these values. Choose other values by --core."),
             std::string::npos)
       << result.output;
+}
+
+/// In binary32, rounding passes 32 ulps of itself long before it passes three digits.
+TEST(DomainCommand, DrawsWhereASubjectHoldsLosesDigitsAndFails) {
+  const TemporaryDirectory directory;
+  const std::string file = (directory.path() / "domain.svg").string();
+  const RunResult result = domain({"reflection-world-float", "--digits", "3", "--picture", file, "--beside",
+                                   "size=0.1:10,restitution=:0.9", "--format", "json"});
+  ASSERT_EQ(result.exit_status, 0) << result.errors;
+  const json record = json::parse(result.output);
+  const auto end_of_moments = [](const json& ends) {
+    for (const json& face : ends.at("faces")) {
+      if (face.at("quantity") == "moment_ratio") {
+        return face.at("value").get<double>();
+      }
+    }
+    return 0.0;
+  };
+  const double end = end_of_moments(record);
+  const double stricter_end = end_of_moments(record.at("stricter"));
+  EXPECT_GT(end, 2 * stricter_end);
+  EXPECT_GT(stricter_end, 2);
+
+  pugi::xml_document picture;
+  ASSERT_TRUE(picture.load_file(file.c_str()));
+  EXPECT_EQ(picture.select_nodes("/svg/g[@class='bar']").size(), 12U);
+  const auto bar = [&](const char* quantity) {
+    return picture.select_node((std::string("/svg/g[@class='bar'][text='") + quantity + "']").c_str()).node();
+  };
+  const auto count = [](const pugi::xml_node& node, const char* colour) {
+    return node.select_nodes((std::string("rect[@fill='") + colour + "']").c_str()).size();
+  };
+  constexpr const char* blue = "#0072b2";
+  constexpr const char* orange = "#e69f00";
+  constexpr const char* black = "#000000";
+  EXPECT_EQ(count(bar("moment_ratio"), blue), 1U);
+  EXPECT_EQ(count(bar("moment_ratio"), orange), 1U);
+  for (const char* quantity : {"size", "restitution"}) {
+    EXPECT_EQ(count(bar(quantity), black), 1U) << quantity;
+  }
+  EXPECT_EQ(count(bar("mass"), black), 0U);
+  for (const char* said : {"holds to 32 ulps", "loses digits, holds to 3 digits", "fails", "kg"}) {
+    EXPECT_NE(content_of(file).find(said), std::string::npos) << said;
+  }
+}
+
+TEST(DomainCommand, DrawsTwoPartsWithoutDigits) {
+  const TemporaryDirectory directory;
+  const std::string file = (directory.path() / "domain.svg").string();
+  const RunResult result = domain({"reflection-world-double", "--picture", file, "--deviates", "backward_error"});
+  ASSERT_EQ(result.exit_status, 0) << result.errors;
+  EXPECT_NE(result.output.find("\nNot judged: backward_error.\n"), std::string::npos) << result.output;
+  const std::string picture = content_of(file);
+  EXPECT_EQ(picture.find("loses digits"), std::string::npos);
+  EXPECT_NE(picture.find("holds to 32 ulps"), std::string::npos);
+  EXPECT_NE(picture.find(">games<"), std::string::npos);
+}
+
+TEST(DomainCommand, LeavesDeviationsOut) {
+  const std::vector<std::string> subject{"reflection-in-basis-double", "--core", "speed=1:2,spin=0:0", "--format",
+                                         "json"};
+  const json before = json::parse(domain(subject).output);
+  const std::string invariant = before.at("in_core").at("invariant");
+  std::vector<std::string> more = subject;
+  more.insert(more.end(), {"--deviates", invariant});
+  const json after = json::parse(domain(more).output);
+  EXPECT_EQ(after.at("deviates"), json::array({invariant}));
+  EXPECT_FALSE(before.contains("deviates"));
+  ASSERT_TRUE(after.contains("in_core")) << after;
+  EXPECT_NE(after.at("in_core").at("invariant"), invariant);
+}
+
+TEST(DomainCommand, WritesWhatTheSchemaDescribes) {
+  const TemporaryDirectory directory;
+  std::vector<std::string> files;
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"reflection-world-float", "--digits", "3", "--format", "json"},
+        {"reflection-in-basis-double", "--core", "speed=1:2,spin=0:0", "--deviates", "energy", "--format", "json"}}) {
+    files.push_back(directory.write(std::to_string(files.size()) + ".json", domain(arguments).output));
+  }
+  json changed = json::parse(content_of(files[0]));
+  changed["mood"] = "good";
+  const std::string rejected = directory.write("rejected.json", changed.dump());
+  const std::string schema = std::string(CAROM_SOURCE_DIR) + "/docs/reference/schemas/domain.schema.json";
+  EXPECT_EQ(accepted_by(schema, {files[0], files[1], rejected}), files);
+}
+
+TEST(DomainCommand, SaysWhatIsWrongWithItsOptions) {
+  for (const auto& [option, value, said] :
+       {std::array<const char*, 3>{"--deviates", "no_such", "--deviates: "},
+        {"--beside", "nowhere", "--beside: "},
+        {"--picture", "/no/such/folder/domain.svg", "/no/such/folder/domain.svg"}}) {
+    const RunResult result = domain({"frictionless-double", option, value});
+    EXPECT_EQ(result.exit_status, 2) << option;
+    EXPECT_NE(result.errors.find(said), std::string::npos) << result.errors;
+  }
 }
 
 TEST(DomainCommand, NeedsASubjectThatRuns) {

@@ -21,4 +21,8 @@ namespace carom::report {
   return green;
 }
 
+/// In a dark page a picture is dark too: this rule inverts lightness, and keeps hues.
+inline constexpr std::string_view dark_style =
+    "@media (prefers-color-scheme: dark) { svg { filter: invert(0.93) hue-rotate(180deg) } }";
+
 }  // namespace carom::report

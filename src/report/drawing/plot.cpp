@@ -219,21 +219,22 @@ std::string time_tics(const Axis& axis) {
   return "set xtics (" + tics + ")";
 }
 
-std::string power_tics(const Axis& axis, char letter) {
+std::string power_of_ten(int exponent) {
   constexpr std::array<std::string_view, 10> raised{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-  const auto text_of = [&](int exponent) {
-    std::string text = exponent < 0 ? "10⁻" : "10";
-    for (const char digit : std::to_string(std::abs(exponent))) {
-      text += raised[static_cast<std::size_t>(digit - '0')];
-    }
-    return text;
-  };
+  std::string text = exponent < 0 ? "10⁻" : "10";
+  for (const char digit : std::to_string(std::abs(exponent))) {
+    text += raised[static_cast<std::size_t>(digit - '0')];
+  }
+  return text;
+}
+
+std::string power_tics(const Axis& axis, char letter) {
   const int first = static_cast<int>(std::lround(std::log10(std::min(axis.low, axis.high))));
   const int last = static_cast<int>(std::lround(std::log10(std::max(axis.low, axis.high))));
   const int step = std::max(1, (last - first + 4) / 8);
   std::string tics;
   for (int exponent = first; exponent <= last; exponent += step) {
-    tics += fmt::format("{}\"{}\" 1e{}", tics.empty() ? "" : ", ", text_of(exponent), exponent);
+    tics += fmt::format("{}\"{}\" 1e{}", tics.empty() ? "" : ", ", power_of_ten(exponent), exponent);
   }
   return fmt::format("set {}tics ({})", letter, tics);
 }

@@ -115,6 +115,9 @@ void spread(std::vector<double>& heights, double gap, double least);
 /// numbers.
 [[nodiscard]] std::string time_tics(const Axis& axis);
 
+/// "10⁻³".
+[[nodiscard]] std::string power_of_ten(int exponent);
+
 /// A gnuplot command for tics at powers of ten, about eight of them, on the axis 'x' or 'y'.
 [[nodiscard]] std::string power_tics(const Axis& axis, char letter);
 

@@ -6,18 +6,17 @@
 
 #include <fmt/format.h>
 
-#include <carom/collision/json/json.hpp>
+#include <carom/collision/precision.hpp>
 #include <carom/properties/domains/draw_within.hpp>
 #include <carom/properties/reach/reach.hpp>
-#include <carom/properties/trial/in_words.hpp>
-#include <carom/report/document/document.hpp>
-#include <carom/report/model/answer_json.hpp>
 #include <carom/report/model/domain_json.hpp>
-#include <carom/report/model/version.hpp>
 #include <carom/report/model/words.hpp>
+#include <carom/report/pages/reach_pages.hpp>
 
 #include "commands/commands.hpp"
 #include "commands/options.hpp"
+#include "io/deviations.hpp"
+#include "io/domain_argument.hpp"
 #include "io/interrupt.hpp"
 #include "io/orphans.hpp"
 #include "io/output_file.hpp"
@@ -29,9 +28,6 @@ namespace carom::tool {
 namespace {
 
 using nlohmann::json;
-using properties::Face;
-using properties::LimitedQuantity;
-using properties::Witness;
 
 struct DomainArguments {
   std::string subject;
@@ -39,106 +35,31 @@ struct DomainArguments {
   std::uint64_t seed = 1;
   std::uint64_t cases = 200;
   YardstickArguments judged;
-  unsigned jobs = 0;   // 0: one for each core
-  double timeout = 5;  // for each reply of a program [s]
-  std::string out;     // a file for --within; empty for none
+  unsigned jobs = 0;    // 0: one for each core
+  double timeout = 5;   // for each reply of a program [s]
+  std::string out;      // a file for --within; empty for none
+  std::string picture;  // an SVG file; empty for none
+  std::string beside = "games";
+  std::vector<std::string> deviates = {};  // "invariant" or "invariant@family"
   std::string format = "text";
 };
 
-json domain_record(const properties::Domain& domain) { return report::Json<properties::Domain>::write(domain); }
-
-json witness_record(const Witness& witness) {
-  return {{"invariant", witness.invariant},
-          {"family", witness.family},
-          {"collision", collision_to_json(witness.shrunk.collision)},
-          {"violation", report::shown(properties::in_words(witness.verdict))}};
+/// The default limit in ulps, if it permits less rounding than the digits that are asked for.
+std::optional<oracles::Yardstick> stricter_than(const oracles::Yardstick& yardstick, Precision precision) {
+  oracles::Yardstick in_ulps = yardstick;
+  in_ulps.digits.reset();
+  in_ulps.unit_roundoff = unit_roundoff(precision);
+  const bool is_stricter = yardstick.digits && in_ulps.allowance() < yardstick.allowance();
+  in_ulps.unit_roundoff = yardstick.unit_roundoff;
+  return is_stricter ? std::optional(in_ulps) : std::nullopt;
 }
 
-json record_of(const Subject& subject, const properties::ReachOptions& options, const properties::Reach& reach) {
-  json record{{"carom", report::version},
-              {"subject", subject.name},
-              {"seed", options.seed},
-              {"yardstick", report::Json<oracles::Yardstick>::write(options.yardstick)},
-              {"error", report::shown(reach.error)},
-              {"core", domain_record(options.core)},
-              {"faces", json::array()},
-              {"domain", domain_record(reach.domain)},
-              {"share", reach.share},
-              {"cases", reach.cases}};
-  if (reach.in_core) {
-    record["in_core"] = witness_record(*reach.in_core);
-  }
-  for (const Face& face : reach.faces) {
-    record["faces"].push_back({{"quantity", name_of(face.quantity)},
-                               {"end", face.is_upper ? "most" : "least"},
-                               {"value", face.end},
-                               {"beyond", face.beyond ? witness_record(*face.beyond) : json()},
-                               {"error", report::shown(face.error)}});
-  }
-  return record;
-}
-
-std::string witness_text(const Witness& witness) {
-  return fmt::format("{}\n  {}\n", properties::in_words(witness.shrunk.collision, "  ").substr(2),
-                     report::shown(properties::in_words(witness.verdict)));
-}
-
-report::Table table_of(const properties::Reach& reach) {
-  report::Table table{"The ends of each range",
-                      {{"quantity"}, {"end"}, {"holds to", true}, {"in the domain", true}, {"violated beyond"}},
-                      {}};
-  for (const Face& face : reach.faces) {
-    const properties::Range& range = reach.domain.ranges[face.quantity];
-    table.rows.push_back(
-        {{std::string(name_of(face.quantity)), face.is_upper ? "most" : "least", fmt::format("{:.3g}", face.end),
-          fmt::format("{:.3g}", face.is_upper ? range.most : range.least),
-          face.beyond          ? face.beyond->invariant
-          : face.error.empty() ? std::string("the search ends here")
-                               : "error: " + report::shown(face.error)}});
-  }
-  return table;
-}
-
-std::string text_of(const Subject& subject, const properties::ReachOptions& options, const properties::Reach& reach) {
-  std::string text = fmt::format("Carom {}: the domain of {}, seed {}, limit {}\nThe search starts from {}.\n\n",
-                                 report::version, report::shown(subject.name), options.seed,
-                                 report::limit_in_words(options.yardstick), to_text(options.core));
-  if (!reach.error.empty()) {
-    return text + fmt::format("The subject could not be judged there: {}\n", report::shown(reach.error));
-  }
-  if (reach.in_core) {
-    return text + fmt::format(
-                      "The subject violates {} there, so it has no domain around these values. Choose other "
-                      "values by --core.\n\n  {}",
-                      reach.in_core->invariant, witness_text(*reach.in_core));
-  }
-  text += report::in_text({table_of(reach)});
-  text += fmt::format(
-      "\n*holds to*: only this quantity leaves the core. *in the domain*: all quantities leave it together{}.\n\n"
-      "{}\n\nNo violation in {} fresh cases of this domain. A defect that shows in fewer than 3 of "
-      "so many cases can be missed.\n",
-      reach.share < 1 ? fmt::format(", {:.0f} % of the way", 100 * reach.share) : "", to_text(reach.domain),
-      reach.cases);
-  for (const Face& face : reach.faces) {
-    if (face.beyond) {
-      text +=
-          fmt::format("\n{} {} {:.3g}: violates {}\n  {}", name_of(face.quantity), face.is_upper ? "above" : "below",
-                      face.end, face.beyond->invariant, witness_text(*face.beyond));
-    }
-  }
-  return text;
-}
-
-int measure_domain(const DomainArguments& arguments) {
-  const std::stop_token stop = stop_on_interrupt();
-  const Orphanage orphanage;
-  const Subject subject = subject_from_argument(arguments.subject, arguments.timeout, stop);
-  if (!subject.absent.empty()) {
-    throw UsageError(report::shown(fmt::format("{}: {}", subject.name, subject.absent)));
-  }
+properties::ReachOptions options_of(const DomainArguments& arguments, Precision precision,
+                                    const std::stop_token& stop) {
   properties::ReachOptions options;
   options.seed = arguments.seed;
   options.yardstick = arguments.judged.yardstick();
+  options.stricter = stricter_than(options.yardstick, precision);
   options.workers = threads(arguments.jobs);
   options.core = arguments.core.value_or(properties::default_core());
   options.cases_of_box = arguments.cases;
@@ -147,15 +68,34 @@ int measure_domain(const DomainArguments& arguments) {
   if (!has_cases_within(options.core, *properties::family_named("generic"), options.seed)) {
     throw UsageError(fmt::format("--core: no case of generic lies within {}; use wider ranges", to_text(options.core)));
   }
-  const properties::Reach reach = measured_reach(subject, options);
-  const bool is_known = reach.error.empty() && !reach.in_core;
-  fmt::print("{}", arguments.format == "json"
-                       ? record_of(subject, options, reach).dump(1, ' ', false, json::error_handler_t::replace) + '\n'
-                       : text_of(subject, options, reach));
-  if (is_known && !arguments.out.empty()) {
-    write_file(arguments.out, domain_record(reach.domain).dump(1) + '\n');
+  return options;
+}
+
+int measure_domain(const DomainArguments& arguments) {
+  const std::vector<std::string> deviates = known_deviations(arguments.deviates);
+  const properties::Domain beside = domain_from_argument("--beside", arguments.beside);
+  const std::stop_token stop = stop_on_interrupt();
+  const Orphanage orphanage;
+  Subject subject = subject_from_argument(arguments.subject, arguments.timeout, stop);
+  if (!subject.absent.empty()) {
+    throw UsageError(report::shown(fmt::format("{}: {}", subject.name, subject.absent)));
   }
-  return is_known ? exit_all_hold : reach.in_core ? exit_violated : exit_usage;
+  let_deviate(subject, deviates);
+  report::MeasuredDomain measured{subject.name, deviates, options_of(arguments, subject.precision, stop), {}};
+  measured.reach = measured_reach(subject, measured.options);
+  fmt::print("{}", arguments.format == "json"
+                       ? reach_record(measured).dump(1, ' ', false, json::error_handler_t::replace) + '\n'
+                       : reach_text(measured));
+  if (!measured.is_known()) {
+    return measured.reach.ends.in_core ? exit_violated : exit_usage;
+  }
+  if (!arguments.out.empty()) {
+    write_file(arguments.out, report::Json<properties::Domain>::write(measured.reach.domain).dump(1) + '\n');
+  }
+  if (!arguments.picture.empty()) {
+    write_file(arguments.picture, reach_svg(measured, beside, arguments.beside));
+  }
+  return exit_all_hold;
 }
 
 }  // namespace
@@ -181,6 +121,16 @@ void add_domain(CLI::App& app, Chosen& chosen) {
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}))
       ->capture_default_str();
   command->add_option("--out", arguments->out, "File for --within, as JSON")->type_name("FILE");
+  command
+      ->add_option(
+          "--picture", arguments->picture,
+          "SVG picture with a bar for each quantity. With --digits, the bars also show where the subject holds "
+          "to the default limit in ulps")
+      ->type_name("FILE");
+  command->add_option("--beside", arguments->beside, "Domain whose ranges the picture shows beside the bars")
+      ->type_name("DOMAIN")
+      ->capture_default_str();
+  add_deviates(*command, arguments->deviates, "The output lists them");
   add_jobs(*command, arguments->jobs, "Number of threads");
   add_yardstick(*command, arguments->judged);
   add_timeout(*command, arguments->timeout);

@@ -4,7 +4,6 @@
 #include <memory>
 #include <optional>
 #include <set>
-#include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
@@ -20,6 +19,7 @@
 #include "commands/commands.hpp"
 #include "commands/journaled_gate.hpp"
 #include "commands/options.hpp"
+#include "io/deviations.hpp"
 #include "io/domain_argument.hpp"
 #include "io/family_argument.hpp"
 #include "io/interrupt.hpp"
@@ -168,32 +168,6 @@ Selection select(const GateArguments& arguments, const std::stop_token& stop) {
   return selection;
 }
 
-std::vector<std::string> known_deviations(const GateArguments& arguments) {
-  std::vector<std::string> deviates;
-  for (const std::string& text : arguments.deviates) {
-    try {
-      (void)properties::deviation_from(text);
-    } catch (const std::invalid_argument& error) {
-      throw UsageError(report::shown(std::string("--deviates: ") + error.what()));
-    }
-    if (std::find(deviates.begin(), deviates.end(), text) == deviates.end()) {
-      deviates.push_back(text);
-    }
-  }
-  return deviates;
-}
-
-/// Adds these deviations (unclaimed invariants) to those of every subject.
-void let_deviate(std::vector<Subject>& subjects, const std::vector<std::string>& deviates) {
-  for (Subject& subject : subjects) {
-    for (const std::string& text : deviates) {
-      if (std::find(subject.deviates.begin(), subject.deviates.end(), text) == subject.deviates.end()) {
-        subject.deviates.push_back(text);
-      }
-    }
-  }
-}
-
 /// The shard that is judged; none for the whole run. Throws UsageError.
 std::optional<properties::Shard> shard_of(const GateArguments& arguments) {
   if (arguments.shard.empty()) {
@@ -249,7 +223,7 @@ Journal journal_of(const Selection& selection, const properties::GateOptions& op
 }
 
 int gate(const GateArguments& arguments) {
-  const std::vector<std::string> deviates = known_deviations(arguments);
+  const std::vector<std::string> deviates = known_deviations(arguments.deviates);
   const std::optional<properties::Shard> shard = shard_of(arguments);
   const std::string out = directory_of(arguments, shard);
   const std::optional<ReadRun> baseline =
@@ -267,7 +241,9 @@ int gate(const GateArguments& arguments) {
   const std::stop_token stop = stop_on_interrupt();
   const Orphanage orphanage;
   Selection selection = select(arguments, stop);
-  let_deviate(selection.subjects, deviates);
+  for (Subject& subject : selection.subjects) {
+    let_deviate(subject, deviates);
+  }
   const properties::Domain within = arguments.within ? *arguments.within : declared_domain(selection.subjects);
   Posed posed = posed_within(arguments, within);
   properties::GateOptions options = options_of(arguments, within, std::move(posed.families), stop);
@@ -368,12 +344,7 @@ void add_gate(CLI::App& app, Chosen& chosen) {
                  "the same command goes on after the last finished part")
       ->needs(shard)
       ->needs("--out");
-  command
-      ->add_option("--deviates", arguments->deviates,
-                   "Invariants that the gate does not judge in this run, separated by commas: INVARIANT, or "
-                   "INVARIANT@FAMILY for one family. The report lists them as not claimed")
-      ->delimiter(',')
-      ->allow_extra_args(false);
+  add_deviates(*command, arguments->deviates, "The report lists them as not claimed");
   command
       ->add_option("--annotations", arguments->annotations,
                    "Print the violations also as annotations in the format of this service")

@@ -90,6 +90,16 @@ CLI::Option* add_within(CLI::App& command, std::optional<properties::Domain>& do
       "as size=0.1:10,mass_ratio=:100 (default: the domain that a program declares, otherwise everything)");
 }
 
+void add_deviates(CLI::App& command, std::vector<std::string>& deviates, const std::string& effect) {
+  command
+      .add_option("--deviates", deviates,
+                  "Invariants that are not judged in this run, separated by commas: INVARIANT, or INVARIANT@FAMILY for "
+                  "one family. " +
+                      effect)
+      ->delimiter(',')
+      ->allow_extra_args(false);
+}
+
 void add_seed(CLI::App& command, std::uint64_t& seed, const std::string& what) {
   command.add_option("--seed", seed, what)->check(is_count)->capture_default_str();
 }

@@ -35,6 +35,8 @@ CLI::Option* add_domain_option(CLI::App& command, const char* name, std::optiona
                                const std::string& what);
 /// Adds `--within`.
 CLI::Option* add_within(CLI::App& command, std::optional<properties::Domain>& domain);
+/// Adds `--deviates`. `effect` is a sentence about the result.
+void add_deviates(CLI::App& command, std::vector<std::string>& deviates, const std::string& effect);
 void add_seed(CLI::App& command, std::uint64_t& seed, const std::string& what);
 void add_jobs(CLI::App& command, unsigned& jobs, const std::string& what);
 

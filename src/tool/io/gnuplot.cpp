@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <carom/report/drawing/colours.hpp>
 #include <carom/subjects/protocol/child.hpp>
 
 #include "io/json_file.hpp"
@@ -12,16 +13,13 @@
 namespace carom::tool {
 namespace {
 
-/// In a dark page the picture is dark too: lightness is inverted, and hues stay.
 void add_dark_style(const std::filesystem::path& svg) {
   std::string text = content_of_file(svg.string());
   const std::size_t begin = text.find("<g ");
   if (begin == std::string::npos) {
     throw UsageError(fmt::format("{}: gnuplot wrote no picture into this file", svg.string()));
   }
-  text.insert(
-      begin,
-      "<style>@media (prefers-color-scheme: dark) { svg { filter: invert(0.93) hue-rotate(180deg) } }</style>\n");
+  text.insert(begin, fmt::format("<style>{}</style>\n", report::dark_style));
   write_file(svg, text);
 }
 

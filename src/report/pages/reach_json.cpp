@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <carom/collision/json/json.hpp>
+#include <carom/properties/trial/in_words.hpp>
+#include <carom/report/model/answer_json.hpp>
+#include <carom/report/model/domain_json.hpp>
+#include <carom/report/model/version.hpp>
+#include <carom/report/model/words.hpp>
+#include <carom/report/pages/reach_pages.hpp>
+
+namespace carom::report {
+namespace {
+
+using nlohmann::json;
+
+json domain_record(const properties::Domain& domain) { return Json<properties::Domain>::write(domain); }
+
+json witness_record(const properties::Witness& witness) {
+  return {{"invariant", witness.invariant},
+          {"family", witness.family},
+          {"collision", collision_to_json(witness.shrunk.collision)},
+          {"violation", shown(properties::in_words(witness.verdict))}};
+}
+
+json ends_record(const properties::Ends& ends, const oracles::Yardstick& yardstick) {
+  json record{{"yardstick", Json<oracles::Yardstick>::write(yardstick)},
+              {"error", shown(ends.error)},
+              {"faces", json::array()}};
+  if (ends.in_core) {
+    record["in_core"] = witness_record(*ends.in_core);
+  }
+  for (const properties::Face& face : ends.faces) {
+    record["faces"].push_back({{"quantity", name_of(face.quantity)},
+                               {"end", face.is_upper ? "most" : "least"},
+                               {"value", face.end},
+                               {"beyond", face.beyond ? witness_record(*face.beyond) : json()},
+                               {"error", shown(face.error)}});
+  }
+  return record;
+}
+
+}  // namespace
+
+json reach_record(const MeasuredDomain& measured) {
+  const auto& [subject, deviates, options, reach] = measured;
+  json record = ends_record(reach.ends, options.yardstick);
+  record.update({{"carom", version},
+                 {"subject", subject},
+                 {"seed", options.seed},
+                 {"core", domain_record(options.core)},
+                 {"domain", domain_record(reach.domain)},
+                 {"share", reach.share},
+                 {"cases", reach.cases}});
+  if (!deviates.empty()) {
+    record["deviates"] = deviates;
+  }
+  if (reach.stricter) {
+    record["stricter"] = ends_record(*reach.stricter, *options.stricter);
+  }
+  return record;
+}
+
+}  // namespace carom::report
