@@ -11,6 +11,7 @@
 #include <carom/properties/diagnosis/fault.hpp>
 #include <carom/properties/diagnosis/hypothesis.hpp>
 #include <carom/properties/diagnosis/where.hpp>
+#include <carom/properties/trial/declared_effects.hpp>
 
 namespace carom::properties::diagnosis {
 namespace {
@@ -80,7 +81,22 @@ std::string telling_invariant(const SubjectResult& result, std::uint64_t violate
   });
 }
 
-/// The first violated cases, one of each family in turn.
+/// The case and the answer without the effects that the subject declares, rounded to binary64.
+ViolatedCase without_effects(const ViolatedCase& one, const Subject& subject) {
+  ViolatedCase changed = one;
+  if (subject.effects == DeclaredEffects{} || !validate(one.one.collision).empty()) {
+    return changed;
+  }
+  changed.one.collision = judged_collision(one.one.collision, subject.effects);
+  ExactAnswer answer = lift(one.answer);
+  take_out_effects(answer, subject.effects, oracles::ExactCase(changed.one.collision), subject.law, 0);
+  if (const auto* outcome = std::get_if<oracles::LiftedOutcome>(&answer)) {
+    changed.answer = reported(outcome->rounded());
+  }
+  return changed;
+}
+
+/// The first violated cases, one of each family in turn, without declared effects.
 std::vector<ViolatedCase> examples_of(const SubjectResult& result) {
   std::vector<ViolatedCase> examples;
   for (const auto first : {&FamilyResult::first_violated, &FamilyResult::first_violated_by_relations}) {
@@ -97,6 +113,8 @@ std::vector<ViolatedCase> examples_of(const SubjectResult& result) {
   }
   constexpr std::size_t most_examples = 120;
   examples.resize(std::min(examples.size(), most_examples), {0, {}, Skipped{}});
+  std::ranges::transform(examples, examples.begin(),
+                         [&](const ViolatedCase& one) { return without_effects(one, result.subject); });
   return examples;
 }
 

@@ -8,6 +8,7 @@
 
 #include <carom/collision/validate.hpp>
 #include <carom/oracles/laws/mechanics.hpp>
+#include <carom/properties/diagnosis/diagnosis.hpp>
 #include <carom/properties/families/family.hpp>
 #include <carom/properties/gate/gate.hpp>
 #include <carom/properties/trial/declared_effects.hpp>
@@ -83,7 +84,7 @@ Subject with_effects(const std::string& solver, const DeclaredEffects& done, con
   return subject;
 }
 
-SubjectResult judged(const Subject& subject, const char* only_family = nullptr) {
+GateReport report_on(const Subject& subject, const char* only_family = nullptr) {
   GateOptions options;
   options.seed = 1;
   options.cases = static_cast<std::uint64_t>(only_family == nullptr ? unit::effort(5) : 10);
@@ -94,7 +95,11 @@ SubjectResult judged(const Subject& subject, const char* only_family = nullptr) 
     }
   }
   options.shrinks = false;
-  return run_gate({subject}, options).results.at(0);
+  return run_gate({subject}, options);
+}
+
+SubjectResult judged(const Subject& subject, const char* only_family = nullptr) {
+  return report_on(subject, only_family).results.at(0);
 }
 
 /// A size of each effect that changes many cases.
@@ -145,6 +150,24 @@ TEST(DeclaredEffects, DoNotHideAnotherDefect) {
     const SubjectResult result = judged(with_effects("reflection-world-double", effects, effects), "structured");
     EXPECT_NE(result.violated_invariants(), std::vector<std::string>{}) << name_of(effect);
   }
+}
+
+TEST(DeclaredEffects, AreTakenOutBeforeTheDiagnosis) {
+  DeclaredEffects damping;
+  damping[DeclaredEffect::linear_damping] = damping[DeclaredEffect::angular_damping] = 0.5;
+  Subject subject = with_effects("frictionless-double", damping, damping);
+  subject.open = [open = subject.open] {
+    return Session([session = std::make_shared<Session>(open())](std::span<const Collision> collisions) {
+      std::vector<Collision> inelastic(collisions.begin(), collisions.end());
+      for (Collision& collision : inelastic) {
+        collision.restitution = 0;
+      }
+      return (*session)(inelastic);
+    });
+  };
+  const GateReport report = report_on(subject, "structured");
+  const diagnosis::Diagnosis diagnosis = diagnosis::diagnose(report.results.at(0), report);
+  EXPECT_NE(diagnosis.what.find("as if ε were 0"), std::string::npos) << diagnosis.what;
 }
 
 TEST(DeclaredEffects, OfApproachChangeTheJudgedCollision) {
