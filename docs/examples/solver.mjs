@@ -3,26 +3,9 @@
 import { createInterface } from 'node:readline';
 
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 const sum = (a, b) => a.map((x, i) => x + b[i]);
 const times = (k, a) => a.map((x) => k * x);
-
-/** x y minus the rounded x y, exactly, by factors of half the digits (T. J. Dekker, 1971). */
-function errorOfProduct(x, y) {
-  const halves = (v) => {
-    const large = 134217729 * v; // 2²⁷ + 1
-    const high = large - (large - v);
-    return [high, v - high];
-  };
-  const [[xHigh, xLow], [yHigh, yLow]] = [halves(x), halves(y)];
-  return xHigh * yHigh - x * y + xHigh * yLow + xLow * yHigh + xLow * yLow;
-}
-
-/** a × b, each component with a small relative error. A needle struck on its tip would turn by other errors. */
-function cross(a, b) {
-  const component = (j, k) =>
-    a[j] * b[k] - a[k] * b[j] + (errorOfProduct(a[j], b[k]) - errorOfProduct(a[k], b[j]));
-  return [component(1, 2), component(2, 0), component(0, 1)];
-}
 
 /** v/‖v‖. Divides by the largest component first, so that no square overflows or underflows. */
 function unit(v) {

@@ -10,25 +10,8 @@ def dot(a, b):
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
-def error_of_product(x, y):
-    """x y minus the rounded x y, exactly, by factors of half the digits (T. J. Dekker, 1971)."""
-
-    def halves(v):
-        large = 134217729 * v  # 2²⁷ + 1
-        high = large - (large - v)
-        return high, v - high
-
-    (x_high, x_low), (y_high, y_low) = halves(x), halves(y)
-    return ((x_high * y_high - x * y) + x_high * y_low + x_low * y_high) + x_low * y_low
-
-
 def cross(a, b):
-    """a × b, each component with a small relative error. A needle that is struck on its tip would turn by other errors."""
-
-    def component(j, k):
-        return (a[j] * b[k] - a[k] * b[j]) + (error_of_product(a[j], b[k]) - error_of_product(a[k], b[j]))
-
-    return [component(1, 2), component(2, 0), component(0, 1)]
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 
 
 def unit(v):
