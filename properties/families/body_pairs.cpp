@@ -50,8 +50,6 @@ SizedShape convex_shape(Stream& stream) {
   return {shape, size};
 }
 
-}  // namespace
-
 Body convex_body(Stream& stream, const Vector3<double>& point) {
   Body body;
   const auto [shape, size] = convex_shape(stream);
@@ -62,6 +60,8 @@ Body convex_body(Stream& stream, const Vector3<double>& point) {
   set_velocities(stream, body, size);
   return body;
 }
+
+}  // namespace
 
 Case general_bodies(Stream& stream) { return {general_collision(stream), false}; }
 

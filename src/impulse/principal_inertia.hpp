@@ -111,17 +111,6 @@ template <class S, bool may_be_slender, class Condition>
   return {times(inertia.axes, divided), dot(divided, torque)};
 }
 
-/// Sums (e × r) times the component of J⁻¹ (r × F) along the body axis e. If r lies along the axis of a slender body,
-/// the equal J⁻¹ (r × F) × r is a small difference of large products.
-template <class S, bool may_be_slender, class Condition>
-[[nodiscard]] Vector3<S> velocity_by_turning(const PrincipalInertia<S, may_be_slender>& inertia, const Vector3<S>& r,
-                                             const Vector3<S>& impulse, const Condition& has_slender) {
-  const Vector3<S> torque = torque_in_body_frame(inertia, r, impulse, has_slender);
-  const Vector3<S> divided = detail::products_of_components(torque, inertia.inverse_moments);
-  const Matrix3<S> moments = moments_of_unit_impulses(inertia, r);
-  return {dot<S>(moments.col(0), divided), dot<S>(moments.col(1), divided), dot<S>(moments.col(2), divided)};
-}
-
 /// [r]ᵀ J⁻¹ [r] = Σ (e × r)(e × r)ᵀ / I over the body axes e, with [r] x = r × x. Exactly symmetric.
 template <class S, bool may_be_slender>
 [[nodiscard]] Matrix3<S> angular_part_of_collision_matrix(const PrincipalInertia<S, may_be_slender>& inertia,

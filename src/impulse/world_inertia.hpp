@@ -51,12 +51,6 @@ template <class S>
   return {change_of_spin, dot(torque, change_of_spin)};
 }
 
-template <class S>
-[[nodiscard]] Vector3<S> velocity_by_turning(const WorldInertia<S>& inertia, const Vector3<S>& r,
-                                             const Vector3<S>& impulse, bool has_slender) {
-  return cross(turning(inertia, r, impulse, has_slender).change_of_spin, r);
-}
-
 /// [r]ᵀ J⁻¹ [r], with [r] x = r × x. Exactly symmetric.
 template <class S>
 [[nodiscard]] Matrix3<S> angular_part_of_collision_matrix(const WorldInertia<S>& inertia, const Vector3<S>& r) {
