@@ -81,7 +81,6 @@ namespace gen {
   F(structured)                     \
   F(generic)                        \
   F(physical)                       \
-  F(needle_tip)                     \
   F(head_on)                        \
   F(near_head_on)                   \
   F(collinear_spheres)              \
