@@ -64,8 +64,10 @@ struct FieldPath {
 
 namespace detail {
 
+// These functions are inlined, so that the compiler leaves out the paths that `f` does not read.
 template <class F, class... Vectors>
-void for_each_component(std::string_view body, std::string_view field, F& f, Vectors&... vectors) {
+[[gnu::always_inline]] inline void for_each_component(std::string_view body, std::string_view field, F& f,
+                                                      Vectors&... vectors) {
   const int size = static_cast<int>(std::get<0>(std::tie(vectors...)).size());
   for (int i = 0; i < size; ++i) {
     f(FieldPath{body, field, i}, vectors[i]...);
@@ -73,7 +75,7 @@ void for_each_component(std::string_view body, std::string_view field, F& f, Vec
 }
 
 template <class F, class... Bodies>
-void for_each_body_number(std::string_view name, F& f, Bodies&... bodies) {
+[[gnu::always_inline]] inline void for_each_body_number(std::string_view name, F& f, Bodies&... bodies) {
   if (!std::get<0>(std::tie(bodies...)).immovable) {
     f(FieldPath{name, "mass"}, bodies.mass...);
     for_each_component(name, "principal_inertia", f, bodies.principal_inertia...);
@@ -90,7 +92,7 @@ void for_each_body_number(std::string_view name, F& f, Bodies&... bodies) {
 /// each collision at this path. Skips the mass, inertia and orientation of a body that is immovable in the first
 /// collision.
 template <class F, class... Collisions>
-void for_each_number(F&& f, Collisions&... collisions) {
+[[gnu::always_inline]] inline void for_each_number(F&& f, Collisions&... collisions) {
   detail::for_each_body_number("a", f, collisions.a...);
   detail::for_each_body_number("b", f, collisions.b...);
   detail::for_each_component("", "point", f, collisions.point...);

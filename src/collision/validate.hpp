@@ -37,9 +37,9 @@ inline void check_body(const std::string& name, const Body& body, std::vector<De
 
 /// Whether every number is finite: a fast test.
 [[nodiscard]] inline bool is_finite(const Collision& collision) {
-  double sum = 0;  // 0 if every number is finite, otherwise NaN
-  for_each_number([&](const FieldPath&, const double& number) { sum += 0 * number; }, collision);
-  return sum == 0;
+  bool is_finite = true;
+  for_each_number([&](const FieldPath&, const double& number) { is_finite &= number - number == 0; }, collision);
+  return is_finite;
 }
 
 inline void check_range(const char* field, double value, double low, double high, const char* expected,
