@@ -23,7 +23,6 @@ class RestartingSession {
       throw std::runtime_error("a session that failed for good is asked again");
     }
     std::vector<Answer> answers;
-    answers.reserve(collisions.size());
     while (answers.size() < collisions.size()) {
       const auto start = Clock::now();
       try {
@@ -46,6 +45,10 @@ class RestartingSession {
 
  private:
   static void append(std::vector<Answer>& answers, std::vector<Answer> more) {
+    if (answers.empty()) {
+      answers.swap(more);
+      return;
+    }
     answers.insert(answers.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
   }
 

@@ -24,9 +24,23 @@ struct SolvedOutcome : Outcome<S> {
 /// An outcome as a subject reports it. It holds binary32, binary64 and extended numbers without rounding.
 using ReportedOutcome = SolvedOutcome<long double>;
 
+/// Writes the velocities into `into`, because copies of long doubles are slow. `into` keeps its collision matrix.
+template <class S>
+void write_reported(const Outcome<S>& outcome, ReportedOutcome& into) {
+  const auto from = vectors(outcome);
+  const auto to = vectors(into);
+  for (const OutcomeVector k : all_outcome_vectors) {
+    for (int i = 0; i < 3; ++i) {
+      (*to[k])[i] = static_cast<long double>((*from[k])[i]);
+    }
+  }
+}
+
 template <class S>
 [[nodiscard]] ReportedOutcome reported(const Outcome<S>& outcome) {
-  return map_outcome<long double>(outcome, [](S number) { return static_cast<long double>(number); });
+  ReportedOutcome result;
+  write_reported(outcome, result);
+  return result;
 }
 
 template <class S>

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <span>
+#include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <carom/collision/subject.hpp>
@@ -10,15 +12,21 @@
 
 namespace carom::subjects {
 
-/// A session that answers with `solve` (Collision → Answer), and refuses invalid collisions.
+/// A session that answers with `solve`, and refuses invalid collisions. `solve` maps a collision to an answer, or
+/// writes the outcome of a collision into a ReportedOutcome without a collision matrix.
 template <class Solve>
 [[nodiscard]] Session session_of(Solve solve) {
   return [solve = std::move(solve)](std::span<const Collision> collisions) mutable {
     std::vector<Answer> answers;
     answers.reserve(collisions.size());
     for (const Collision& collision : collisions) {
-      const std::vector<Defect> defects = validate(collision);
-      answers.push_back(defects.empty() ? Answer{solve(collision)} : Answer{Refused{describe(defects)}});
+      if (const std::vector<Defect> defects = validate(collision); !defects.empty()) {
+        answers.emplace_back(Refused{describe(defects)});
+      } else if constexpr (std::is_invocable_v<Solve&, const Collision&, ReportedOutcome&>) {
+        solve(collision, std::get<ReportedOutcome>(answers.emplace_back()));
+      } else {
+        answers.emplace_back(solve(collision));
+      }
     }
     return answers;
   };

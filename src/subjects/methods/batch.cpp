@@ -19,21 +19,24 @@ impulse::ContactBatch<S> batch_of(std::span<const Collision> collisions) {
 template <class S>
 std::vector<Answer> answers_of(std::span<const Collision> collisions, Law law) {
   std::vector<Answer> answers(collisions.size());
-  std::vector<Collision> valid;
-  std::vector<Answer*> answers_of_valid;
+  std::vector<std::size_t> valid;  // indices
+  valid.reserve(collisions.size());
   for (std::size_t i = 0; i < collisions.size(); ++i) {
     const std::vector<Defect> defects = validate(collisions[i]);
     if (defects.empty()) {
-      valid.push_back(collisions[i]);
-      answers_of_valid.push_back(&answers[i]);
+      valid.push_back(i);
     } else {
       answers[i] = Refused{describe(defects)};
     }
   }
+  impulse::ContactBatch<S> contacts(valid.size());
+  for (std::size_t lane = 0; lane < valid.size(); ++lane) {
+    contacts.set(lane, impulse::make_contact<S>(collisions[valid[lane]]));
+  }
   impulse::OutcomeBatch<S> outcomes(valid.size());
-  impulse::solve(batch_of<S>(valid), law, outcomes);
-  for (std::size_t i = 0; i < valid.size(); ++i) {
-    *answers_of_valid[i] = reported<S>(outcomes.at(i));
+  impulse::solve(contacts, law, outcomes);
+  for (std::size_t lane = 0; lane < valid.size(); ++lane) {
+    write_reported<S>(outcomes.at(lane), std::get<ReportedOutcome>(answers[valid[lane]]));
   }
   return answers;
 }

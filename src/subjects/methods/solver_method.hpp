@@ -33,14 +33,12 @@ inline constexpr Precision claimed_precision = precision_of<S>;
 template <>
 inline constexpr Precision claimed_precision<impulse::DoubleDouble> = Precision::extended;
 
-/// The outcome of `solve`, with the collision matrix if the solver formed one.
+/// Writes the outcome of `solve` into `into`, with the collision matrix if the solver formed one.
 template <class S, class Solve, class Input>
-[[nodiscard]] ReportedOutcome reported_by(const Solve& solve, const Input& input) {
-  std::optional<Matrix3<long double>> seen;
-  ReportedOutcome outcome =
-      reported<S>(solve(input, [&](const auto& matrix) { seen = matrix.template cast<long double>(); }));
-  outcome.collision_matrix = seen;
-  return outcome;
+void report_by(const Solve& solve, const Input& input, ReportedOutcome& into) {
+  write_reported<S>(
+      solve(input, [&](const auto& matrix) { into.collision_matrix.emplace(matrix.template cast<long double>()); }),
+      into);
 }
 
 /// A kernel that calls `solve` with each input and an UnseenMatrix, and keeps the outcomes.
@@ -86,8 +84,9 @@ template <class S, class LayOut, class Solve>
   subject.law = facts.law;
   subject.precision = claimed_precision<S>;
   subject.open = [lay_out, solve] {
-    return session_of(
-        [lay_out, solve](const Collision& collision) -> Answer { return reported_by<S>(solve, lay_out(collision)); });
+    return session_of([lay_out, solve](const Collision& collision, ReportedOutcome& into) {
+      report_by<S>(solve, lay_out(collision), into);
+    });
   };
   subject.shows_collision_matrix = facts.forms_matrix;
   method.prepare = [lay_out, solve](std::span<const Collision> collisions) {
