@@ -47,8 +47,11 @@ template <class S, class Vector>
   if constexpr (std::is_floating_point_v<From>) {
     int exponent = 0;
     std::frexp(vector.cwiseAbs().maxCoeff(), &exponent);
+    // A product with a power of two has the bits of ldexp. The power overflows if the vector is subnormal.
+    const From power = std::ldexp(From(1), -exponent);
+    const bool is_power_finite = std::isfinite(power);
     for (int i = 0; i < vector.size(); ++i) {
-      scaled[i] = static_cast<S>(std::ldexp(vector[i], -exponent));
+      scaled[i] = static_cast<S>(is_power_finite ? vector[i] * power : std::ldexp(vector[i], -exponent));
     }
   } else {
     for (int i = 0; i < vector.size(); ++i) {

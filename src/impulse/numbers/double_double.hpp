@@ -14,6 +14,7 @@
 /// -ffast-math.
 namespace carom::impulse {
 
+/// The operators are inlined: a call takes as long as the operation.
 class DoubleDouble {
  public:
   DoubleDouble() = default;
@@ -37,19 +38,23 @@ class DoubleDouble {
     return low_ == 0 ? high : high + static_cast<long double>(low_);
   }
 
-  [[nodiscard]] friend DoubleDouble operator-(const DoubleDouble& x) { return {-x.high_, -x.low_}; }
+  [[nodiscard, gnu::always_inline]] friend inline DoubleDouble operator-(const DoubleDouble& x) {
+    return {-x.high_, -x.low_};
+  }
 
   /// Algorithm 6, AccurateDWPlusDW; relative error at most 3u² / (1 − 4u).
-  [[nodiscard]] friend DoubleDouble operator+(const DoubleDouble& x, const DoubleDouble& y) {
+  [[nodiscard, gnu::always_inline]] friend inline DoubleDouble operator+(const DoubleDouble& x, const DoubleDouble& y) {
     const DoubleDouble s = two_sum(x.high_, y.high_);
     const DoubleDouble t = two_sum(x.low_, y.low_);
     const DoubleDouble v = fast_two_sum(s.high_, s.low_ + t.high_);
     return fast_two_sum(v.high_, t.low_ + v.low_);
   }
-  [[nodiscard]] friend DoubleDouble operator-(const DoubleDouble& x, const DoubleDouble& y) { return x + -y; }
+  [[nodiscard, gnu::always_inline]] friend inline DoubleDouble operator-(const DoubleDouble& x, const DoubleDouble& y) {
+    return x + -y;
+  }
 
   /// Algorithm 10, DWTimesDW1; relative error below 7u².
-  [[nodiscard]] friend DoubleDouble operator*(const DoubleDouble& x, const DoubleDouble& y) {
+  [[nodiscard, gnu::always_inline]] friend inline DoubleDouble operator*(const DoubleDouble& x, const DoubleDouble& y) {
     const DoubleDouble c = two_product(x.high_, y.high_);
     return fast_two_sum(c.high_, c.low_ + (x.high_ * y.low_ + x.low_ * y.high_));
   }
