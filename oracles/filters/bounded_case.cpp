@@ -42,6 +42,10 @@ bool is_known_to_six_digits(const Enclosure& x) {
   return x.is_exactly_zero() || x.radius() < bounded_case_bounds::known_radius_of_normal_velocity * x.magnitude_below();
 }
 
+Vector3<double> middle(const Vector3<Enclosure>& v) {
+  return v.unaryExpr([](const Enclosure& x) { return x.middle(); });
+}
+
 /// The Frobenius norm of the lower bounds of the entries.
 template <int Columns>
 double norm_below(const Eigen::Matrix<Approximation, 3, Columns>& of) {
@@ -76,6 +80,18 @@ std::optional<BoundedCase::NormalVelocity> BoundedCase::normal_velocity() const 
   return std::nullopt;
 }
 
+const Vector3<double>& BoundedCase::relative_velocity() const {
+  return relative_velocity_.get(
+      [this] { return middle(oracles::relative_velocity<Enclosure>(enclosed(), unchanged(enclosed()))); });
+}
+
+const BoundedCase::StopImpulses& BoundedCase::stop_impulses() const {
+  return stop_impulses_.get([this] {
+    const detail::RoughImpulses<Enclosure> of(enclosed(), nullptr);
+    return StopImpulses{middle(of.stops_approach), middle(of.stops_point)};
+  });
+}
+
 double BoundedCase::normal_velocity_sensitivity_above() const {
   return normal_velocity_sensitivity_above_.get([this] { return sum_of_sizes(collision_); });
 }
@@ -92,7 +108,7 @@ const DualInputs<double, collision_inputs>& BoundedCase::differentiated() const 
 }
 
 const Truth<Enclosure>& BoundedCase::colliding_truth(Law law, Branch branch) const {
-  return of_law_[law].truth.get([&] {
+  return of(law).truth.get([&] {
     if (is_moderate()) {
       Truth<Enclosure> refined =
           refined_truth(collision_, enclosed(), approximate(), law, branch, approximate_response());
@@ -106,7 +122,7 @@ const Truth<Enclosure>& BoundedCase::colliding_truth(Law law, Branch branch) con
 
 const Sensitivity& BoundedCase::colliding_sensitivity_below(Law law, Branch branch) const {
   CAROM_EXPECTS(is_moderate() && (branch != Branch::on_cone || has_clear_divisor()), law);
-  return of_law_[law].sensitivity_below.get([&] {
+  return of(law).sensitivity_below.get([&] {
     Sensitivity below = norms_before();
     const Vector3<Approximation> impulse =
         colliding_impulse<Approximation>(approximate(), law, branch, &approximate_response().matrix);

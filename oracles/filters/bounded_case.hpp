@@ -38,6 +38,17 @@ class BoundedCase {
   /// N·V⁻. No value if the bounds do not give six digits.
   [[nodiscard]] std::optional<NormalVelocity> normal_velocity() const;
 
+  /// V⁻, rounded from enclosures, because cancellation in binary64 may leave V⁻ without a correct digit.
+  [[nodiscard]] const Vector3<double>& relative_velocity() const;
+
+  /// The impulses P_I and P_II of the law `rough` (models/rough.hpp), rounded from enclosures.
+  struct StopImpulses {
+    Vector3<double> of_approach;  // P_I
+    Vector3<double> of_point;     // P_II
+  };
+  /// Precondition: a body is movable.
+  [[nodiscard]] const StopImpulses& stop_impulses() const;
+
   /// An upper bound of Σ_q ‖∂(N·V⁻)/∂q‖ ‖q‖ over the quantities q (quantities.hpp).
   [[nodiscard]] double normal_velocity_sensitivity_above() const;
 
@@ -101,17 +112,23 @@ class BoundedCase {
   [[nodiscard]] const ApproximateResponse& approximate_response() const;
   [[nodiscard]] const InertiaTensors& inertia_tensors() const;
 
-  Collision collision_;
+  [[nodiscard]] const OfLaw& of(Law law) const {
+    return of_law_.get(law, [] { return OfLaw(); });
+  }
+
   Lazy<bool> is_moderate_;
-  Lazy<BasicCollision<Enclosure>> enclosed_;
+  Lazy<bool> has_clear_divisor_;
+  LazyMap<Law, OfLaw> of_law_;
+  Lazy<Sensitivity> norms_before_;
+  Collision collision_;
   Lazy<BasicCollision<Approximation>> approximate_;
   Lazy<ApproximateResponse> approximate_response_;
+  Lazy<BasicCollision<Enclosure>> enclosed_;
   Lazy<std::unique_ptr<DualInputs<double, collision_inputs>>> differentiated_;  // large and seldom used
   Lazy<double> normal_velocity_sensitivity_above_;
-  Lazy<Sensitivity> norms_before_;
+  Lazy<Vector3<double>> relative_velocity_;
+  Lazy<StopImpulses> stop_impulses_;
   PerAffineEquation<Lazy<PerVector<double>>> slopes_;
-  PerLaw<OfLaw> of_law_;
-  Lazy<bool> has_clear_divisor_;
   Lazy<double> collision_matrix_sensitivity_below_;
   Lazy<Enclosure> enclosed_inverse_mass_;
   Lazy<InertiaTensors> inertia_tensors_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <map>
+#include <forward_list>
 #include <optional>
 #include <utility>
 
@@ -27,17 +27,23 @@ class Lazy {
   mutable std::optional<T> value_;
 };
 
-/// Lazy values, each with a key. A reference to a value stays valid.
+/// Lazy values, each with a key. A reference to a value stays valid. For few keys: `get` compares them one by one.
 template <class Key, class T>
 class LazyMap {
  public:
+  /// Precondition: `make` does not request a value of the same map.
   template <class Make>
   const T& get(const Key& key, const Make& make) const {
-    return values_[key].get(make);
+    for (const auto& [known, value] : values_) {
+      if (known == key) {
+        return value;
+      }
+    }
+    return values_.emplace_front(key, make()).second;
   }
 
  private:
-  mutable std::map<Key, Lazy<T>> values_;
+  mutable std::forward_list<std::pair<Key, T>> values_;
 };
 
 }  // namespace carom::oracles

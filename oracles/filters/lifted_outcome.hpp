@@ -21,16 +21,21 @@ namespace carom::oracles {
 class LiftedOutcome {
  public:
   /// If a number is not finite, only `is_moderate` may be called.
-  explicit LiftedOutcome(const ReportedOutcome& reported) : reported_(reported), is_moderate_(is_moderate(reported)) {
+  explicit LiftedOutcome(const ReportedOutcome& reported)
+      : LiftedOutcome(static_cast<const Outcome<long double>&>(reported)) {
     if (reported.collision_matrix) {
       collision_matrix_ = std::make_unique<LiftedMatrix>(*reported.collision_matrix);
     }
   }
+  /// The same without a collision matrix.
+  explicit LiftedOutcome(const Outcome<long double>& reported)
+      : reported_(reported), is_moderate_(is_moderate(reported)) {}
 
   explicit LiftedOutcome(const SolvedOutcome<Rational>& exact)
       : rounded_(map_outcome<double>(exact, [](const Rational& x) { return to_double(x); })),
         further_(std::make_unique<Further>(
-            Further{Lazy(map_outcome<Enclosure>(exact, [](const Rational& x) { return Enclosure(x); })),
+            Further{{},
+                    Lazy(map_outcome<Enclosure>(exact, [](const Rational& x) { return Enclosure(x); })),
                     Lazy<Outcome<Rational>>(static_cast<const Outcome<Rational>&>(exact))})) {
     if (exact.collision_matrix) {
       collision_matrix_ = std::make_unique<LiftedMatrix>(*exact.collision_matrix);
@@ -55,9 +60,10 @@ class LiftedOutcome {
   [[nodiscard]] bool is_moderate() const { return is_moderate_; }
 
   /// Precondition: `reported` is not nullptr.
-  [[nodiscard]] Outcome<Approximation> approximate() const {
+  [[nodiscard]] const Outcome<Approximation>& approximate() const {
     CAROM_EXPECTS(reported_.has_value());
-    return map_outcome<Approximation>(*reported_, [](long double x) { return Approximation(x); });
+    return further().approximate.get(
+        [this] { return map_outcome<Approximation>(*reported_, [](long double x) { return Approximation(x); }); });
   }
 
   [[nodiscard]] const Outcome<Enclosure>& enclosed() const {
@@ -83,10 +89,13 @@ class LiftedOutcome {
   }
 
   /// The lengths of the four vectors, up to a few roundings.
-  [[nodiscard]] PerVector<double> norms() const { return norms_of(rounded()); }
+  [[nodiscard]] const PerVector<double>& norms() const {
+    return norms_.get([this] { return norms_of(rounded()); });
+  }
 
  private:
   struct Further {
+    Lazy<Outcome<Approximation>> approximate;
     Lazy<Outcome<Enclosure>> enclosed;
     Lazy<Outcome<Rational>> exact;
   };
@@ -108,6 +117,7 @@ class LiftedOutcome {
   std::optional<Outcome<long double>> reported_;
   std::unique_ptr<LiftedMatrix> collision_matrix_;
   Lazy<Outcome<double>> rounded_;
+  Lazy<PerVector<double>> norms_;
   bool is_moderate_ = false;
   Lazy<std::unique_ptr<Further>> further_;
 };

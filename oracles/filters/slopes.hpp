@@ -49,6 +49,12 @@ template <class S, class OneEquation, class R>
 /// name_of(equation) has a value.
 [[nodiscard]] PerVector<double> slopes_of(const Equation& equation, const Collision& collision);
 
+/// ‖∂g/∂ŷ_k‖ of g = (V⁺ − V⁻) − C F (`change_by_matrix`), with the bits of `output_slopes`, in a tenth of its time. C
+/// is `matrix`, and F is `impulse_on_a` with `read_off_a`. Preconditions: those of `impulse_on_a`; products with the
+/// numbers of C and of the collision are finite.
+[[nodiscard]] PerVector<double> slopes_of_change(const Matrix3<double>& matrix, bool read_off_a,
+                                                 const Collision& collision);
+
 /// For each vector of an outcome, whether the equation depends on it.
 [[nodiscard]] const PerVector<bool>& vectors_in(AffineEquation equation);
 

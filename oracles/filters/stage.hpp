@@ -19,7 +19,7 @@ static_assert(counts_from_zero_to(all_stages, Stage::rational));
 using StageCounts = EnumArray<Stage, std::uint64_t, all_stages.size()>;
 
 namespace detail {
-inline thread_local StageCounts stage_counts{};
+inline constinit thread_local StageCounts stage_counts{};
 }  // namespace detail
 
 [[nodiscard]] inline const StageCounts& decided_by_stage() { return detail::stage_counts; }

@@ -70,9 +70,22 @@ struct Deviation {
   Accuracy accuracy;
 };
 
+/// The length of a change of velocities in the kinetic-energy norm (accuracy.hpp), rounded.
+double energy_norm(const Collision& collision, const Outcome<double>& change) {
+  return std::sqrt(twice_energy(collision, change));
+}
+
+/// The length of the change by an outcome.
 template <class T>
-Deviation<T> deviation_of(const ExactCase& exact_case, const BasicCollision<T>& collision, const Truth<T>& truth,
-                          const Outcome<T>& outcome) {
+double size_of_change(const ExactCase& exact_case, const BasicCollision<T>& collision, const Outcome<T>& outcome) {
+  return energy_norm(exact_case.collision(),
+                     map_outcome<double>(minus(outcome, unchanged(collision)), [](const T& x) { return rounded(x); }));
+}
+
+/// `size_of_truth()` is the `size_of_change` of the truth.
+template <class T, class SizeOfTruth>
+Deviation<T> deviation_of(const ExactCase& exact_case, const Truth<T>& truth, const Outcome<T>& outcome,
+                          const SizeOfTruth& size_of_truth) {
   Deviation<T> result;
   Accuracy& accuracy = result.accuracy;
   const auto computed = vectors(outcome);
@@ -90,12 +103,8 @@ Deviation<T> deviation_of(const ExactCase& exact_case, const BasicCollision<T>& 
     }
   }
   if (std::any_of(accuracy.error.begin(), accuracy.error.end(), [](double error) { return error != 0; })) {
-    const auto energy_norm = [&](const Outcome<double>& of) {
-      return std::sqrt(twice_energy(exact_case.collision(), of));
-    };
-    const double norm_of_deviation = energy_norm(deviation);
-    const double norm_of_change = energy_norm(
-        map_outcome<double>(minus(truth.outcome, unchanged(collision)), [](const T& x) { return rounded(x); }));
+    const double norm_of_deviation = energy_norm(exact_case.collision(), deviation);
+    const double norm_of_change = size_of_truth();
     const double ratio = norm_of_deviation / norm_of_change;
     // If the change is zero, or squares leave the range of binary64, the error counts as infinite.
     const bool is_known = norm_of_deviation > 0 && norm_of_change > 0 && std::isfinite(ratio);
@@ -186,8 +195,11 @@ Accuracy accuracy_as(const ExactCase& exact_case, Law law, Approach as, const Li
   std::optional<Deviation<Enclosure>> enclosed;
   const auto by_enclosures = [&](const Sensitivity& sensitivity) {
     if (!enclosed) {
-      enclosed = deviation_of(exact_case, exact_case.bounds().enclosed(), exact_case.enclosed_truth(law, as),
-                              outcome.enclosed());
+      const Truth<Enclosure>& truth = exact_case.enclosed_truth(law, as);
+      enclosed = deviation_of(exact_case, truth, outcome.enclosed(), [&] {
+        return exact_case.size_of_change(
+            law, as, [&] { return size_of_change(exact_case, exact_case.bounds().enclosed(), truth.outcome); });
+      });
     }
     return accuracy_by(*enclosed, sensitivity, yardstick);
   };
@@ -219,7 +231,9 @@ Accuracy accuracy_as(const ExactCase& exact_case, Law law, Approach as, const Li
   }
   count(Stage::rational);
   return exact_case.with_truth(law, as, [&]<class T>(const Truth<T>& truth) {
-    const auto exactly = deviation_of(exact_case, collision_in<T>(exact_case), truth, outcome_in<T>(outcome));
+    const auto exactly = deviation_of(exact_case, truth, outcome_in<T>(outcome), [&] {
+      return size_of_change(exact_case, collision_in<T>(exact_case), truth.outcome);
+    });
     return with_digits(*accuracy_by(exactly, sensitivity, yardstick));
   });
 }

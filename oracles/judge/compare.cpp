@@ -244,6 +244,14 @@ double part_of_scale(const OneEquation& equation, const ExactCase& exact_case, c
   return is_in_range(part) ? part : 0;
 }
 
+double part_of_scale(const ByShownMatrix& by_matrix, const ExactCase& exact_case, const LiftedOutcome& outcome,
+                     const PerVector<double>& sizes) {
+  CAROM_EXPECTS(exact_case.bounds().is_moderate() && outcome.is_moderate() && is_moderate(by_matrix.shown));
+  const double part = part_by_outputs(
+      slopes_of_change(by_matrix.shown.in<double>(), by_matrix.read_off_a, exact_case.collision()), sizes);
+  return is_in_range(part) ? part : 0;
+}
+
 template <class OneEquation>
 bool surely_holds(const OneEquation& equation, Relation relation, const ExactCase& exact_case,
                   const LiftedOutcome& outcome, const PerVector<double>& sizes, double allowance) {

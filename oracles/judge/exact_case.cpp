@@ -81,7 +81,7 @@ bool has_clear_divisor(const BoundedCase& bounds, Branch branch) {
 
 }  // namespace
 
-ExactCase::ExactCase(const Collision& collision, bool filtered) : bounds_(collision), filtered_(filtered) {}
+ExactCase::ExactCase(const Collision& collision, bool filtered) : filtered_(filtered), bounds_(collision) {}
 
 const BasicCollision<Rational>& ExactCase::exact() const {
   return exact_.get([this] { return lift(collision()); });
@@ -123,12 +123,14 @@ const PermittedInputs* ExactCase::permitted_inputs(double allowance) const {
   if (!(allowance > 0 && allowance < most)) {
     return nullptr;
   }
-  const std::optional<PermittedInputs>& permitted = permitted_inputs_.get(allowance, [&] {
-    return PermittedInputs::first_order_is_blind(collision(), allowance, normal_velocity_sensitivity())
-               ? std::make_optional<PermittedInputs>(bounds_, allowance)
-               : std::nullopt;
-  });
-  return permitted ? &*permitted : nullptr;
+  return permitted_inputs_
+      .get(allowance,
+           [&] {
+             return PermittedInputs::first_order_is_blind(collision(), allowance, normal_velocity_sensitivity())
+                        ? std::make_unique<PermittedInputs>(bounds_, allowance)
+                        : nullptr;
+           })
+      .get();
 }
 
 Branch ExactCase::branch(Law law) const {
@@ -171,7 +173,7 @@ Truth<T> certified_rough(const BasicCollision<T>& c, Branch branch) {
 
 const Truth<Rational>& ExactCase::truth(Law law, Approach as) const {
   CAROM_EXPECTS(as != Approach::colliding || branch(law) != Branch::on_cone, law);
-  return (as == Approach::colliding ? of_law_[law].truth : unchanged_).get([&] {
+  return (as == Approach::colliding ? of(law).truth : unchanged_).get([&] {
     if (as == Approach::colliding && law == Law::rough) {
       return certified_rough(exact(), branch(law));
     }
@@ -182,7 +184,7 @@ const Truth<Rational>& ExactCase::truth(Law law, Approach as) const {
 }
 
 const Truth<Radical>& ExactCase::truth_on_cone(Law law) const {
-  return of_law_[law].truth_on_cone.get([this] {
+  return of(law).truth_on_cone.get([this] {
     return certified_rough(map_numbers<Radical>(collision(), [](double number) { return Radical(number); }),
                            Branch::on_cone);
   });
@@ -203,7 +205,7 @@ bool ExactCase::is_near_cone_surface(Law law, double allowance) const {
                                                                   : enclosed_cone_distance(collision());
   });
   const PermittedInputs* permitted = permitted_inputs(allowance);
-  return distance.is_within(allowance) || (permitted != nullptr && permitted->reach_both_sides_of_cone());
+  return distance.is_within(allowance) || (permitted != nullptr && permitted->reach_both_sides_of_cone(bounds_));
 }
 
 bool ExactCase::acts_at_once_here(Law law, double allowance) const {
@@ -263,7 +265,7 @@ Sensitivity ExactCase::sensitivity_as(Law law, Approach as, double allowance) co
     const Vector3<double> impulse =
         bounds_.colliding_truth(law, side).impulse.unaryExpr([](const Enclosure& x) { return x.middle(); });
     const bool from_rest = approach() != Approach::colliding && !acts_at_once_here(law, allowance);
-    const PerVector<double> distance = permitted->distance_of_answers(impulse, law, side, from_rest);
+    const PerVector<double> distance = permitted->distance_of_answers(bounds_, impulse, law, side, from_rest);
     for (const OutcomeVector k : all_outcome_vectors) {
       sum[k] = std::max(sum[k], distance[k] / allowance);
     }
@@ -276,12 +278,17 @@ const Sensitivity& ExactCase::second_order() const {
 }
 
 bool ExactCase::has_two_answers(Law law, double allowance) const {
+  // Without a cone, the law alone decides whether it acts at once.
+  const bool has_cone = law == Law::rough && collision().friction != 0;
+  if (!has_cone && !acts_at_once(law, Branch::only)) {
+    return false;
+  }
   return is_grazing(allowance) && acts_at_once_here(law, allowance);
 }
 
 const Sensitivity& ExactCase::colliding_first_order(Law law, Branch branch) const {
   // Binary64 if it keeps ten digits, otherwise double-double arithmetic if it keeps three, otherwise exact arithmetic.
-  return of_law_[law].colliding_sensitivity[branch].get([&]() -> Sensitivity {
+  return of(law).colliding_sensitivity[branch].get([&]() -> Sensitivity {
     if (bounds_.is_moderate() && bounds_.is_well_conditioned() && has_clear_divisor(bounds_, branch)) {
       if (const auto known = colliding_sensitivity(collision(), law, branch)) {
         return *known;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <optional>
+#include <memory>
+#include <utility>
 
 #include <carom/oracles/filters/bounded_case.hpp>
 #include <carom/oracles/filters/lazy.hpp>
@@ -60,6 +61,13 @@ class ExactCase {
   /// The truth to about 100 bits, with error bounds.
   [[nodiscard]] const Truth<Enclosure>& enclosed_truth(Law law) const { return enclosed_truth(law, approach()); }
   [[nodiscard]] const Truth<Enclosure>& enclosed_truth(Law law, Approach as) const;
+
+  /// ‖y − y⁻‖ in the kinetic-energy norm (accuracy.hpp), for the outcome y of `enclosed_truth(law, as)`. `measure`
+  /// computes the norm on first use.
+  template <class Measure>
+  [[nodiscard]] double size_of_change(Law law, Approach as, const Measure& measure) const {
+    return sizes_of_change_.get({law, as}, measure);
+  }
 
   /// The sensitivity of the law's answer y: σ_k + α τ_k for each vector k, with the allowance α. The term σ_k is
   /// Σ_q ‖∂y_k/∂q‖ ‖q‖ + ‖y_k⁻‖ (sensitivity.hpp). The term τ_k is of second order: ‖y_k⁻‖ plus the largest change of
@@ -132,15 +140,20 @@ class ExactCase {
   [[nodiscard]] Approach answered_as(Law law, Approach as) const;
   [[nodiscard]] const Sensitivity& second_order() const;
 
-  BoundedCase bounds_;
+  [[nodiscard]] const OfLaw& of(Law law) const {
+    return of_law_.get(law, [] { return OfLaw(); });
+  }
+
   bool filtered_;
-  Lazy<BasicCollision<Rational>> exact_;
-  Lazy<BoundedCase::NormalVelocity> normal_velocity_;
-  Lazy<double> normal_velocity_sensitivity_;
-  LazyMap<double, std::optional<PermittedInputs>> permitted_inputs_;
-  PerLaw<OfLaw> of_law_;
   Lazy<bool> is_inside_cone_;
   Lazy<bool> reaches_cone_;
+  Lazy<BoundedCase::NormalVelocity> normal_velocity_;
+  Lazy<double> normal_velocity_sensitivity_;
+  LazyMap<double, std::unique_ptr<PermittedInputs>> permitted_inputs_;
+  LazyMap<Law, OfLaw> of_law_;
+  LazyMap<std::pair<Law, Approach>, double> sizes_of_change_;
+  BoundedCase bounds_;
+  Lazy<BasicCollision<Rational>> exact_;
   Lazy<ConeDistance> cone_distance_;
   Lazy<Truth<Rational>> unchanged_;
   Lazy<Truth<Enclosure>> enclosed_unchanged_;

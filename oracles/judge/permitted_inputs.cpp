@@ -12,10 +12,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-Vector3<double> middle(const Vector3<Enclosure>& v) {
-  return v.unaryExpr([](const Enclosure& x) { return x.middle(); });
-}
-
 }  // namespace
 
 PermittedInputs::PermittedInputs(const BoundedCase& bounds, double allowance) : allowance_(allowance) {
@@ -34,20 +30,12 @@ PermittedInputs::PermittedInputs(const BoundedCase& bounds, double allowance) : 
   const auto at_point = [&](const OfBody& of) {
     return vector(of.body.velocity) + cross(vector(of.body.angular_velocity), of.arm);
   };
-  // Enclosures, because cancellation in binary64 may leave V⁻ without a correct digit.
-  const Vector3<double> velocity =
-      middle(oracles::relative_velocity<Enclosure>(bounds.enclosed(), unchanged(bounds.enclosed())));
-  relative_velocity_ = {velocity, (at_point(a_) - at_point(b_)).radius};
+  relative_velocity_ = {bounds.relative_velocity(), (at_point(a_) - at_point(b_)).radius};
   normal_velocity_ = dot(unit_normal_, relative_velocity_);
   restitution_ = scalar(c.restitution);
   friction_ = scalar(c.friction);
   whole_share_ = ScalarBall{1, 0} + scalar(c.tangential_restitution);
   least_inverse_mass_ = inverse_mass(c) / (1 + allowance);
-  if (least_inverse_mass_ > 0) {
-    const detail::RoughImpulses<Enclosure> of(bounds.enclosed(), nullptr);
-    stops_approach_ = middle(of.stops_approach);
-    stops_point_ = middle(of.stops_point);
-  }
 }
 
 bool PermittedInputs::first_order_is_blind(const Collision& c, double allowance, double normal_velocity_sensitivity) {
@@ -116,9 +104,9 @@ VectorBall PermittedInputs::by_matrix(const Vector3<double>& impulse, double rad
   return {impulse, missed / least_inverse_mass_};
 }
 
-PermittedInputs::RoughParts PermittedInputs::rough_parts() const {
-  const VectorBall stops_approach = along_normal(stops_approach_, normal_velocity_.radius);
-  const VectorBall stops_point = by_matrix(stops_point_, relative_velocity_.radius);
+PermittedInputs::RoughParts PermittedInputs::rough_parts(const BoundedCase& bounds) const {
+  const VectorBall stops_approach = along_normal(bounds.stop_impulses().of_approach, normal_velocity_.radius);
+  const VectorBall stops_point = by_matrix(bounds.stop_impulses().of_point, relative_velocity_.radius);
   const VectorBall difference = stops_point - stops_approach;
   const ScalarBall numerator = friction_ * (ScalarBall{1, 0} + restitution_) * dot(unit_normal_, stops_approach);
   const VectorBall tangential = cross(unit_normal_, difference);
@@ -131,8 +119,8 @@ PermittedInputs::RoughParts PermittedInputs::rough_parts() const {
           share(numerator.largest(), divisor.least())};
 }
 
-VectorBall PermittedInputs::rough(const Vector3<double>& impulse) const {
-  const RoughParts parts = rough_parts();
+VectorBall PermittedInputs::rough(const BoundedCase& bounds, const Vector3<double>& impulse) const {
+  const RoughParts parts = rough_parts(bounds);
   const VectorBall along = (ScalarBall{1, 0} + restitution_) * parts.stops_approach;
   const Vector3<double>& d = parts.difference.centre;
   const Vector3<double> friction = impulse - along.centre;
@@ -144,7 +132,8 @@ VectorBall PermittedInputs::rough(const Vector3<double>& impulse) const {
   return {impulse, along.radius + largest * parts.difference.radius + change * length};
 }
 
-VectorBall PermittedInputs::impulses(const Vector3<double>& impulse, Law law, Branch branch) const {
+VectorBall PermittedInputs::impulses(const BoundedCase& bounds, const Vector3<double>& impulse, Law law,
+                                     Branch branch) const {
   const ScalarBall rebound = ScalarBall{1, 0} + restitution_;
   switch (law == Law::rough && branch == Branch::only ? Law::frictionless : law) {
     case Law::frictionless:
@@ -154,7 +143,7 @@ VectorBall PermittedInputs::impulses(const Vector3<double>& impulse, Law law, Br
     case Law::sticking:
       return by_matrix(impulse, (relative_velocity_ + (restitution_ * normal_velocity_) * unit_normal_).radius);
     case Law::rough:
-      return rough(impulse);
+      return rough(bounds, impulse);
     case Law::coulomb:
     case Law::any:
       break;
@@ -162,10 +151,10 @@ VectorBall PermittedInputs::impulses(const Vector3<double>& impulse, Law law, Br
   determines_no_outcome(law);
 }
 
-PerVector<double> PermittedInputs::distance_of_answers(const Vector3<double>& impulse, Law law, Branch branch,
-                                                       bool from_rest) const {
+PerVector<double> PermittedInputs::distance_of_answers(const BoundedCase& bounds, const Vector3<double>& impulse,
+                                                       Law law, Branch branch, bool from_rest) const {
   CAROM_EXPECTS(!(a_.body.immovable && b_.body.immovable));
-  VectorBall all = impulses(impulse, law, branch);
+  VectorBall all = impulses(bounds, impulse, law, branch);
   if (from_rest) {
     all = {Vector3<double>::Zero(), all.largest()};
   }
@@ -198,9 +187,9 @@ double PermittedInputs::second_order_of_matrix() const {
   return sum;
 }
 
-bool PermittedInputs::reach_both_sides_of_cone() const {
+bool PermittedInputs::reach_both_sides_of_cone(const BoundedCase& bounds) const {
   CAROM_EXPECTS(!(a_.body.immovable && b_.body.immovable));
-  const RoughParts parts = rough_parts();
+  const RoughParts parts = rough_parts(bounds);
   return !(parts.least_share > whole_share_.largest()) && !(parts.largest_share < whole_share_.least());
 }
 

@@ -24,14 +24,14 @@ class PermittedInputs {
 
   /// For each vector, an upper bound of the distance from y to the law's answers to permitted inputs. The vector y
   /// belongs to the law's colliding answer, with the impulse `impulse`. If `from_rest`, y is the vector before the
-  /// impulse instead. The bound is infinite if a number leaves the range of binary64. Preconditions: a body is movable;
-  /// the law is one of `laws_with_truth`.
-  [[nodiscard]] PerVector<double> distance_of_answers(const Vector3<double>& impulse, Law law, Branch branch,
-                                                      bool from_rest) const;
+  /// impulse instead. The bound is infinite if a number leaves the range of binary64. Preconditions: `bounds` is that
+  /// of the constructor; a body is movable; the law is one of `laws_with_truth`.
+  [[nodiscard]] PerVector<double> distance_of_answers(const BoundedCase& bounds, const Vector3<double>& impulse,
+                                                      Law law, Branch branch, bool from_rest) const;
 
-  /// Whether answers of the law `rough` to permitted inputs may lie on both sides of the cone's surface. Precondition:
-  /// a body is movable.
-  [[nodiscard]] bool reach_both_sides_of_cone() const;
+  /// Whether answers of the law `rough` to permitted inputs may lie on both sides of the cone's surface.
+  /// Preconditions: `bounds` is that of the constructor; a body is movable.
+  [[nodiscard]] bool reach_both_sides_of_cone(const BoundedCase& bounds) const;
 
   /// An upper bound of the second-order change of K by changes δr of the lever arms: Σ ‖[δr]ᵀ J⁻¹ [δr]‖ over the
   /// bodies, with [δr] y = δr × y.
@@ -78,9 +78,10 @@ class PermittedInputs {
   [[nodiscard]] VectorBall along_normal(const Vector3<double>& impulse, double radius) const;
   /// All impulses F′ with ‖K′ F′ − K F‖ ≤ `radius`, for F = `impulse`.
   [[nodiscard]] VectorBall by_matrix(const Vector3<double>& impulse, double radius) const;
-  [[nodiscard]] RoughParts rough_parts() const;
-  [[nodiscard]] VectorBall rough(const Vector3<double>& impulse) const;
-  [[nodiscard]] VectorBall impulses(const Vector3<double>& impulse, Law law, Branch branch) const;
+  [[nodiscard]] RoughParts rough_parts(const BoundedCase& bounds) const;
+  [[nodiscard]] VectorBall rough(const BoundedCase& bounds, const Vector3<double>& impulse) const;
+  [[nodiscard]] VectorBall impulses(const BoundedCase& bounds, const Vector3<double>& impulse, Law law,
+                                    Branch branch) const;
 
   double allowance_;
   OfBody a_;
@@ -90,10 +91,8 @@ class PermittedInputs {
   ScalarBall normal_velocity_;
   ScalarBall restitution_;
   ScalarBall friction_;
-  ScalarBall whole_share_;                                    // 1 + e_t
-  double least_inverse_mass_ = 0;                             // lower bound of λ
-  Vector3<double> stops_approach_ = Vector3<double>::Zero();  // P_I
-  Vector3<double> stops_point_ = Vector3<double>::Zero();     // P_II
+  ScalarBall whole_share_;         // 1 + e_t
+  double least_inverse_mass_ = 0;  // lower bound of λ
 };
 
 }  // namespace carom::oracles
