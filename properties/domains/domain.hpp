@@ -33,7 +33,10 @@ struct Domain {
   /// Every valid collision.
   Domain();
 
-  [[nodiscard]] bool is_everything() const { return *this == Domain(); }
+  [[nodiscard]] bool is_everything() const {
+    static const Domain everything;
+    return *this == everything;
+  }
   friend bool operator==(const Domain&, const Domain&) = default;
 };
 

@@ -53,6 +53,20 @@ std::optional<NamedVerdict> verdict_on_failure(const Claim& claim, const Case& o
   return std::nullopt;
 }
 
+/// The questions of all trials, in order.
+std::vector<Collision> questions_of(const std::vector<Trial>& trials) {
+  std::size_t count = 0;
+  for (const Trial& trial : trials) {
+    count += trial.question_count();
+  }
+  std::vector<Collision> questions;
+  questions.reserve(count);
+  for (const Trial& trial : trials) {
+    trial.add_questions(questions);
+  }
+  return questions;
+}
+
 /// The cases with the effects that the subject declares. Empty if it declares none.
 std::deque<JudgedCase> with_effects(const Claim& claim, const std::deque<JudgedCase>& cases) {
   std::deque<JudgedCase> own;
@@ -149,6 +163,7 @@ void judge_task(Examinee& examinee, const Task& task, const std::deque<JudgedCas
 
   const auto trials_of = [&](bool with_relations) {
     std::vector<Trial> trials;
+    trials.reserve(batch.answers.size());
     for (std::size_t i = 0; i < batch.answers.size(); ++i) {
       trials.emplace_back(cases[i], claim, lift(batch.answers[i]),
                           with_relations ? RelationTurn{examinee.relations_every, task.case_number(i)} : no_relations);
@@ -156,11 +171,7 @@ void judge_task(Examinee& examinee, const Task& task, const std::deque<JudgedCas
     return trials;
   };
   std::vector<Trial> trials = trials_of(!batch.failure);
-  std::vector<Collision> questions;
-  for (const Trial& trial : trials) {
-    const std::vector<Collision> of_trial = trial.questions();
-    questions.insert(questions.end(), of_trial.begin(), of_trial.end());
-  }
+  const std::vector<Collision> questions = questions_of(trials);
   const Batch related = questions.empty() ? Batch{} : batch_of(session, questions);
   if (related.failure) {
     trials = trials_of(false);
@@ -176,9 +187,9 @@ void judge_task(Examinee& examinee, const Task& task, const std::deque<JudgedCas
     rest = rest.subspan(replies.size());
     Judgement judgement = trials[i].judge(replies, tally.families[task.family].worst_backward_error);
     drop_unclaimed(judgement, claim, *examinee.families[task.family]);
-    const Asked asked{task.family, index, cases[i].generated(), batch.answers[i]};
+    const auto asked = [&] { return Asked{task.family, index, cases[i].generated(), batch.answers[i]}; };
     if (examinee.ends_at_first && cut_after_violation(judgement)) {
-      examinee.first_violation = {task.number, asked, std::move(judgement), true};
+      examinee.first_violation = {task.number, asked(), std::move(judgement), true};
       return;
     }
     tally.add(task.family, index, cases[i], batch.answers[i], judgement, claim);
@@ -195,10 +206,10 @@ void judge_task(Examinee& examinee, const Task& task, const std::deque<JudgedCas
       }
     }
     if (is_asked_again(index)) {
-      sample.push_back(asked);
+      sample.push_back(asked());
     }
     if (is_remembered(index, tally.families.size())) {
-      examinee.remembered.push_back(asked);
+      examinee.remembered.push_back(asked());
     }
   }
   for (const std::exception_ptr& failure : {batch.failure, related.failure}) {

@@ -82,17 +82,14 @@ const Invariant* invariant_named(std::string_view name) {
   return nullptr;
 }
 
-ExactAnswer lift(const Answer& answer) {
-  ExactAnswer lifted{NotFinite{}};
-  lift(answer, lifted);
-  return lifted;
-}
+namespace {
 
-void lift(const Answer& answer, ExactAnswer& into) {
+/// Converts a finite outcome from the type Lifted.
+template <class Lifted>
+void lift_as(const Answer& answer, ExactAnswer& into) {
   if (const auto* outcome = std::get_if<ReportedOutcome>(&answer)) {
-    if (oracles::is_finite(*outcome)) {
-      into.emplace<oracles::LiftedOutcome>(*outcome);
-    } else {
+    const auto& lifted = into.emplace<oracles::LiftedOutcome>(static_cast<const Lifted&>(*outcome));
+    if (!lifted.is_moderate() && !oracles::is_finite(*outcome)) {
       into = NotFinite{};
     }
   } else if (const auto* skipped = std::get_if<Skipped>(&answer)) {
@@ -103,5 +100,15 @@ void lift(const Answer& answer, ExactAnswer& into) {
     into = std::get<Failed>(answer);
   }
 }
+
+}  // namespace
+
+ExactAnswer lift(const Answer& answer) {
+  ExactAnswer lifted{NotFinite{}};
+  lift_as<ReportedOutcome>(answer, lifted);
+  return lifted;
+}
+
+void lift_without_matrix(const Answer& answer, ExactAnswer& into) { lift_as<Outcome<long double>>(answer, into); }
 
 }  // namespace carom::properties

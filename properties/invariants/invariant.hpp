@@ -49,8 +49,9 @@ struct Verdict {
 struct NotFinite {};
 using ExactAnswer = std::variant<oracles::LiftedOutcome, NotFinite, Skipped, Refused, Failed>;
 [[nodiscard]] ExactAnswer lift(const Answer& answer);
-/// Writes into `into`, because moving an answer is expensive.
-void lift(const Answer& answer, ExactAnswer& into);
+/// Writes into `into`, because moving an answer is expensive. Leaves out the collision matrix, because no relation
+/// reads the matrix of a related answer.
+void lift_without_matrix(const Answer& answer, ExactAnswer& into);
 
 /// A question, with exact facts and the answer.
 struct Related {

@@ -60,7 +60,8 @@ bool are_free_of_effects(const Claim& claim, std::span<const oracles::ExactCase>
 }
 
 bool are_within(const Domain& domain, std::span<const oracles::ExactCase> questions) {
-  return std::all_of(questions.begin(), questions.end(),
+  return domain.is_everything() ||
+         std::all_of(questions.begin(), questions.end(),
                      [&](const oracles::ExactCase& question) { return contains(domain, question.collision()); });
 }
 
@@ -131,15 +132,17 @@ JudgedCase::JudgedCase(const Case& generated, bool filtered, const DeclaredEffec
   }
 }
 
-std::span<const oracles::ExactCase> JudgedCase::questions_of(const Invariant& invariant) const {
+const JudgedCase::Questions& JudgedCase::questions_and_results_of(const Invariant& invariant) const {
   CAROM_EXPECTS(is_valid(), invariant.name);
-  const auto [known, is_new] = questions_.try_emplace(&invariant);
-  if (is_new) {
+  return questions_.get(&invariant, [&] {
     const auto& relation = std::get<AboutRelation>(invariant.about);
-    known->second.cases =
-        exact_cases(std::get<AboutRelation::OfCollision>(relation.ask)(exact().collision()), filtered_);
-  }
-  return known->second.cases;
+    return Questions{exact_cases(std::get<AboutRelation::OfCollision>(relation.ask)(exact().collision()), filtered_),
+                     {}};
+  });
+}
+
+std::span<const oracles::ExactCase> JudgedCase::questions_of(const Invariant& invariant) const {
+  return questions_and_results_of(invariant).cases;
 }
 
 std::optional<Unjudged> JudgedCase::reason_unjudged_by(const oracles::Yardstick& yardstick) const {
@@ -153,8 +156,8 @@ std::optional<Unjudged> JudgedCase::reason_unjudged_by(const oracles::Yardstick&
 }
 
 bool JudgedCase::are_questions_judged_by(const oracles::Yardstick& yardstick, const Invariant& invariant) const {
-  const std::span<const oracles::ExactCase> questions = questions_of(invariant);
-  return remembered(questions_.at(&invariant).are_judged, yardstick, [&] { return are_judged(questions, yardstick); });
+  const Questions& questions = questions_and_results_of(invariant);
+  return remembered(questions.are_judged, yardstick, [&] { return are_judged(questions.cases, yardstick); });
 }
 
 Trial::Trial(const JudgedCase& judged_case, const Claim& claim, ExactAnswer answer, RelationTurn relations)
@@ -191,12 +194,16 @@ Trial::Trial(const JudgedCase& judged_case, const Claim& claim, ExactAnswer answ
 std::vector<Collision> Trial::questions() const {
   std::vector<Collision> all;
   all.reserve(question_count());
+  add_questions(all);
+  return all;
+}
+
+void Trial::add_questions(std::vector<Collision>& all) const {
   for (const auto& of_invariant : questions_) {
     for (const oracles::ExactCase& question : of_invariant) {
       all.push_back(question.collision());
     }
   }
-  return all;
 }
 
 std::size_t Trial::question_count() const {
@@ -230,7 +237,7 @@ Judgement Trial::judge(std::span<const Answer> answers, double known_backward_er
         lifted.clear();
         for (std::size_t i = 0; i < questions.size(); ++i) {
           ExactAnswer& answer = lifted.emplace_back(NotFinite{});
-          lift(answers[first + i], answer);
+          lift_without_matrix(answers[first + i], answer);
           take_out_effects(answer, claim_->effects, questions[i], claim_->law, claim_->yardstick.allowance());
         }
         return std::span<const ExactAnswer>(lifted);
@@ -295,8 +302,8 @@ Judgement Trial::judge_by(const AnswersTo& answers_to, double known_backward_err
     if (!evidence) {
       continue;
     }
-    if (const std::optional<Verdict> verdict = verdict_on_outcome(invariant, *evidence, is_limited_)) {
-      judgement.verdicts.push_back({&invariant, *verdict});
+    if (std::optional<Verdict> verdict = verdict_on_outcome(invariant, *evidence, is_limited_)) {
+      judgement.verdicts.push_back({&invariant, std::move(*verdict)});
       continue;
     }
     if (!relations_.has(i) || std::holds_alternative<AboutSession>(invariant.about)) {

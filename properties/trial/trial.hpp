@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -12,6 +11,7 @@
 #include <vector>
 
 #include <carom/collision/expects.hpp>
+#include <carom/oracles/filters/lazy.hpp>
 #include <carom/properties/domains/domain.hpp>
 #include <carom/properties/families/family.hpp>
 #include <carom/properties/invariants/invariant.hpp>
@@ -77,14 +77,16 @@ class JudgedCase {
   using PerYardstick = std::vector<std::pair<std::pair<double, double>, T>>;
   struct Questions {
     std::vector<oracles::ExactCase> cases;
-    PerYardstick<bool> are_judged;
+    mutable PerYardstick<bool> are_judged;
   };
+
+  [[nodiscard]] const Questions& questions_and_results_of(const Invariant& invariant) const;
 
   Case generated_;
   bool filtered_;
   DeclaredEffects effects_;
   std::optional<oracles::ExactCase> exact_;
-  mutable std::map<const Invariant*, Questions> questions_;
+  oracles::LazyMap<const Invariant*, Questions> questions_;
   mutable PerYardstick<std::optional<Unjudged>> unjudged_;
 };
 
@@ -128,6 +130,8 @@ class Trial {
 
   /// The questions of the claimed invariants, in order.
   [[nodiscard]] std::vector<Collision> questions() const;
+  /// Appends them to `all`.
+  void add_questions(std::vector<Collision>& all) const;
   [[nodiscard]] std::size_t question_count() const;
 
   /// Judges the case by the answers to its questions. Throws std::invalid_argument unless there is one answer to each
