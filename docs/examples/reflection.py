@@ -37,6 +37,10 @@ def body_axes(quaternion):
     ]
 
 
+def in_world(axes, v):
+    return [sum(v[i] * axes[i][k] for i in range(3)) for k in range(3)]
+
+
 class Body:
     def __init__(self, record, point):
         self.velocity = vector(record["velocity"])
@@ -49,7 +53,10 @@ class Body:
             moments = vector(record["principal_inertia"])
             is_round = moments[0] == moments[1] == moments[2]
             axes = body_axes([1, 0, 0, 0] if is_round else vector(record.get("orientation", [1, 0, 0, 0])))
-            self.turns = [(e, cross(e, self.lever_arm), 1 / moment) for e, moment in zip(axes, moments)]
+            x, y, z = [dot(e, self.lever_arm) for e in axes]
+            # e × r in body axes: in world axes, rounding of e × r would turn a thin rod about its long axis
+            turns = [in_world(axes, turn) for turn in ([0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0])]
+            self.turns = [(e, turn, 1 / moment) for e, turn, moment in zip(axes, turns, moments)]
 
     def velocity_at_contact(self):
         return plus(self.velocity, cross(self.spin, self.lever_arm))
@@ -93,7 +100,8 @@ def change_at_contact(bodies, impulse):
     change = [0.0, 0.0, 0.0]
     for body in bodies:
         change = plus(change, impulse, body.inverse_mass)
-        change = plus(change, cross(body.spin_by(impulse), body.lever_arm))
+        for _, turn, inverse_moment in body.turns:
+            change = plus(change, turn, dot(turn, impulse) * inverse_moment)
     return change
 
 

@@ -23,12 +23,16 @@ function rotation(quaternion) {
   ];
 }
 
-/** The change of spin by a unit impulse along N: J⁻¹ (r × N), J⁻¹ = R diag(1/I) Rᵀ, R = rotation(orientation). */
-function spinPerImpulse({ orientation = [1, 0, 0, 0], principal_inertia }, leverArm, normal) {
+/**
+ * The change of spin J⁻¹ (r × N) by a unit impulse along N, and its product with r × N: J⁻¹ = R diag(1/I) Rᵀ. Both r and
+ * N are turned into body axes first: in world axes, rounding of r × N would turn a thin rod about its long axis.
+ */
+function turning({ orientation = [1, 0, 0, 0], principal_inertia }, leverArm, normal) {
   const axes = rotation(orientation);
-  const torque = cross(leverArm, normal);
-  const inBody = [0, 1, 2].map((i) => dot(axes.map((row) => row[i]), torque) / principal_inertia[i]);
-  return axes.map((row) => dot(row, inBody));
+  const inBody = (v) => [0, 1, 2].map((i) => dot(axes.map((row) => row[i]), v));
+  const torque = cross(inBody(leverArm), inBody(normal));
+  const divided = torque.map((t, i) => t / principal_inertia[i]);
+  return [axes.map((row) => dot(row, divided)), dot(torque, divided)];
 }
 
 function solve({ a, b, point, normal: anyLength, restitution }) {
@@ -38,8 +42,9 @@ function solve({ a, b, point, normal: anyLength, restitution }) {
     const made = { body, leverArm, sign: i === 0 ? 1 : -1 };
     made.atContact = sum(body.velocity, cross(body.angular_velocity, leverArm));
     if (!body.immovable) {
-      made.response = spinPerImpulse(body, leverArm, normal);
-      made.inertness = 1 / body.mass + dot(cross(leverArm, normal), made.response);
+      const [spin, alongTorque] = turning(body, leverArm, normal);
+      made.response = spin;
+      made.inertness = 1 / body.mass + alongTorque;
     }
     return made;
   });

@@ -45,12 +45,14 @@ class Body:
     def velocity_at_contact(self):
         return [v + t for v, t in zip(self.velocity, cross(self.spin, self.lever_arm))]
 
-    def spin_per_impulse(self, normal):
-        """J⁻¹ (r × N), with J⁻¹ = R diag(1/I) Rᵀ."""
+    def turning(self, normal):
+        """J⁻¹ (r × N), and its product with r × N, by J⁻¹ = R diag(1/I) Rᵀ. Both r and N are turned into body axes
+        before they are multiplied: in world axes, rounding of r × N would turn a thin rod about its long axis."""
         axes = rotation(self.orientation)
-        torque = cross(self.lever_arm, normal)
-        in_body = [sum(axes[k][i] * torque[k] for k in range(3)) / self.moments[i] for i in range(3)]
-        return [dot(axes[k], in_body) for k in range(3)]
+        in_body = lambda v: [sum(axes[k][i] * v[k] for k in range(3)) for i in range(3)]
+        torque = cross(in_body(self.lever_arm), in_body(normal))
+        divided = [t / moment for t, moment in zip(torque, self.moments)]
+        return [dot(row, divided) for row in axes], dot(torque, divided)
 
 
 def solve(record):
@@ -60,12 +62,12 @@ def solve(record):
     approach = dot(normal, [u - v for u, v in zip(a.velocity_at_contact(), b.velocity_at_contact())])
     movable = [(body, sign) for body, sign in ((a, 1), (b, -1)) if not body.immovable]
     if approach < 0 and movable:
-        response = {body: body.spin_per_impulse(normal) for body, _ in movable}
-        denominator = sum(1 / body.mass + dot(cross(body.lever_arm, normal), response[body]) for body, _ in movable)
+        turning = {body: body.turning(normal) for body, _ in movable}
+        denominator = sum(1 / body.mass + turning[body][1] for body, _ in movable)
         impulse = -(1 + record["restitution"]) * approach / denominator
         for body, sign in movable:
             body.velocity = [v + sign * impulse / body.mass * n for v, n in zip(body.velocity, normal)]
-            body.spin = [w + sign * impulse * r for w, r in zip(body.spin, response[body])]
+            body.spin = [w + sign * impulse * r for w, r in zip(body.spin, turning[body][0])]
     return a, b
 
 

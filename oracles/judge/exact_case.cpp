@@ -287,7 +287,7 @@ bool ExactCase::has_two_answers(Law law, double allowance) const {
 }
 
 const Sensitivity& ExactCase::colliding_first_order(Law law, Branch branch) const {
-  // Binary64 if it keeps ten digits, otherwise double-double arithmetic if it keeps three, otherwise exact arithmetic.
+  // Binary64 or double-double arithmetic if it keeps three digits, otherwise exact arithmetic.
   return of(law).colliding_sensitivity[branch].get([&]() -> Sensitivity {
     if (bounds_.is_moderate() && bounds_.is_well_conditioned() && has_clear_divisor(bounds_, branch)) {
       if (const auto known = colliding_sensitivity(collision(), law, branch)) {

@@ -205,39 +205,51 @@ double enclosed_norm(const Derivative<Enclosure, Rows>& jacobian, const std::vec
 
 }  // namespace
 
-double growth_of_roundings(const Collision& collision, const BasicCollision<Enclosure>& enclosed, Law law,
-                           Branch branch) {
-  CAROM_EXPECTS(has_movable_body(collision));
-  const double lambda = inverse_mass(collision);
-  double terms = lambda;
-  double largest_impulse{};
-  for (const Body* body : {&collision.a, &collision.b}) {
-    const double arm = norm_of(lever_arm<double>(*body, collision.point));
-    terms += body->immovable ? 0 : arm * arm / body->principal_inertia.minCoeff();
-    largest_impulse += (norm_of(body->velocity) + norm_of(body->angular_velocity) * arm) / lambda;
-  }
-  if (law != Law::rough || branch != Branch::on_cone) {
-    return terms / lambda;
-  }
-  const Vector3<Enclosure> d = detail::RoughImpulses<Enclosure>(enclosed, nullptr).difference();
-  const double divisor = Rough::divisor<Enclosure>(enclosed, d).magnitude_below();
-  return terms / lambda * (1 + collision.friction) * norm_of(collision.normal) * largest_impulse / divisor;
-}
-
 namespace {
 
 constexpr double thousandth = 0x1p-10;
 
-/// The error of an enclosure's middle is less than 2⁹ roundings of 2⁻¹⁰² each, times `growth_of_roundings`. Up to this
-/// growth, the middle is correct to a thousandth. The radius may be larger, because its bounds do not use K ⪰ λI.
-constexpr double largest_growth = thousandth * 0x1p+102 / 0x1p+9;
+/// The error of a sensitivity is less than 2⁹ roundings of the arithmetic, times `growth_of_roundings`. Up to this
+/// growth, the sensitivity is correct to a thousandth. The error radii of double-double arithmetic may be larger,
+/// because their bounds do not use K ⪰ λI.
+constexpr double largest_growth_for(double roundoff) { return thousandth / roundoff / 0x1p+9; }
 
 }  // namespace
+
+double growth_in_collision_matrix(const Collision& collision) {
+  CAROM_EXPECTS(has_movable_body(collision));
+  const double lambda = inverse_mass(collision);
+  double terms = lambda;
+  for (const Body* body : {&collision.a, &collision.b}) {
+    const double arm = norm_of(lever_arm<double>(*body, collision.point));
+    terms += body->immovable ? 0 : arm * arm / body->principal_inertia.minCoeff();
+  }
+  return terms / lambda;
+}
+
+double growth_of_roundings(const Collision& collision, const BasicCollision<Enclosure>& enclosed, Law law,
+                           Branch branch) {
+  const double growth = growth_in_collision_matrix(collision);
+  if (law != Law::rough || branch != Branch::on_cone) {
+    return growth;
+  }
+  double largest_impulse{};
+  for (const Body* body : {&collision.a, &collision.b}) {
+    const double arm = norm_of(lever_arm<double>(*body, collision.point));
+    largest_impulse += (norm_of(body->velocity) + norm_of(body->angular_velocity) * arm) / inverse_mass(collision);
+  }
+  const Vector3<Enclosure> d = detail::RoughImpulses<Enclosure>(enclosed, nullptr).difference();
+  const double divisor = Rough::divisor<Enclosure>(enclosed, d).magnitude_below();
+  return growth * (1 + collision.friction) * norm_of(collision.normal) * largest_impulse / divisor;
+}
 
 Sensitivity norms_before(const Collision& collision) { return norms_of(unchanged(collision)); }
 
 std::optional<Sensitivity> colliding_sensitivity(const Collision& collision, Law law, Branch branch) {
   CAROM_EXPECTS(has_movable_body(collision));
+  if (growth_in_collision_matrix(collision) > largest_growth_for(0x1p-53)) {
+    return std::nullopt;
+  }
   const Differentiable<double> of(collision);
   const PerVector<Jacobian<double>> derivatives = outcome_derivatives(of, law, branch);
   Sensitivity result = norms_before(collision);
@@ -264,7 +276,7 @@ std::optional<Sensitivity> enclosed_sensitivity(const Collision& collision, Law 
     is_bounded_to_a_thousandth = is_bounded_to_a_thousandth && unknown <= thousandth * result[k];
   }
   if (is_bounded_to_a_thousandth ||
-      (is_moderate && growth_of_roundings(collision, of.c, law, branch) <= largest_growth)) {
+      (is_moderate && growth_of_roundings(collision, of.c, law, branch) <= largest_growth_for(0x1p-102))) {
     return result;
   }
   return std::nullopt;

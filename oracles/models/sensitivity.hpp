@@ -35,7 +35,8 @@ inline constexpr double ten_digits = 0x1p-34;
 
 /// The sensitivity of the law's answer to a contact that collides, by implicit differentiation in binary64
 /// (implicit_differentiation.hpp). If the law inverts K, the relative error is about u times the condition number of K.
-/// No value if a sum is outside the limits above.
+/// No value if a sum is outside the limits above, or if rounding of r × F may leave fewer than three digits, as for
+/// needles of 1 : 10¹⁰ (`growth_of_roundings`).
 ///
 /// Preconditions: the collision is moderate (moderate.hpp); a body is movable; the law is one of `laws_with_truth`;
 /// BoundedCase::is_well_conditioned(), except for the frictionless law. For `on_cone`, also
@@ -48,11 +49,14 @@ inline constexpr double ten_digits = 0x1p-34;
 [[nodiscard]] std::optional<Sensitivity> enclosed_sensitivity(const Collision& collision, Law law, Branch branch,
                                                               bool is_moderate);
 
-/// An estimate of the growth of rounding errors in the derivatives of the law's answer. The terms of K are at most
-/// T = λ + Σ ‖r‖² / min I over the movable bodies, and K ⪰ λI. So T / λ bounds the condition number of K, and the
-/// cancellation in r × F. On the cone's surface, `rough` divides by d = ‖N × D‖ − μ N·D. The two terms of d may cancel,
-/// which adds the factor (1 + μ) ‖N‖ ‖D‖ / d. ‖D‖ is at most Σ (‖v‖ + ‖w‖ ‖r‖) / λ. `enclosed` is the same collision.
-/// The result may be infinite. Precondition: a body is movable.
+/// T / λ. The terms of K are at most T = λ + Σ ‖r‖² / min I over the movable bodies, and K ⪰ λI. So T / λ bounds the
+/// condition number of K, and the cancellation in r × F. Precondition: a body is movable.
+[[nodiscard]] double growth_in_collision_matrix(const Collision& collision);
+
+/// An estimate of the growth of rounding errors in the derivatives of the law's answer: `growth_in_collision_matrix`,
+/// and for `rough` a further factor. On the cone's surface, `rough` divides by d = ‖N × D‖ − μ N·D. The two terms of d
+/// may cancel, which adds the factor (1 + μ) ‖N‖ ‖D‖ / d. ‖D‖ is at most Σ (‖v‖ + ‖w‖ ‖r‖) / λ. `enclosed` is the same
+/// collision. The result may be infinite. Precondition: a body is movable.
 [[nodiscard]] double growth_of_roundings(const Collision& collision, const BasicCollision<Enclosure>& enclosed, Law law,
                                          Branch branch);
 

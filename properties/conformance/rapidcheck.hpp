@@ -81,6 +81,7 @@ namespace gen {
   F(structured)                     \
   F(generic)                        \
   F(physical)                       \
+  F(needle_tip)                     \
   F(head_on)                        \
   F(near_head_on)                   \
   F(collinear_spheres)              \

@@ -50,6 +50,8 @@ SizedShape convex_shape(Stream& stream) {
   return {shape, size};
 }
 
+}  // namespace
+
 Body convex_body(Stream& stream, const Vector3<double>& point) {
   Body body;
   const auto [shape, size] = convex_shape(stream);
@@ -60,8 +62,6 @@ Body convex_body(Stream& stream, const Vector3<double>& point) {
   set_velocities(stream, body, size);
   return body;
 }
-
-}  // namespace
 
 Case general_bodies(Stream& stream) { return {general_collision(stream), false}; }
 

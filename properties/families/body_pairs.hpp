@@ -11,6 +11,9 @@ namespace carom::properties {
 /// `general_bodies` with friction. One case in four also gets a few features (`sprinkle`, features/compose.hpp).
 [[nodiscard]] Case sprinkled_bodies(Stream& stream);
 
+/// A convex body of uniform density, an ellipsoid or a polyhedron. The point is inside or on the surface.
+[[nodiscard]] Body convex_body(Stream& stream, const Vector3<double>& point);
+
 /// Two approaching convex bodies of uniform density, ellipsoids or polyhedra. The contact is inside or on the surface
 /// of both.
 [[nodiscard]] Case convex_bodies(Stream& stream);

@@ -7,6 +7,7 @@
 #include <carom/properties/families/body_pairs.hpp>
 #include <carom/properties/families/friction.hpp>
 #include <carom/properties/families/invalid.hpp>
+#include <carom/properties/families/needle_tip.hpp>
 #include <carom/properties/families/published.hpp>
 #include <carom/properties/features/compose.hpp>
 
@@ -267,6 +268,10 @@ constexpr std::array families{
            "convex bodies of uniform density, including plates and rods with moments up to 1 : 10⁸; the contact is in "
            "or on both",
            convex_bodies, 23},
+    Family{"needle_tip",
+           "needles with moments up to 1 : 10¹² that are struck on the tip; N and V⁻ lie along the long axis, or "
+           "deviate from it by 10^-k, k = 1 to 18",
+           needle_tip, 36},
     Family{"head_on", "V⁻ along the normal, exactly or up to rounding", head_on, 5},
     Family{"near_head_on", "v_t/v_n = 10^-k, k = 1 to 18", near_head_on, 10},
     Family{"collinear_spheres",

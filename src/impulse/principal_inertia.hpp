@@ -102,13 +102,24 @@ template <class S, bool may_be_slender, class Condition>
       [&] { return times(moments_of_unit_impulses(inertia, r), impulse); });
 }
 
-/// Computes both results from one torque, so that an impulse turns the body as much as the law expects.
+/// Computes both results from one torque, so that an impulse turns the body as much as the law expects. All calls in it
+/// are inlined, because they would cost the frictionless law a third of its time.
 template <class S, bool may_be_slender, class Condition>
-[[nodiscard]] Turning<S> turning(const PrincipalInertia<S, may_be_slender>& inertia, const Vector3<S>& r,
-                                 const Vector3<S>& impulse, const Condition& has_slender) {
+[[nodiscard, gnu::flatten]] Turning<S> turning(const PrincipalInertia<S, may_be_slender>& inertia, const Vector3<S>& r,
+                                               const Vector3<S>& impulse, const Condition& has_slender) {
   const Vector3<S> torque = torque_in_body_frame(inertia, r, impulse, has_slender);
   const Vector3<S> divided = detail::products_of_components(torque, inertia.inverse_moments);
   return {times(inertia.axes, divided), dot(divided, torque)};
+}
+
+/// Sums (e × r) ((e × r)·F) / I over the body axes e. If r lies along the axis of a slender body, the equal J⁻¹ (r × F)
+/// × r is a small difference of large products.
+template <class S, bool may_be_slender>
+[[nodiscard]] Vector3<S> velocity_by_turning(const PrincipalInertia<S, may_be_slender>& inertia, const Vector3<S>& r,
+                                             const Vector3<S>& impulse) {
+  const Matrix3<S> moments = moments_of_unit_impulses(inertia, r);
+  const Vector3<S> divided = detail::products_of_components<S>(times(moments, impulse), inertia.inverse_moments);
+  return {dot<S>(moments.col(0), divided), dot<S>(moments.col(1), divided), dot<S>(moments.col(2), divided)};
 }
 
 /// [r]ᵀ J⁻¹ [r] = Σ (e × r)(e × r)ᵀ / I over the body axes e, with [r] x = r × x. Exactly symmetric.

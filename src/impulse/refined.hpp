@@ -3,6 +3,7 @@
 
 #include <carom/collision/expects.hpp>
 #include <carom/impulse/collision_matrix.hpp>
+#include <carom/impulse/response.hpp>
 #include <carom/impulse/solve3.hpp>
 
 /// Laws with one step of iterative refinement (N. J. Higham, "Accuracy and Stability of Numerical Algorithms", 2nd ed.
@@ -21,12 +22,6 @@ template <class T, class S>
           body.velocity.template cast<T>(), body.angular_velocity.template cast<T>()};
 }
 
-/// The contribution of one body to K F.
-template <class S>
-[[nodiscard]] Vector3<S> response(const ContactBody<S>& body, const Vector3<S>& impulse) {
-  return impulse * body.inverse_mass + cross(angular_response(body.inertia, body.lever_arm, impulse), body.lever_arm);
-}
-
 }  // namespace detail
 
 /// The contact in another scalar type, each number rounded.
@@ -35,12 +30,6 @@ template <class T, class S>
   return {detail::rounded<T>(contact.a),     detail::rounded<T>(contact.b),
           contact.normal.template cast<T>(), static_cast<T>(contact.restitution),
           static_cast<T>(contact.friction),  static_cast<T>(contact.tangential_restitution)};
-}
-
-/// K F without forming K: the change of V by the impulse F.
-template <class S>
-[[nodiscard]] Vector3<S> response(const Contact<S>& contact, const Vector3<S>& impulse) {
-  return detail::response(contact.a, impulse) + detail::response(contact.b, impulse);
 }
 
 /// The outcome of the frictionless law. Precondition: the contact was made from a valid collision.

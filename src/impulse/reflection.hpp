@@ -5,6 +5,7 @@
 #include <carom/impulse/collision_matrix.hpp>
 #include <carom/impulse/contact_impulse.hpp>
 #include <carom/impulse/solve3.hpp>
+#include <carom/impulse/solved_impulse.hpp>
 
 namespace carom::impulse {
 
@@ -41,7 +42,7 @@ template <class Solve = Ldlt, class S, class Inertia, class See = UnseenMatrix>
   const Vector3<S> velocity_change = n * factor;
   const Matrix3<S> matrix = collision_matrix(contact);
   see(matrix);
-  const Vector3<S> solved = Solve::template solve<S>(matrix, velocity_change, inverse_mass(contact));
+  const Vector3<S> solved = solved_impulse<Solve>(contact, matrix, velocity_change);
   // If N lies along both lever arms, K N = λ N with λ = 1/m_A + 1/m_B. So F is computed from λ, because rounding errors
   // in K would turn a body.
   const Vector3<S> along = n * (factor / inverse_mass(contact));

@@ -8,6 +8,7 @@
 #include <carom/impulse/collision_matrix.hpp>
 #include <carom/impulse/frictionless.hpp>
 #include <carom/impulse/solve3.hpp>
+#include <carom/impulse/solved_impulse.hpp>
 #include <carom/impulse/sticking.hpp>
 
 namespace carom::impulse {
@@ -77,7 +78,7 @@ template <class Solve = Ldlt, class S, class Inertia, class See = UnseenMatrix>
   const Vector3<S> approaching = velocity + n * S((approach - dot(n, velocity)) / dot(n, n));
   const Matrix3<S> matrix = collision_matrix(contact);
   see(matrix);
-  const Vector3<S> solved = Solve::template solve<S>(matrix, approaching, inverse_mass(contact));
+  const Vector3<S> solved = solved_impulse<Solve>(contact, matrix, approaching);
   const Vector3<S> stops_point = -detail::without_gain_of_energy<S>(contact, solved, approaching);
   // `d` is (1 + ε) D, and `share` is κ / (1 + ε).
   const S rebound = S(1) + contact.restitution;

@@ -5,6 +5,7 @@
 #include <carom/impulse/collision_matrix.hpp>
 #include <carom/impulse/contact_impulse.hpp>
 #include <carom/impulse/solve3.hpp>
+#include <carom/impulse/solved_impulse.hpp>
 
 namespace carom::impulse {
 
@@ -61,7 +62,7 @@ template <class Solve = Ldlt, class S, class Inertia, class See = UnseenMatrix>
   const Vector3<S> velocity_change = -(velocity + n * factor);
   const Matrix3<S> matrix = collision_matrix(contact);
   see(matrix);
-  return {colliding, Solve::template solve<S>(matrix, velocity_change, inverse_mass(contact))};
+  return {colliding, solved_impulse<Solve>(contact, matrix, velocity_change)};
 }
 template <class Solve = Ldlt, class S, class Inertia>
 [[nodiscard]] ContactImpulse<S> sticking_impulse(const Contact<S, Inertia>& contact) {

@@ -7,11 +7,13 @@ namespace carom::impulse {
 
 /// The effect of an impulse F at the lever arm r on the spin of a body. `turning(inertia, r, F, has_slender)` returns
 /// it for a `PrincipalInertia` or a `WorldInertia`. `has_slender` is true if a body of the contact is slender. If so,
-/// the function for a `PrincipalInertia` computes r × F with a small relative error in each component.
+/// the function for a `PrincipalInertia` computes r × F with a small relative error in each component. Likewise,
+/// `velocity_by_turning(inertia, r, F)` returns J⁻¹ (r × F) × r, the velocity that the change of spin adds to the
+/// contact point.
 template <class S>
 struct Turning {
   Vector3<S> change_of_spin;  // J⁻¹ (r × F)
-  /// F·u = (r × F)ᵀ J⁻¹ (r × F). u = J⁻¹ (r × F) × r is the velocity that the change of spin adds to the contact point.
+  /// F·u = (r × F)ᵀ J⁻¹ (r × F), with u = `velocity_by_turning`.
   S along_impulse;
 };
 

@@ -51,6 +51,12 @@ template <class S>
   return {change_of_spin, dot(torque, change_of_spin)};
 }
 
+template <class S>
+[[nodiscard]] Vector3<S> velocity_by_turning(const WorldInertia<S>& inertia, const Vector3<S>& r,
+                                             const Vector3<S>& impulse) {
+  return cross(times(inertia.inverse, cross(r, impulse)), r);
+}
+
 /// [r]ᵀ J⁻¹ [r], with [r] x = r × x. Exactly symmetric.
 template <class S>
 [[nodiscard]] Matrix3<S> angular_part_of_collision_matrix(const WorldInertia<S>& inertia, const Vector3<S>& r) {

@@ -114,9 +114,9 @@ TEST_P(Defects, AreFoundInTheExample) {
 const std::string impulse_line = "impulse = -(1 + record[\"restitution\"]) * approach / denominator";
 const std::string velocity_line =
     "body.velocity = [v + sign * impulse / body.mass * n for v, n in zip(body.velocity, normal)]";
-const std::string spin_line = "body.spin = [w + sign * impulse * r for w, r in zip(body.spin, response[body])]";
+const std::string spin_line = "body.spin = [w + sign * impulse * r for w, r in zip(body.spin, turning[body][0])]";
 const std::string at_contact_line = "zip(self.velocity, cross(self.spin, self.lever_arm))]";
-const std::string denominator_term = "1 / body.mass + dot(cross(body.lever_arm, normal), response[body])";
+const std::string denominator_term = "1 / body.mass + turning[body][1]";
 
 std::string name_of(const testing::TestParamInfo<Defect>& each) { return each.param.name; }
 
@@ -137,8 +137,7 @@ INSTANTIATE_TEST_SUITE_P(
         Defect{"normal_of_any_length_trusted", "normal = unit(vector(record[\"normal\"]))",
                "normal = vector(record[\"normal\"])", "restitution"},
         Defect{"quaternion_trusted", "w, x, y, z = unit(quaternion)", "w, x, y, z = quaternion", "angular_momentum"},
-        Defect{"angular_term_twice", denominator_term,
-               "1 / body.mass + 2 * dot(cross(body.lever_arm, normal), response[body])", "restitution"},
+        Defect{"angular_term_twice", denominator_term, "1 / body.mass + 2 * turning[body][1]", "restitution"},
         Defect{"wrong_mass_in_the_reaction", velocity_line,
                "body.velocity = [v + sign * impulse / movable[0][0].mass * n for v, n in zip(body.velocity, normal)]",
                "linear_momentum"},
@@ -156,7 +155,7 @@ INSTANTIATE_TEST_SUITE_P(
         Defect{"spin_crossed_the_wrong_way", at_contact_line, "zip(self.velocity, cross(self.lever_arm, self.spin))]",
                "restitution"},
         Defect{"spheres_made_to_spin", spin_line,
-               "body.spin = [w + sign * impulse * (r + 1e-9 / body.mass) for w, r in zip(body.spin, response[body])]",
+               "body.spin = [w + sign * impulse * (r + 1e-9 / body.mass) for w, r in zip(body.spin, turning[body][0])]",
                "collinear_spin"},
         Defect{"heavy_bodies_taken_as_fixed",
                "movable = [(body, sign) for body, sign in ((a, 1), (b, -1)) if not body.immovable]",

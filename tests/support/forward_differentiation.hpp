@@ -25,4 +25,12 @@ using EnclosedDual = oracles::Dual<oracles::Enclosure, oracles::collision_inputs
   });
 }
 
+/// A lower bound of the same sum.
+[[nodiscard]] inline double sensitivity_below(std::initializer_list<const EnclosedDual*> components,
+                                              const std::vector<oracles::Quantity>& quantities) {
+  return oracles::sum_over_quantities(quantities, components.size(), [&](std::size_t i, std::size_t j) {
+    return components.begin()[i]->derivative[j].magnitude_below();
+  });
+}
+
 }  // namespace carom::unit

@@ -37,8 +37,9 @@ TEST(Families, ApproachAsTheyPromise) {
   EXPECT_GE(count("near_head_on", Approach::colliding), 198);  // in a few of 10⁴ cases, a feature makes it rest
   // Rounding may give N·V the wrong sign near 0.
   EXPECT_GE(count("separating", Approach::separating), 198);
-  for (const char* family : {"physical", "inelastic", "elastic", "mass_ratio", "immovable_a", "immovable_b",
-                             "driven_wall", "zero_lever", "common_velocity", "long_normal", "long_quaternion"}) {
+  for (const char* family :
+       {"physical", "inelastic", "elastic", "mass_ratio", "immovable_a", "immovable_b", "driven_wall", "zero_lever",
+        "common_velocity", "long_normal", "long_quaternion", "needle_tip"}) {
     // One case in four gets features. A few of these features stop both bodies.
     EXPECT_GE(count(family, Approach::colliding), 190) << family;
   }

@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <carom/collision/validate.hpp>
+#include <carom/properties/draws/moment_ratio.hpp>
+#include <carom/properties/draws/relative_velocity.hpp>
 
 #include "support/cases.hpp"
 
@@ -133,10 +135,46 @@ TEST(Families, ReachTheExtremesThatTheyPromise) {
   EXPECT_GT(fastest, 1e10);
 }
 
+/// The sine of the angle between two vectors.
+double sine(const Vector3<double>& u, const Vector3<double>& v) { return u.cross(v).norm() / (u.norm() * v.norm()); }
+
+/// The body with the greater ratio of moments, and the contact on its tip. The other body may be a needle, too.
+TEST(Families, StrikeNeedlesOnTheirTips) {
+  double largest_ratio = 0;
+  double smallest_angle = 1;
+  std::uint64_t walls = 0;
+  for (std::uint64_t i = 0; i < cases; ++i) {
+    const Collision c = unit::case_of("needle_tip", i).collision;
+    const Vector3<double> v = relative_velocity(c);
+    EXPECT_LT(c.normal.dot(v), 0) << i;
+    EXPECT_LT(sine(c.normal, v), 0.11) << i;
+    double best = 1;
+    for (const Body& body : {c.a, c.b}) {
+      const Vector3<double> arm = c.point - body.position;
+      const double ratio = moment_ratio(body);
+      if (ratio < 2) {
+        continue;
+      }
+      // N and the lever arm deviate from the long axis by at most a tenth each.
+      best = std::min(best, sine(c.normal, arm));
+      largest_ratio = std::max(largest_ratio, ratio);
+    }
+    EXPECT_LT(best, 0.22) << i;
+    smallest_angle = std::min(smallest_angle, best);
+    walls += c.a.immovable || c.b.immovable ? 1 : 0;
+  }
+  // The widths 10^-6 and 10^-5 have a probability of 1/3, and the angles up to 10^-6 of more than 1/2.
+  EXPECT_GT(largest_ratio, 1e8);
+  EXPECT_LT(smallest_angle, 1e-6);
+  // 100 of 300, ± five standard deviations of √(300·2/9) = 8.2.
+  EXPECT_GT(walls, 59U);
+  EXPECT_LT(walls, 141U);
+}
+
 TEST(Families, CallOnlyConvexUniformBodiesConvexAndUniform) {
   for (const auto& [family, one] : unit::valid_cases(50)) {
-    EXPECT_EQ(one.convex_uniform,
-              family == "physical" || family == "collinear_spheres" || family == "spin_alone" || family == "chung_ooi")
+    EXPECT_EQ(one.convex_uniform, family == "physical" || family == "needle_tip" || family == "collinear_spheres" ||
+                                      family == "spin_alone" || family == "chung_ooi")
         << family;
   }
 }
