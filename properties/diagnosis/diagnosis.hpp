@@ -5,18 +5,17 @@
 #include <string>
 #include <vector>
 
+#include <carom/properties/diagnosis/fault.hpp>
 #include <carom/properties/gate/gate_report.hpp>
 
 namespace carom::properties::diagnosis {
 
-/// The probable fault of a subject: a hint on which no judgement depends.
+/// The probable faults of a subject: hints on which no judgement depends.
 struct Diagnosis {
   std::string telling;           // the violated invariant that explains most of the others
   std::uint64_t violated = 0;    // sampled cases in which any invariant is violated
   std::uint64_t telling_in = 0;  // the number of those cases that violate `telling`
-  std::string what;              // the fault in the answers
-  std::string look_at;           // the places in a solver to check; empty if no place is likelier
-  std::string where;             // the cases in which it happens
+  std::vector<Fault> faults;     // at least one
 };
 
 /// Precondition: `result.violated_invariants()` is not empty.

@@ -1,10 +1,40 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <iterator>
 
+#include <carom/collision/expects.hpp>
 #include <carom/properties/diagnosis/hypothesis.hpp>
 #include <carom/properties/diagnosis/hypothesis_groups.hpp>
 
 namespace carom::properties::diagnosis {
+namespace {
+
+/// Whether the steps, further mistakes of `rest` and the fitted size give the answer.
+bool explains_with(const Steps& steps, std::span<const Hypothesis* const> rest, const std::optional<FittedSize>& size,
+                   const KnownCase& one) {
+  if (rest.empty()) {
+    if (size) {
+      return gives_answer(*size, steps, one);
+    }
+    const std::optional<Impulses> impulses = impulses_by(steps, one);
+    return impulses && is_explained_by(outcome_by(steps, *impulses, one), one);
+  }
+  const Hypothesis& first = *rest.front();
+  // A limit of the impulse comes last in a solver, so it replaces other sizes.
+  const bool replaces = first.size && (!size || first.size->fit == Fit::length_of_impulse);
+  const std::optional<FittedSize>& kept = replaces ? first.size : size;
+  if (first.mistakes.empty()) {
+    return explains_with(steps, rest.subspan(1), kept, one);
+  }
+  for (const Mistake& mistake : first.mistakes) {
+    Steps changed = steps;
+    if (mistake(changed, one) && explains_with(changed, rest.subspan(1), kept, one)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
 
 std::span<const Hypothesis> all_hypotheses() {
   static const std::vector<Hypothesis> all = [] {
@@ -17,11 +47,23 @@ std::span<const Hypothesis> all_hypotheses() {
   return all;
 }
 
+std::optional<Outcome<double>> answer_of(const Hypothesis& hypothesis, const KnownCase& one) {
+  CAROM_EXPECTS(!hypothesis.mistakes.empty() && !hypothesis.size, hypothesis.as_if);
+  Steps steps = right_steps(one);
+  if (!hypothesis.mistakes.front()(steps, one)) {
+    return std::nullopt;
+  }
+  const std::optional<Impulses> impulses = impulses_by(steps, one);
+  return impulses ? std::optional(outcome_by(steps, *impulses, one)) : std::nullopt;
+}
+
+bool explains(std::span<const Hypothesis* const> together, const KnownCase& one) {
+  return explains_with(right_steps(one), together, {}, one);
+}
+
 bool explains(const Hypothesis& hypothesis, const KnownCase& one) {
-  constexpr double small_share = 0x1p-10;  // rounding is less than this share of a visible error
-  const std::optional<Outcome<double>> predicted = hypothesis.answer(one);
-  return predicted && energy_distance(one.collision, *predicted, one.answered) <=
-                          small_share * energy_distance(one.collision, one.truth, one.answered);
+  const Hypothesis* const alone = &hypothesis;
+  return explains(std::span(&alone, 1), one);
 }
 
 }  // namespace carom::properties::diagnosis

@@ -5,6 +5,8 @@
 #include <carom/collision/expects.hpp>
 #include <carom/collision/validate.hpp>
 #include <carom/oracles/laws/kinematics.hpp>
+#include <carom/oracles/models/models.hpp>
+#include <carom/oracles/models/sensitivity.hpp>
 #include <carom/properties/diagnosis/known_case.hpp>
 
 namespace carom::properties::diagnosis {
@@ -77,16 +79,46 @@ LawAnswer law_answer(const Collision& collision, Law law, std::optional<oracles:
   });
 }
 
+Vector3<double> law_impulse(const Collision& collision, Law law, std::optional<oracles::Approach> approach) {
+  const oracles::ExactCase exact_case(collision);
+  const oracles::Approach as = approach.value_or(exact_case.approach());
+  // `Wide` makes fewer than 2⁹ roundings of 2⁻⁶⁴, which grow by this factor. So the relative error is below 2⁻⁴³. This
+  // is a thousandth of the least visible error.
+  constexpr double largest_growth = 0x1p+12;
+  const bool is_linear = std::ranges::find(oracles::linear_laws, law) != oracles::linear_laws.end();
+  if (as != oracles::Approach::colliding || !is_linear || !exact_case.bounds().is_moderate() ||
+      oracles::growth_in_collision_matrix(collision) > largest_growth) {
+    return law_answer(collision, law, as).impulse;
+  }
+  const oracles::Truth<Wide> truth = oracles::colliding_truth(widened(collision), law, oracles::Branch::only);
+  return truth.impulse.cast<double>();
+}
+
 std::optional<KnownCase> known_case(const ViolatedCase& violated, Law law) {
   const Collision& collision = violated.one.collision;
   const auto* outcome = std::get_if<ReportedOutcome>(&violated.answer);
   if (outcome == nullptr || !oracles::is_finite(*outcome) || !determines_outcome(law) || !validate(collision).empty()) {
     return std::nullopt;
   }
+  return known_case(collision, narrowed(*outcome), law);
+}
+
+KnownCase known_case(const Collision& collision, const Outcome<double>& answered, Law law) {
   const LawAnswer answer = law_answer(collision, law);
-  return KnownCase{
-      collision,      law,           oracles::ExactCase(collision).approach(), unchanged(collision), narrowed(*outcome),
-      answer.outcome, answer.impulse};
+  return {collision,      law,           oracles::ExactCase(collision).approach(), unchanged(collision), answered,
+          answer.outcome, answer.impulse};
+}
+
+double energy_product(const Collision& collision, const Outcome<double>& x, const Outcome<double>& y) {
+  const BasicCollision<Wide> c = widened(collision);
+  const auto of_body = [](const BasicBody<Wide>& body, const BodyVelocity<Wide>& one, const BodyVelocity<Wide>& other) {
+    return body.immovable ? Wide{0}
+                          : body.mass * one.velocity.dot(other.velocity) +
+                                one.angular_velocity.dot(oracles::apply_inertia(body, other.angular_velocity));
+  };
+  const Outcome<Wide> one = widened(x);
+  const Outcome<Wide> other = widened(y);
+  return static_cast<double>(of_body(c.a, one.a, other.a) + of_body(c.b, one.b, other.b));
 }
 
 double energy_distance(const Collision& collision, const Outcome<double>& x, const Outcome<double>& y) {
@@ -95,6 +127,19 @@ double energy_distance(const Collision& collision, const Outcome<double>& x, con
   const Outcome<Wide> other = widened(y);
   return static_cast<double>(
       std::sqrt(twice_energy(c.a, difference(one.a, other.a)) + twice_energy(c.b, difference(one.b, other.b))));
+}
+
+bool is_explained_by(const Outcome<double>& outcome, const KnownCase& one) {
+  const auto agree_if_immovable = [](const Body& body, const BodyVelocity<double>& x, const BodyVelocity<double>& y) {
+    return !body.immovable || (x.velocity == y.velocity && x.angular_velocity == y.angular_velocity);
+  };
+  if (!agree_if_immovable(one.collision.a, outcome.a, one.answered.a) ||
+      !agree_if_immovable(one.collision.b, outcome.b, one.answered.b)) {
+    return false;
+  }
+  constexpr double small_share = 0x1p-10;  // rounding is less than this share of a visible error
+  return energy_distance(one.collision, outcome, one.answered) <=
+         small_share * energy_distance(one.collision, one.truth, one.answered);
 }
 
 bool is_visibly_off(const KnownCase& one, double unit_roundoff) {

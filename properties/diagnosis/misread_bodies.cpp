@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 #include <array>
+#include <cmath>
 
-#include <carom/collision/validate.hpp>
 #include <carom/oracles/laws/kinematics.hpp>
 #include <carom/properties/diagnosis/hypothesis_groups.hpp>
 
@@ -54,6 +54,9 @@ const std::array misreadings{
                  const Quaternion<double> q = b.orientation;
                  b.orientation = {q[3], q[0], q[1], q[2]};
                }},
+    Misreading{"the quaternion of {} lost the sign of its w",
+               "the sign of the quaternion: −q has the signs of all four numbers", true,
+               [](Body& b, const Body&, const Collision&) { b.orientation[0] = std::abs(b.orientation[0]); }},
     // Without the division by q·q, q v q* multiplies a vector by q·q. J⁻¹ turns twice: into the body frame and back.
     Misreading{"the quaternion of {} were not divided by its length", "the orientation: normalise the quaternion", true,
                [](Body& b, const Body&, const Collision&) {
@@ -65,6 +68,16 @@ const std::array misreadings{
     Misreading{
         "each moment of {} were the mean of the three", moments, true,
         [](Body& b, const Body&, const Collision&) { b.principal_inertia.setConstant(b.principal_inertia.mean()); }},
+    Misreading{"the moments of {} were all equal if two of them are", moments, true,
+               [](Body& b, const Body&, const Collision&) {
+                 Vector3<double>& moments_of_b = b.principal_inertia;
+                 for (int i = 0; i < 3; ++i) {
+                   if (moments_of_b[i] == moments_of_b[(i + 1) % 3]) {
+                     moments_of_b.setConstant(moments_of_b[i]);
+                     return;
+                   }
+                 }
+               }},
     Misreading{"each moment of {} were the first one", moments, true,
                [](Body& b, const Body&, const Collision&) { b.principal_inertia.setConstant(b.principal_inertia[0]); }},
     Misreading{"each moment of {} were 1", moments, true,
@@ -181,24 +194,17 @@ struct Who {
 };
 constexpr std::array whom{Who{"both bodies", true, true}, Who{"A", true, false}, Who{"B", false, true}};
 
-Collision misread(const Collision& collision, const Misreading& misreading, const Who& who) {
-  Collision changed = collision;
+void misread(Collision& collision, const Misreading& misreading, const Who& who) {
+  const Collision given = collision;
   const auto change = [&](bool is_meant, Body& body, const Body& other) {
-    if (is_meant && !(body.immovable && misreading.of_mechanics)) {
-      misreading.change(body, other, collision);
+    // Of an immovable body, a solver reads the motion and the lever arm.
+    const bool is_read = !body.immovable || !misreading.of_mechanics || misreading.look_at == arms;
+    if (is_meant && is_read) {
+      misreading.change(body, other, given);
     }
   };
-  change(who.a, changed.a, collision.b);
-  change(who.b, changed.b, collision.a);
-  return changed;
-}
-
-/// The law's impulse, applied to misread bodies. No value if the changed collision is invalid.
-std::optional<Outcome<double>> misapplied(const Collision& changed, const KnownCase& one) {
-  if (!validate(changed).empty()) {
-    return std::nullopt;
-  }
-  return pushed(changed, one.impulse);
+  change(who.a, collision.a, given.b);
+  change(who.b, collision.b, given.a);
 }
 
 std::string filled(const std::string& text, const char* name) {
@@ -209,35 +215,31 @@ std::string filled(const std::string& text, const char* name) {
 
 }  // namespace
 
-std::optional<Outcome<double>> impulse_of(const Collision& changed, const KnownCase& one) {
-  if (!validate(changed).empty()) {
-    return std::nullopt;
-  }
-  return pushed(one.collision, law_answer(changed, one.law).impulse);
-}
-
 std::vector<Hypothesis> misread_bodies() {
   struct Step {
     const char* where;
     bool of_mechanics_alone;
-    std::optional<Outcome<double>> (*answer)(const Collision& changed, const KnownCase& one);
+    Mistake (*mistake)(std::function<void(Collision&)> change);
   };
   constexpr std::array steps{
-      Step{"", false, answer_to},
-      Step{" in the computation of the impulse; the impulse is applied correctly", true, impulse_of},
-      Step{" in the application of the impulse; the impulse itself is right", true, misapplied}};
+      Step{"", false, misread_as},
+      Step{" in the computation of the impulse; the impulse is applied correctly", true, computed_as},
+      Step{" in the application of the impulse; the impulse itself is right", true, applied_as}};
   std::vector<Hypothesis> all;
   for (const Misreading& misreading : misreadings) {
     for (const Step& step : steps) {
+      if (step.of_mechanics_alone && !misreading.of_mechanics) {
+        continue;
+      }
+      Hypothesis of_any{filled(misreading.as_if, "one body or both") + step.where, misreading.look_at, {}};
       for (const Who& who : whom) {
-        const bool is_of_both = who.a && who.b;
-        if ((misreading.of_mechanics || !step.of_mechanics_alone) && !(is_of_both && misreading.of_one_body_alone)) {
-          all.push_back({filled(misreading.as_if, who.name) + step.where, misreading.look_at,
-                         [&misreading, who, answer = step.answer](const KnownCase& one) {
-                           return answer(misread(one.collision, misreading, who), one);
-                         }});
+        if (!(who.a && who.b && misreading.of_one_body_alone)) {
+          const Mistake mistake = step.mistake([&misreading, who](Collision& c) { misread(c, misreading, who); });
+          all.push_back({filled(misreading.as_if, who.name) + step.where, misreading.look_at, {mistake}});
+          of_any.mistakes.push_back(mistake);
         }
       }
+      all.push_back(std::move(of_any));
     }
   }
   return all;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
-#include <carom/collision/validate.hpp>
+#include <fmt/format.h>
+
 #include <carom/properties/diagnosis/hypothesis_groups.hpp>
 
 namespace carom::properties::diagnosis {
@@ -11,11 +13,7 @@ namespace {
 using Change = void (*)(Collision&);
 
 Hypothesis of_changed(std::string as_if, std::string look_at, Change change) {
-  return {std::move(as_if), std::move(look_at), [change](const KnownCase& one) {
-            Collision changed = one.collision;
-            change(changed);
-            return answer_to(changed, one);
-          }};
+  return {std::move(as_if), std::move(look_at), {misread_as(change)}};
 }
 
 void point_from(Vector3<double>& place, const Vector3<double>& point, double factor) {
@@ -36,37 +34,31 @@ Vector3<double> nearest_axis(const Vector3<double>& normal) {
   return axis;
 }
 
-}  // namespace
-
-std::optional<Outcome<double>> answer_to(const Collision& changed, const KnownCase& one) {
-  if (!validate(changed).empty()) {
-    return std::nullopt;
-  }
-  const Outcome<double> before = unchanged(changed);
-  const Outcome<double> after = law_answer(changed, one.law).outcome;
-  Outcome<double> answer = one.before;
-  for (const OutcomeVector k : all_outcome_vectors) {
-    *vectors(answer)[k] += *vectors(after)[k] - *vectors(before)[k];
-  }
-  return answer;
+std::vector<Hypothesis> misread_approach() {
+  const auto tested_by = [](ApproachTest test) -> Mistake {
+    return [test](Steps& steps, const KnownCase& one) {
+      steps.test = test;
+      steps.has_right_impulse = false;
+      return one.approach != oracles::Approach::inert;
+    };
+  };
+  const std::string condition =
+      "the condition N·V⁻ < 0: it may be missing, have the wrong sign, or use a V of another point";
+  return {
+      {"the test for approach were missing: separating contacts are solved too",
+       condition,
+       {tested_by(ApproachTest::missing)}},
+      {"the test for approach were inverted: separating contacts are solved, and colliding contacts are not",
+       condition,
+       {tested_by(ApproachTest::inverted)}},
+  };
 }
 
-std::vector<Hypothesis> misread_contacts() {
+std::vector<Hypothesis> misread_coefficients() {
   const std::string coefficient =
       "the source of the coefficient of restitution: thresholds, defaults, the combination of two coefficients";
   const std::string friction = "the source and the use of the coefficient of friction";
-  const std::string normal = "changes to the normal before its use: rounding to an axis or a plane, its sign";
-  const auto decided_wrongly = [](const KnownCase& one) -> std::optional<Outcome<double>> {
-    if (one.approach == oracles::Approach::inert) {
-      return std::nullopt;
-    }
-    return one.approach == oracles::Approach::colliding
-               ? one.before
-               : law_answer(one.collision, one.law, oracles::Approach::colliding).outcome;
-  };
-  std::vector<Hypothesis> all{
-      {"the test for approach were inverted: separating contacts are solved, and colliding contacts are not",
-       "the condition N·V⁻ < 0: it may be missing, have the wrong sign, or use a V of another point", decided_wrongly},
+  return {
       of_changed("ε were 0", coefficient, [](Collision& c) { c.restitution = 0; }),
       of_changed("ε were 1", coefficient, [](Collision& c) { c.restitution = 1; }),
       of_changed("ε were squared", coefficient, [](Collision& c) { c.restitution *= c.restitution; }),
@@ -90,6 +82,12 @@ std::vector<Hypothesis> misread_contacts() {
                  [](Collision& c) { c.tangential_restitution = -c.tangential_restitution; }),
       of_changed("the tangential restitution were ε", friction,
                  [](Collision& c) { c.tangential_restitution = c.restitution; }),
+  };
+}
+
+std::vector<Hypothesis> misread_geometry() {
+  const std::string normal = "changes to the normal before its use: rounding to an axis or a plane, its sign";
+  return {
       of_changed("the normal pointed in the other direction", "the direction of the normal: from B to A",
                  [](Collision& c) { c.normal = -c.normal; }),
       of_changed("the normal were replaced by the nearest coordinate axis", normal,
@@ -122,7 +120,31 @@ std::vector<Hypothesis> misread_contacts() {
       of_changed("the bodies' orientations were swapped", "the body whose orientation is read",
                  [](Collision& c) { std::swap(c.a.orientation, c.b.orientation); }),
   };
+}
+
+std::vector<Hypothesis> limited_mass_ratios() {
+  std::vector<Hypothesis> all;
+  for (const double ratio : {1e1, 1e2, 1e3, 1e4}) {
+    all.push_back({fmt::format("the larger mass were at most {:g} times the smaller one in the computation of the "
+                               "impulse; the impulse is applied correctly",
+                               ratio),
+                   "limits on the ratio of the masses",
+                   {computed_as([ratio](Collision& c) {
+                     c.a.mass = c.b.immovable ? c.a.mass : std::min(c.a.mass, ratio * c.b.mass);
+                     c.b.mass = c.a.immovable ? c.b.mass : std::min(c.b.mass, ratio * c.a.mass);
+                   })}});
+  }
   return all;
+}
+
+}  // namespace
+
+std::vector<Hypothesis> misread_contacts() {
+  std::vector<Hypothesis> joined;
+  for (const auto part : {misread_approach, misread_coefficients, misread_geometry, limited_mass_ratios}) {
+    std::ranges::move(part(), std::back_inserter(joined));
+  }
+  return joined;
 }
 
 }  // namespace carom::properties::diagnosis

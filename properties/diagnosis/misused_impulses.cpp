@@ -12,28 +12,23 @@ struct Factors {
   double spin_of_b = 1;
 };
 
-Outcome<double> changed_by(const KnownCase& one, const Factors& factors) {
-  const PerVector<double> of_vector{factors.velocity_of_a, factors.spin_of_a, factors.velocity_of_b, factors.spin_of_b};
-  Outcome<double> outcome = one.before;
-  const auto truth = vectors(one.truth);
-  const auto before = vectors(one.before);
-  const auto into = vectors(outcome);
-  for (const OutcomeVector k : all_outcome_vectors) {
-    *into[k] += of_vector[k] * (*truth[k] - *before[k]);
-  }
-  return outcome;
-}
-
 Hypothesis with_factors(std::string as_if, std::string look_at, Factors factors) {
-  return {std::move(as_if), std::move(look_at),
-          [factors](const KnownCase& one) -> std::optional<Outcome<double>> { return changed_by(one, factors); }};
+  return {std::move(as_if), std::move(look_at), {[factors](Steps& steps, const KnownCase&) {
+            steps.factors[OutcomeVector::velocity_of_a] *= factors.velocity_of_a;
+            steps.factors[OutcomeVector::angular_velocity_of_a] *= factors.spin_of_a;
+            steps.factors[OutcomeVector::velocity_of_b] *= factors.velocity_of_b;
+            steps.factors[OutcomeVector::angular_velocity_of_b] *= factors.spin_of_b;
+            return true;
+          }}};
 }
 
 Hypothesis with_factor(std::string as_if, std::string look_at, double (*factor)(const Collision&)) {
-  return {std::move(as_if), std::move(look_at), [factor](const KnownCase& one) -> std::optional<Outcome<double>> {
-            const double f = factor(one.collision);
-            return changed_by(one, {f, f, f, f});
-          }};
+  return {std::move(as_if), std::move(look_at), {[factor](Steps& steps, const KnownCase&) {
+            for (const OutcomeVector k : all_outcome_vectors) {
+              steps.factors[k] *= factor(steps.computed_from);
+            }
+            return true;
+          }}};
 }
 
 }  // namespace
@@ -49,6 +44,12 @@ std::vector<Hypothesis> misused_impulses() {
   const std::string length = "the use of the normal as a unit vector: normalise it first, or divide by N·N";
   return {
       with_factors("the contact were ignored: the velocities do not change", which_contacts, {0, 0, 0, 0}),
+      {"each body bounced alone, with the other one immovable",
+       "the response of a pair: both bodies share one impulse",
+       {[](Steps& steps, const KnownCase& one) {
+         steps.is_each_body_alone = true;
+         return !one.collision.a.immovable && !one.collision.b.immovable;
+       }}},
       with_factors("B got no reaction at all", impulse_on_b, {1, 1, 0, 0}),
       with_factors("A got no impulse at all", impulse_on_a, {0, 0, 1, 1}),
       with_factors("neither body's spin were changed", spins, {1, 0, 1, 0}),

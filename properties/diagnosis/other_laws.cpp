@@ -8,12 +8,11 @@ std::vector<Hypothesis> other_laws() {
   for (const Law law : laws_with_truth) {
     all.push_back({"its law were " + std::string(name_of(law)),
                    "the claimed law: this answer is right for another `law` than the claimed one",
-                   [law](const KnownCase& one) -> std::optional<Outcome<double>> {
-                     if (law == one.law) {
-                       return std::nullopt;
-                     }
-                     return law_answer(one.collision, law).outcome;
-                   }});
+                   {[law](Steps& steps, const KnownCase& one) {
+                     steps.law = law;
+                     steps.has_right_impulse = false;
+                     return law != one.law;
+                   }}});
   }
   return all;
 }

@@ -3,8 +3,10 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -81,8 +83,7 @@ const char* usual_cause_from(double limit, const ComparedQuantity& quantity) {
 
 class Sample {
  public:
-  Sample(const GateReport& report, const Violations& violations, double left_out)
-      : report_(report), left_out_(left_out) {
+  Sample(const GateReport& report, const Violations& violations) : report_(report) {
     std::size_t count = 0;
     for (const auto& of_family : report.sampled) {
       count += of_family.size();
@@ -96,7 +97,8 @@ class Sample {
       CaseSet of_family(count);
       for (std::size_t i = 0; i < report.sampled[f].size(); ++i, ++number) {
         const SampledCase& one = report.sampled[f][i];
-        if (!one.is_valid || i >= violations.judged[f]) {
+        const bool is_left_out = !violations.left_out.empty() && std::ranges::binary_search(violations.left_out[f], i);
+        if (!one.is_valid || i >= violations.judged[f] || is_left_out || !is_examined(i, violations.every)) {
           continue;
         }
         everything_.add(number);
@@ -169,38 +171,60 @@ class Sample {
     }
   }
 
-  /// For each quantity, adds the upper and the lower limit that nearly all violated cases keep.
+  /// For each quantity, adds the upper and the lower limit that separate best. Of two limits, the one is better that
+  /// keeps a larger share of the violated cases, less the share of the other cases that it keeps. So a few violated
+  /// cases far away do not move a limit. Adds the limits that all violated cases keep too.
   void add_sizes() {
     const std::span<const ComparedQuantity> quantities = all_compared_quantities();
     for (std::size_t q = 0; q < quantities.size(); ++q) {
-      std::vector<float> of_violated;
+      std::vector<std::pair<float, bool>> values;  // with whether the case is violated
       for_each([&](std::size_t number, const SampledCase& one) {
-        if (violated_.has(number) && !std::isnan(one.quantities[q])) {
-          of_violated.push_back(one.quantities[q]);
+        if (!std::isnan(one.quantities[q])) {
+          values.emplace_back(one.quantities[q], violated_.has(number));
         }
       });
-      if (of_violated.empty()) {
+      std::ranges::sort(values);
+      add_limits(q, values, true);
+      std::ranges::reverse(values);
+      add_limits(q, values, false);
+    }
+  }
+
+  /// `values` are in the order in which a limit takes them in.
+  void add_limits(std::size_t q, const std::vector<std::pair<float, bool>>& values, bool is_upper) {
+    const auto violated = static_cast<double>(std::ranges::count(values, true, &std::pair<float, bool>::second));
+    const double others = std::max(1.0, static_cast<double>(values.size()) - violated);
+    std::optional<float> best;
+    std::optional<float> last;
+    double balance = 0;
+    double best_balance = -std::numeric_limits<double>::infinity();
+    for (const auto& [value, is_violated] : values) {
+      balance += is_violated ? 1 / violated : -1 / others;
+      if (is_violated) {
+        last = value;
+        if (balance >= best_balance) {
+          best = value;
+          best_balance = balance;
+        }
+      }
+    }
+    if (!best) {
+      return;
+    }
+    for (const std::optional<float>& limit : {last, best == last ? std::nullopt : best}) {
+      if (!limit) {
         continue;
       }
-      std::sort(of_violated.begin(), of_violated.end());
-      const auto outside = static_cast<std::size_t>(left_out_ / 2 * static_cast<double>(of_violated.size()));
-      for (const std::size_t left_out : {std::size_t{0}, outside}) {
-        const float highest = of_violated[of_violated.size() - 1 - left_out];
-        const float lowest = of_violated[left_out];
-        CaseSet below(size_);
-        CaseSet above(size_);
-        for_each([&](std::size_t number, const SampledCase& one) {
-          if (one.quantities[q] <= highest) {
-            below.add(number);
-          }
-          if (one.quantities[q] >= lowest) {
-            above.add(number);
-          }
-        });
-        add(fmt::format("{} is at most {:.2g}", quantities[q].name, std::pow(10, highest)), Plainness::size, below);
-        add(fmt::format("{} is at least {:.2g}", quantities[q].name, std::pow(10, lowest)), Plainness::size, above,
-            usual_cause_from(std::pow(10, lowest), quantities[q]));
-      }
+      CaseSet kept(size_);
+      for_each([&](std::size_t number, const SampledCase& one) {
+        if (is_upper ? one.quantities[q] <= *limit : one.quantities[q] >= *limit) {
+          kept.add(number);
+        }
+      });
+      const ComparedQuantity& quantity = all_compared_quantities()[q];
+      const double number = std::pow(10, *limit);
+      add(fmt::format("{} is at {} {:.2g}", quantity.name, is_upper ? "most" : "least", number), Plainness::size, kept,
+          is_upper ? "" : usual_cause_from(number, quantity));
     }
   }
 
@@ -218,7 +242,6 @@ class Sample {
   }
 
   const GateReport& report_;
-  double left_out_;  // fraction of the violated cases
   std::size_t size_ = 0;
   CaseSet everything_;
   CaseSet violated_;
@@ -308,10 +331,19 @@ Where where_in(const Sample& sample, double left_out) {
 
 }  // namespace
 
+bool is_examined(std::uint64_t index, std::uint64_t every) {
+  // Families may repeat a pattern after a few cases. The multiplier of D. Knuth's multiplicative hashing, 2³² over the
+  // golden ratio, breaks it up.
+  constexpr std::uint64_t multiplier = 2654435761;
+  constexpr int kept_bits = 16;
+  return (index * multiplier >> kept_bits) % every == 0;
+}
+
 Where where_violated(const GateReport& report, const Violations& violations) {
+  const Sample sample(report, violations);
   Where where;
   for (const double left_out : most_left_out) {
-    where = where_in(Sample(report, violations, left_out), left_out);
+    where = where_in(sample, left_out);
     if (!where.conditions.empty() || is_nearly_all(where.violated_there, where.cases_there)) {
       break;
     }

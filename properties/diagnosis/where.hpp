@@ -23,12 +23,18 @@ struct Where {
   std::uint64_t cases_there = 0;      // sampled cases that meet the conditions, violated or not
 };
 
-/// The violated cases of a run. For each family, `violated` lists the numbers of violated sampled cases, ascending.
-/// `judged` counts the judged sampled cases, the first of each family's sample.
+/// The violated cases of a run, or those of one fault. For each family, `violated` lists the numbers of violated
+/// sampled cases, ascending. `judged` counts the judged sampled cases, the first of each family's sample. `left_out`
+/// lists the numbers of cases that do not count, because it is not known whether they belong to the violated ones.
 struct Violations {
   std::vector<std::vector<std::uint64_t>> violated;
   std::vector<std::uint64_t> judged;
+  std::vector<std::vector<std::uint64_t>> left_out = {};
+  std::uint64_t every = 1;
 };
+
+/// Whether a case is one of about one in `every` that are examined. Neighbours of a case are as likely as others.
+[[nodiscard]] bool is_examined(std::uint64_t index, std::uint64_t every);
 
 /// Finds a few conditions that nearly all violated cases meet, and as few others as possible. A condition is a feature
 /// or its absence, a size, the approach of the contact, or the family. If a condition is no size, at least two thirds

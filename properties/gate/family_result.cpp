@@ -48,10 +48,17 @@ FamilyResult& FamilyResult::operator+=(const FamilyResult& other) {
   for (const ViolatedCase& one : other.first_violated_by_relations) {
     keep_if_first(first_violated_by_relations, one);
   }
+  sampled_answers.insert(sampled_answers.end(), other.sampled_answers.begin(), other.sampled_answers.end());
   for (const auto& [name, numbers] : other.violated_cases) {
     violated_cases[name].insert(violated_cases[name].end(), numbers.begin(), numbers.end());
   }
   return *this;
+}
+
+void FamilyResult::keep_answer(std::uint64_t index, const Answer& answer) {
+  if (sampled_answers.empty() || sampled_answers.back().index != index) {
+    sampled_answers.push_back(sampled_answer(index, answer));
+  }
 }
 
 void FamilyResult::order_violated_cases() {
@@ -59,6 +66,28 @@ void FamilyResult::order_violated_cases() {
     std::sort(numbers.begin(), numbers.end());
     numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
   }
+  std::ranges::sort(sampled_answers, {}, &SampledAnswer::index);
+  const auto repeated = std::ranges::unique(sampled_answers, {}, &SampledAnswer::index);
+  sampled_answers.erase(repeated.begin(), repeated.end());
+}
+
+AnswerKind kind_of(const Answer& answer) {
+  if (const auto* outcome = std::get_if<ReportedOutcome>(&answer)) {
+    return oracles::is_finite(*outcome) ? AnswerKind::outcome : AnswerKind::not_finite;
+  }
+  if (std::holds_alternative<Refused>(answer)) {
+    return AnswerKind::refused;
+  }
+  return std::holds_alternative<Failed>(answer) ? AnswerKind::failed : AnswerKind::skipped;
+}
+
+SampledAnswer sampled_answer(std::uint64_t index, const Answer& answer) {
+  const AnswerKind kind = kind_of(answer);
+  if (kind != AnswerKind::outcome) {
+    return {index, kind, {}};
+  }
+  return {index, kind,
+          map_outcome<double>(std::get<ReportedOutcome>(answer), [](long double x) { return static_cast<double>(x); })};
 }
 
 void keep_if_first(std::vector<ViolatedCase>& kept, const ViolatedCase& violated) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -8,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include <carom/collision/enum_array.hpp>
 #include <carom/properties/gate/boundary.hpp>
 #include <carom/properties/trial/trial.hpp>
 
@@ -37,6 +39,23 @@ struct ViolatedCase {
   Answer answer;
 };
 
+/// The kind of an answer to a valid collision.
+enum class AnswerKind { outcome, not_finite, refused, failed, skipped };
+inline constexpr std::array all_answer_kinds{AnswerKind::outcome, AnswerKind::not_finite, AnswerKind::refused,
+                                             AnswerKind::failed, AnswerKind::skipped};
+static_assert(counts_from_zero_to(all_answer_kinds, AnswerKind::skipped));
+
+[[nodiscard]] AnswerKind kind_of(const Answer& answer);
+
+/// The answer to a sampled case (sample.hpp), without its words.
+struct SampledAnswer {
+  std::uint64_t index;  // of the case
+  AnswerKind kind;
+  Outcome<double> outcome;  // of the kind `outcome`, rounded; otherwise zero
+};
+
+[[nodiscard]] SampledAnswer sampled_answer(std::uint64_t index, const Answer& answer);
+
 /// A family keeps its first violated cases, at most this many.
 inline constexpr std::size_t most_violated_kept = 12;
 
@@ -53,6 +72,9 @@ struct FamilyResult {
   std::uint64_t sampled = 0;                    // this many of the first cases are sampled (sample.hpp)
   // The numbers of the sampled cases that violated each invariant. After the run, they ascend and are unique.
   std::map<std::string, std::vector<std::uint64_t>> violated_cases;
+  // The answers to the sampled cases that violated an invariant of one answer. After the run, they ascend and are
+  // unique.
+  std::vector<SampledAnswer> sampled_answers;
   // The first violated cases, ascending, at most most_violated_kept in each list. The second list has the violations
   // that need further answers: of relations, or of a repeated question.
   std::vector<ViolatedCase> first_violated;
@@ -64,10 +86,13 @@ struct FamilyResult {
   /// Keeps the violation if it is more serious than the stored violation of the invariant.
   void keep_if_worst(const std::string& invariant, const WorstViolation& violation);
 
+  /// Keeps the answer to a sampled case. Calls for one case follow each other.
+  void keep_answer(std::uint64_t index, const Answer& answer);
+
   /// Adds the results of other cases of the family. Call `order_violated_cases` after the last addition.
   FamilyResult& operator+=(const FamilyResult& other);
 
-  /// Puts the numbers of violated cases in order, each once.
+  /// Puts the numbers of violated cases and the sampled answers in order, each once.
   void order_violated_cases();
 };
 

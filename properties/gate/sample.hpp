@@ -17,6 +17,7 @@ struct SampledCase {
   oracles::Approach approach = oracles::Approach::inert;  // of a valid case
   std::vector<std::uint16_t> features = {};               // places in all_features(), ascending
   std::vector<float> quantities = {};  // decimal logarithms, in the order of all_compared_quantities()
+  Collision collision = {};
 };
 
 /// This many of a family's first cases, times the family's weight, are sampled.

@@ -84,6 +84,9 @@ void SubjectTally::add(std::size_t family, std::uint64_t index, const Case& one,
                                                         : families[family].first_violated_by_relations,
                     {index, one, answer});
       if (index < families[family].sampled) {
+        if (named.invariant->is_of_one_answer()) {
+          families[family].keep_answer(index, answer);
+        }
         families[family].violated_cases[std::string(named.invariant->name)].push_back(index);
       }
   }

@@ -95,11 +95,33 @@ std::string indented(const std::string& text, const std::string& by) {
   return result;
 }
 
+std::string folded(const std::string& text, std::size_t width) {
+  std::string result;
+  std::size_t begin = 0;        // of the current line in the result
+  std::size_t after_comma = 0;  // the place after the last comma; at most `begin` if the line has none
+  for (const char letter : text) {
+    if (result.size() - begin >= width && after_comma > begin && letter != '\n') {
+      result.insert(after_comma, 1, '\n');
+      begin = after_comma + 1;
+    }
+    result += letter;
+    after_comma = letter == ',' ? result.size() : after_comma;
+    begin = letter == '\n' ? result.size() : begin;
+  }
+  return result;
+}
+
 std::string violation_in_words(const Collision& collision, const Answer& answer, const Verdict& violated) {
+  const auto* const failed = std::get_if<Failed>(&answer);
+  if (failed != nullptr && failed->said.starts_with("request: ")) {
+    // The request states the collision, as the subject read it.
+    constexpr std::size_t width = 116;
+    return fmt::format("    {}\n  {}\n", indented(folded(failed->said, width), "    "), in_words(violated));
+  }
   std::string text = in_words(collision, "    ");
   if (const auto* outcome = std::get_if<ReportedOutcome>(&answer)) {
     text += "  answered\n" + in_words(*outcome, "    ");
-  } else if (const auto* failed = std::get_if<Failed>(&answer); failed != nullptr && !failed->said.empty()) {
+  } else if (failed != nullptr && !failed->said.empty()) {
     text += "    " + indented(failed->said, "    ") + '\n';
   } else if (const auto* refused = std::get_if<Refused>(&answer)) {
     text += "  refused: " + refused->why + '\n';

@@ -38,7 +38,11 @@ template <class S>
 /// The text, with `by` before each line except the first.
 [[nodiscard]] std::string indented(const std::string& text, const std::string& by);
 
-/// The collision, the answer and the violated verdict, each on its own lines.
+/// The text with lines of about `width` bytes: longer lines end at commas.
+[[nodiscard]] std::string folded(const std::string& text, std::size_t width);
+
+/// The collision, the answer and the violated verdict, each on its own lines. If the answer is a failure after a
+/// request, the folded request stands for the collision.
 [[nodiscard]] std::string violation_in_words(const Collision& collision, const Answer& answer, const Verdict& violated);
 
 }  // namespace carom::properties

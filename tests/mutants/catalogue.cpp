@@ -738,10 +738,8 @@ const std::array mutants{
 
 std::span<const Mutant> all_mutants() { return mutants; }
 
-Subject subject_of(const Mutant& mutant) { return make_subject(std::string(mutant.name), mutant.law, mutant.defect); }
+Subject subject_of(const Mutant& mutant) { return make_subject(std::string(mutant.name), mutant.law, {mutant.defect}); }
 
-Subject repaired(const Mutant& mutant) {
-  return make_subject(std::string(mutant.name) + "-repaired", mutant.law, Defect::none);
-}
+Subject repaired(const Mutant& mutant) { return make_subject(std::string(mutant.name) + "-repaired", mutant.law, {}); }
 
 }  // namespace carom::mutants

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <string>
 #include <thread>
@@ -38,9 +39,14 @@ int main(int argc, char** argv) {
       std::printf("  nothing is violated\n");
       continue;
     }
+    const auto begin = std::chrono::steady_clock::now();
     const auto found = properties::diagnosis::diagnose(report.results[s], report);
-    std::printf("  %s (%lu of %lu)\n  %s\n  %s\n  look at: %s\n", found.telling.c_str(), found.telling_in,
-                found.violated, found.what.c_str(), found.where.c_str(), found.look_at.c_str());
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
+    std::printf("  %s (%lu of %lu), diagnosed in %.2f s\n", found.telling.c_str(), found.telling_in, found.violated,
+                time.count());
+    for (const properties::diagnosis::Fault& fault : found.faults) {
+      std::printf("  %s\n  %s\n  look at: %s\n", fault.what.c_str(), fault.where.c_str(), fault.look_at.c_str());
+    }
     std::fflush(stdout);
   }
 }

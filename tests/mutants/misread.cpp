@@ -110,13 +110,16 @@ double restitution_as_read(Defect defect, const Collision& c) {
 
 }  // namespace
 
-Collision misread(Defect defect, const Collision& collision) {
+Collision misread(std::span<const Defect> defects, const Collision& collision) {
   Collision read = collision;
-  read.a = misread(defect, collision.a, collision.b);
-  read.b = misread(defect, collision.b, collision.a);
-  read.restitution = restitution_as_read(defect, collision);
-  if (defect == Defect::near_axis_as_axis) {
-    read.normal = along_axis_if_near(collision.normal);
+  for (const Defect defect : defects) {
+    const Collision before = read;
+    read.a = misread(defect, before.a, before.b);
+    read.b = misread(defect, before.b, before.a);
+    read.restitution = restitution_as_read(defect, before);
+    if (defect == Defect::near_axis_as_axis) {
+      read.normal = along_axis_if_near(before.normal);
+    }
   }
   return read;
 }

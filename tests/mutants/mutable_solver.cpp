@@ -69,7 +69,7 @@ void keep_spin_if_identity(const Body& body, BodyVelocity<double>& after) {
 
 class Solver {
  public:
-  Solver(Law law, Defect defect) : law_(law), defect_(defect) {}
+  Solver(Law law, std::vector<Defect> defects) : law_(law), defects_(std::move(defects)) {}
 
   [[nodiscard]] Answer answer(const Collision& collision) {
     std::vector<carom::Defect> refusal = validate(collision);
@@ -97,7 +97,7 @@ class Solver {
   }
 
  private:
-  [[nodiscard]] bool has(Defect defect) const { return defect_ == defect; }
+  [[nodiscard]] bool has(Defect defect) const { return std::ranges::find(defects_, defect) != defects_.end(); }
 
   // Reading the bodies.
 
@@ -135,7 +135,7 @@ class Solver {
       result.inertia.axes = Matrix::Identity();
     }
     if (has(Defect::quaternion_unnormalised)) {
-      result.inertia.axes *= q.squaredNorm();
+      result.inertia.axes *= body.orientation.squaredNorm();
     }
     if (has(Defect::quaternion_order)) {
       result.inertia.axes = impulse::rotation_matrix<double>({q[3], q[0], q[1], q[2]});
@@ -147,8 +147,9 @@ class Solver {
   }
 
   [[nodiscard]] Contact read(const Collision& c) const {
-    Contact contact{
-        {}, {}, impulse::without_extreme_length<double>(c.normal), c.restitution, c.friction, c.tangential_restitution};
+    const bool keeps_length = has(Defect::normal_length_ignored);
+    const Vector normal = keeps_length ? c.normal : impulse::without_extreme_length<double>(c.normal);
+    Contact contact{{}, {}, normal, c.restitution, c.friction, c.tangential_restitution};
     Vector point = c.point;
     if (has(Defect::contact_point_displaced)) {
       constexpr double displacement = 1e-3;  // [m]
@@ -333,30 +334,33 @@ class Solver {
     return v - n * (n.dot(v) / n.squaredNorm());
   }
 
-  /// The error that a defect makes in the slip. The solver adds this error to V⁻, because a recomputed slip would have
+  /// The errors that defects make in the slip. The solver adds them to V⁻, because a recomputed slip would have
   /// rounding errors in all components.
   [[nodiscard]] Vector slip_added(const Contact& contact) const {
     const Vector v = relative_velocity(contact);
     const Vector slip = across_normal(contact, v);
     const Vector of_centres = contact.a.velocity - contact.b.velocity;
-    switch (defect_) {
-      case Defect::slip_without_spin:
-        return across_normal(contact, of_centres - v);
-      case Defect::slip_crossed_in_reverse:
-        return across_normal(contact, 2 * (of_centres - v));
-      case Defect::slip_stopped_by_mass_alone:
-        return across_normal(contact, collision_matrix(contact) * slip / lambda(contact)) - slip;
-      case Defect::slip_left_over: {
-        constexpr double left_over = 1e-9;  // the defect itself
-        return slip * -left_over;
-      }
-      case Defect::slip_reversed:
-        return slip * tangential_restitution_;
-      case Defect::tangents_not_orthogonal:
-        return v - slip;
-      default:
-        return Vector::Zero();
+    Vector added = Vector::Zero();
+    if (has(Defect::slip_without_spin)) {
+      added += across_normal(contact, of_centres - v);
     }
+    if (has(Defect::slip_crossed_in_reverse)) {
+      added += across_normal(contact, 2 * (of_centres - v));
+    }
+    if (has(Defect::slip_stopped_by_mass_alone)) {
+      added += across_normal(contact, collision_matrix(contact) * slip / lambda(contact)) - slip;
+    }
+    if (has(Defect::slip_left_over)) {
+      constexpr double left_over = 1e-9;  // the defect itself
+      added += slip * -left_over;
+    }
+    if (has(Defect::slip_reversed)) {
+      added += slip * tangential_restitution_;
+    }
+    if (has(Defect::tangents_not_orthogonal)) {
+      added += v - slip;
+    }
+    return added;
   }
 
   [[nodiscard]] double friction_of(const Contact& contact) const {
@@ -572,7 +576,7 @@ class Solver {
   }
 
   [[nodiscard]] Outcome<double> solved(const Collision& collision) {
-    const Contact contact = read(misread(defect_, collision));
+    const Contact contact = read(misread(defects_, collision));
     double normal_velocity = normal_velocity_of(contact);
     if (!is_colliding(contact, normal_velocity)) {
       return unchanged(collision);
@@ -654,7 +658,7 @@ class Solver {
   static constexpr double regularisation = 1e-3;  // [1/kg]
 
   Law law_;
-  Defect defect_;
+  std::vector<Defect> defects_;
   Outcome<double> previous_{{{1, 2, 3}, {0, 0, 0}}, {{0, 0, 0}, {3, 2, 1}}};  // stands for an earlier answer
   double previous_approach_ = -1;                                             // [m/s], times the length of the normal
   Vector previous_impulse_ = Vector::Zero();
@@ -666,13 +670,13 @@ class Solver {
 
 }  // namespace
 
-Subject make_subject(std::string name, Law law, Defect defect) {
+Subject make_subject(std::string name, Law law, std::vector<Defect> defects) {
   Subject subject;
   subject.name = std::move(name);
   subject.law = law;
   subject.precision = Precision::binary64;
-  subject.open = [law, defect]() -> Session {
-    return [solver = Solver(law, defect)](std::span<const Collision> collisions) mutable {
+  subject.open = [law, defects = std::move(defects)]() -> Session {
+    return [solver = Solver(law, defects)](std::span<const Collision> collisions) mutable {
       std::vector<Answer> answers;
       for (const Collision& collision : collisions) {
         answers.push_back(solver.answer(collision));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <carom/collision/subject.hpp>
 
@@ -9,7 +10,7 @@
 
 namespace carom::mutants {
 
-/// One solver for the laws, in binary64, with one planted defect. With Defect::none it is sound.
-[[nodiscard]] Subject make_subject(std::string name, Law law, Defect defect);
+/// One solver for the laws, in binary64, with the planted defects. With none it is sound.
+[[nodiscard]] Subject make_subject(std::string name, Law law, std::vector<Defect> defects);
 
 }  // namespace carom::mutants

@@ -2,7 +2,9 @@
 #include <string>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
+#include <carom/report/model/run_json.hpp>
 #include <carom/report/pages/pages.hpp>
 
 /// All forms of a report count violations out of the judged cases.
@@ -76,11 +78,36 @@ TEST(Violations, OfFamiliesHaveTheirShareOfJudgedCasesAndTheBackwardErrorInUlps)
 /// If too few cases are violated, their diagnosis has no `where` and no `look at`.
 TEST(Violations, AreAnnotatedWithWhatTheDiagnosisSays) {
   report::Run run = violated_run();
-  run.subjects[0].diagnosis = properties::diagnosis::Diagnosis{"restitution", 2, 2, "Only 2 were examined.", "", ""};
+  run.subjects[0].diagnosis = properties::diagnosis::Diagnosis{"restitution", 2, 2, {{"Only 2 were examined.", ""}}};
   expect_in("::notice title=diagnosis of solver::Only 2 were examined.\n", github_annotations(run, ""));
-  run.subjects[0].diagnosis->where = "Nearly all cases fail.";
-  run.subjects[0].diagnosis->look_at = "the test";
+  run.subjects[0].diagnosis->faults[0].where = "Nearly all cases fail.";
+  run.subjects[0].diagnosis->faults[0].look_at = "the test";
   expect_in("examined.%0ANearly all cases fail.%0ALook at: the test\n", github_annotations(run, ""));
+}
+
+/// Each of several faults has a number, its place and its own witness.
+TEST(Violations, OfSeveralFaultsShowEachWithItsOwnWitness) {
+  report::Run run = violated_run();
+  run.settings.seed = 5;
+  run.subjects[0].diagnosis = properties::diagnosis::Diagnosis{
+      "restitution",
+      20,
+      18,
+      {{"It bounces.", "the bounce", "Where it bounces.", 12,
+        properties::diagnosis::FaultWitness{"slow", 7, "restitution"}},
+       {"It turns.", "the turn", "Where it turns.", 8, properties::diagnosis::FaultWitness{"slow", 9, "energy"}}}};
+  for (const std::string& text : {run_text(run, ""), run_markdown(run, ""), run_html(run, "")}) {
+    for (const char* part : {"what is wrong, 1 of 2", "It bounces.", "Where it bounces.", "the bounce",
+                             "carom replay --family slow --case 7 --seed 5 --subject solver violates restitution",
+                             "what is wrong, 2 of 2", "It turns.", "Where it turns.", "the turn",
+                             "carom replay --family slow --case 9 --seed 5 --subject solver violates energy"}) {
+      expect_in(part, text);
+    }
+  }
+  expect_in("It bounces.%0AWhere it bounces.%0ALook at: the bounce\n", github_annotations(run, ""));
+  expect_in("It turns.%0AWhere it turns.%0ALook at: the turn\n", github_annotations(run, ""));
+  const nlohmann::json faults = report_record(run).at("subjects").at(0).at("diagnosis").at("faults");
+  EXPECT_EQ(faults.at(1).at("witness").at("case"), 9);
 }
 
 }  // namespace

@@ -102,7 +102,7 @@ TEST_F(Merge, IsTheReportOfTheWholeRun) {
   EXPECT_EQ(without_what_may_differ(merged), without_what_may_differ(whole))
       << json::diff(without_what_may_differ(whole), without_what_may_differ(merged)).dump(1);
   EXPECT_FALSE(merged.contains("shard"));
-  EXPECT_FALSE(merged.at("subjects").at(1).at("diagnosis").at("what").get<std::string>().empty());
+  EXPECT_FALSE(merged.at("subjects").at(1).at("diagnosis").at("faults").at(0).at("what").get<std::string>().empty());
   EXPECT_GT(whole.at("subjects").at(0).at("digits").at("p50").get<double>(), 0);
 }
 
@@ -210,6 +210,10 @@ TEST_F(Merge, NamesFileAndPlaceOfWhatIsWrong) {
        [](json& r) { r["shard"]["findings"][1]["structured"]["worst"].erase("restitution"); }},
       {"/shard/findings/1/structured/violated_cases/no_such: expected the name of an invariant",
        [](json& r) { r["shard"]["findings"][1]["structured"]["violated_cases"]["no_such"] = {0}; }},
+      {"/shard/findings/1/structured/answers/0/answer: expected twelve numbers",
+       [](json& r) { r["shard"]["findings"][1]["structured"]["answers"][0]["answer"] = {1}; }},
+      {"/shard/findings/1/structured/answers/0/answer: expected the kind of an answer",
+       [](json& r) { r["shard"]["findings"][1]["structured"]["answers"][0]["answer"] = "no_such"; }},
       {"/shard/digits/0/bins/0: expected",
        [](json& r) {
          r["shard"]["digits"][0]["bins"][0] = {1'000'000'000, 1};

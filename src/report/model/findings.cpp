@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
+#include <array>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,6 +21,53 @@ json first_record(const std::vector<ViolatedCase>& first) {
   json record = json::array();
   for (const ViolatedCase& one : first) {
     record.push_back({{"case", one.index}, {"outcome", Json<Answer>::write(one.answer)}});
+  }
+  return record;
+}
+
+constexpr std::array<const char*, properties::all_answer_kinds.size()> kinds{"outcome", "not_finite", "refused",
+                                                                             "failed", "skipped"};
+
+/// The twelve numbers of an outcome, or the kind of another answer.
+json answer_record(const properties::SampledAnswer& answer) {
+  if (answer.kind != properties::AnswerKind::outcome) {
+    return kinds[static_cast<std::size_t>(answer.kind)];
+  }
+  json numbers = json::array();
+  const auto from = vectors(answer.outcome);
+  for (const OutcomeVector k : all_outcome_vectors) {
+    for (int i = 0; i < 3; ++i) {
+      numbers.push_back(number_to_json((*from[k])[i]));
+    }
+  }
+  return numbers;
+}
+
+properties::SampledAnswer answer_from(std::uint64_t index, const Field& field) {
+  properties::SampledAnswer answer{index, properties::AnswerKind::outcome, {}};
+  if (field.value().is_string()) {
+    const auto found = std::ranges::find(kinds, field.text());
+    if (found == kinds.end() || found == kinds.begin()) {
+      field.fail("the kind of an answer: not_finite, refused, failed or skipped");
+    }
+    answer.kind = static_cast<properties::AnswerKind>(found - kinds.begin());
+    return answer;
+  }
+  const std::vector<Field> numbers = field.elements();
+  if (numbers.size() != 3 * all_outcome_vectors.size()) {
+    field.fail("twelve numbers");
+  }
+  const auto into = vectors(answer.outcome);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    (*into[all_outcome_vectors[i / 3]])[static_cast<int>(i % 3)] = numbers[i].number();
+  }
+  return answer;
+}
+
+json answer_records(const std::vector<properties::SampledAnswer>& answers) {
+  json record = json::array();
+  for (const properties::SampledAnswer& one : answers) {
+    record.push_back({{"case", one.index}, {"answer", answer_record(one)}});
   }
   return record;
 }
@@ -49,6 +97,7 @@ json findings_record(const FamilyResult& result) {
                         {"verdict", Json<properties::Verdict>::write(violation.verdict)}};
   }
   return {{"violated_cases", result.violated_cases},
+          {"answers", answer_records(result.sampled_answers)},
           {"first", first_record(result.first_violated)},
           {"first_by_relations", first_record(result.first_violated_by_relations)},
           {"worst", std::move(worst)}};
@@ -61,6 +110,10 @@ void read_findings(const Field& record, std::uint64_t cases,
     for (const Field& number : numbers.elements()) {
       violated.push_back(case_number(number, std::min(cases, into.sampled)));
     }
+  }
+  for (const Field& one : record.at("answers").elements()) {
+    into.sampled_answers.push_back(
+        answer_from(case_number(one.at("case"), std::min(cases, into.sampled)), one.at("answer")));
   }
   into.order_violated_cases();
   const auto read_first = [&](const char* name, std::vector<ViolatedCase>& first) {

@@ -9,6 +9,7 @@
 #include <carom/report/model/exit_status.hpp>
 #include <carom/report/model/run.hpp>
 #include <carom/report/model/version.hpp>
+#include <carom/report/model/words.hpp>
 
 namespace carom::report {
 namespace {
@@ -170,10 +171,12 @@ std::string witness_path(const std::string& directory, const Subject& subject, c
   return directory + separator + "witnesses/" + file_name_of(subject.name) + '.' + invariant + ".json";
 }
 
-std::string replay_command(const std::string& witness_file, const Subject& subject,
-                           const oracles::Yardstick& yardstick) {
-  std::string command = fmt::format("carom replay {} --subject {}", quoted(witness_file),
-                                    quoted(subject.specification.empty() ? subject.name : subject.specification));
+namespace {
+
+/// The options of a replay by which its verdict is the same.
+std::string replay_options(const Subject& subject, const oracles::Yardstick& yardstick) {
+  std::string command =
+      fmt::format(" --subject {}", quoted(subject.specification.empty() ? subject.name : subject.specification));
   if (yardstick.limit_ulps != oracles::default_limit_ulps) {
     command += fmt::format(" --limit-ulps {}", yardstick.limit_ulps);
   }
@@ -186,6 +189,19 @@ std::string replay_command(const std::string& witness_file, const Subject& subje
   return command;
 }
 
+}  // namespace
+
+std::string replay_command(const std::string& witness_file, const Subject& subject,
+                           const oracles::Yardstick& yardstick) {
+  return fmt::format("carom replay {}", quoted(witness_file)) + replay_options(subject, yardstick);
+}
+
+std::string replay_command(const properties::diagnosis::FaultWitness& witness, const Settings& settings,
+                           const Subject& subject) {
+  return fmt::format("carom replay --family {} --case {} --seed {}{}", witness.family, witness.index, settings.seed,
+                     within_option(settings.within)) +
+         replay_options(subject, settings.yardstick);
+}
 std::vector<const properties::Witness*> witnesses_by_telling(const JudgedSubject& subject) {
   std::vector<const properties::Witness*> ordered;
   for (const properties::Witness& witness : subject.result.witnesses) {

@@ -146,6 +146,10 @@ struct Overall {
 [[nodiscard]] std::string replay_command(const std::string& witness_file, const Subject& subject,
                                          const oracles::Yardstick& yardstick);
 
+/// The POSIX shell command that draws the case of a fault again, with the same verdict.
+[[nodiscard]] std::string replay_command(const properties::diagnosis::FaultWitness& witness, const Settings& settings,
+                                         const Subject& subject);
+
 /// The witnesses of a subject. The witness of the invariant `Diagnosis::telling` is first.
 [[nodiscard]] std::vector<const properties::Witness*> witnesses_by_telling(const JudgedSubject& subject);
 

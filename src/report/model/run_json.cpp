@@ -192,13 +192,27 @@ void fields(A& archive, Is<Features> auto& features) {
 }
 
 template <class A>
+void fields(A& archive, Is<properties::diagnosis::FaultWitness> auto& witness) {
+  archive("family", witness.family);
+  archive("case", witness.index);
+  archive("invariant", witness.invariant);
+}
+
+template <class A>
+void fields(A& archive, Is<properties::diagnosis::Fault> auto& fault) {
+  archive("what", fault.what);
+  archive("where", fault.where);
+  archive("look_at", fault.look_at);
+  archive("cases", fault.cases);
+  archive.unless_default("witness", fault.witness);
+}
+
+template <class A>
 void fields(A& archive, Is<properties::diagnosis::Diagnosis> auto& diagnosis) {
   archive("telling", diagnosis.telling);
   archive("violated", diagnosis.violated);
   archive("telling_in", diagnosis.telling_in);
-  archive("what", diagnosis.what);
-  archive("where", diagnosis.where);
-  archive("look_at", diagnosis.look_at);
+  archive("faults", diagnosis.faults);
 }
 
 template <class A>

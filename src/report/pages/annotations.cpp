@@ -52,11 +52,11 @@ std::string violation(const Run& run, const JudgedSubject& subject, const Witnes
                  message);
 }
 
-/// Omits the empty parts of the diagnosis.
-std::string in_lines(const properties::diagnosis::Diagnosis& diagnosis) {
-  std::string lines = diagnosis.what;
-  lines += diagnosis.where.empty() ? "" : '\n' + diagnosis.where;
-  lines += diagnosis.look_at.empty() ? "" : "\nLook at: " + diagnosis.look_at;
+/// Omits the empty parts of the fault.
+std::string in_lines(const properties::diagnosis::Fault& fault) {
+  std::string lines = fault.what;
+  lines += fault.where.empty() ? "" : '\n' + fault.where;
+  lines += fault.look_at.empty() ? "" : "\nLook at: " + fault.look_at;
   return lines;
 }
 
@@ -70,7 +70,9 @@ std::string github_annotations(const Run& run, const std::string& out_directory)
     }
     const std::string& name = subject.result.subject.name;
     if (subject.diagnosis) {
-      text += command("notice", "diagnosis of " + name, in_lines(*subject.diagnosis));
+      for (const properties::diagnosis::Fault& fault : subject.diagnosis->faults) {
+        text += command("notice", "diagnosis of " + name, in_lines(fault));
+      }
     }
     for (const Witness* witness : witnesses_by_telling(subject)) {
       text += violation(run, subject, *witness, out_directory);

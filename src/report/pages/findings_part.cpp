@@ -43,8 +43,23 @@ std::string families_in_words(const Run& run, const SubjectResult& result) {
   return shares.size() > most_named ? fmt::format("{}, and {} more families", text, shares.size() - most_named) : text;
 }
 
-Facts facts_of(const Diagnosis& diagnosis) {
-  return {{{"what is wrong", diagnosis.what}, {"where", diagnosis.where}, {"look at", diagnosis.look_at}}};
+/// The faults. If there are several, each has a number and its own witness.
+Facts facts_of(const Run& run, const Subject& subject, const Diagnosis& diagnosis) {
+  Facts facts;
+  const std::size_t count = diagnosis.faults.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const properties::diagnosis::Fault& fault = diagnosis.faults[i];
+    facts.pairs.emplace_back(count == 1 ? "what is wrong" : fmt::format("what is wrong, {} of {}", i + 1, count),
+                             fault.what);
+    facts.pairs.emplace_back("where", fault.where);
+    facts.pairs.emplace_back("look at", fault.look_at);
+    if (count > 1 && fault.witness) {
+      facts.pairs.emplace_back("witness",
+                               fmt::format("{} violates {}", replay_command(*fault.witness, run.settings, subject),
+                                           fault.witness->invariant));
+    }
+  }
+  return facts;
 }
 
 /// The family of the witness, with the number of its judged cases that violate the invariant.
@@ -61,7 +76,7 @@ std::string in_its_family(const Run& run, const SubjectResult& result, const Wit
 void add_diagnosis(Document& document, const Run& run, std::size_t s) {
   const JudgedSubject& subject = run.subjects[s];
   const Diagnosis& diagnosis = *subject.diagnosis;
-  Facts facts = facts_of(diagnosis);
+  Facts facts = facts_of(run, subject.result.subject, diagnosis);
   Cell telling("witness of " + diagnosis.telling);
   telling.link = '#' + witness_anchor(s, diagnosis.telling);
   facts.pairs.emplace_back("best witness", std::move(telling));
@@ -94,7 +109,7 @@ std::string replay_line(const Run& run, const JudgedSubject& subject, const Witn
 Section findings_part(const Run& run, const JudgedSubject& subject, const std::string& out_directory) {
   const SubjectResult& result = subject.result;
   Document content;
-  Facts facts = subject.diagnosis ? facts_of(*subject.diagnosis) : Facts{};
+  Facts facts = subject.diagnosis ? facts_of(run, result.subject, *subject.diagnosis) : Facts{};
   facts.pairs.emplace_back("in", families_in_words(run, result));
   content.emplace_back(std::move(facts));
   Table table{"", {{"invariant"}, {"violated in"}, {"most often in"}}, {}};

@@ -20,12 +20,12 @@ std::string run_text(const Run& run, const std::string& out_directory) {
   document.emplace_back(
       Section{"", {Paragraph{features_in_words(run, most_named)}, Paragraph{adjusted_sentences(run)}}});
   document.emplace_back(Section{"", {subjects_table(run, Subjects::all)}});
-  document = with(std::move(document), beyond_domain_part(run, Subjects::counting));
   for (const JudgedSubject& subject : run.subjects) {
     if (subject.counts && !subject.result.witnesses.empty()) {
       document.emplace_back(findings_part(run, subject, out_directory));
     }
   }
+  document = with(std::move(document), beyond_domain_part(run, Subjects::counting));
   document.emplace_back(
       Section{"", run.baseline ? baseline_part(*run.baseline) : Document{Paragraph{summary_of(run)}}});
   return in_text(document);

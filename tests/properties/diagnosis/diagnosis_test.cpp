@@ -28,11 +28,12 @@ TEST(Diagnosis, OfASingleViolatedCaseSaysThatItIsTooFewForAHint) {
   const Diagnosis diagnosis = diagnosis_of(subjects::subject_named("reflection-in-basis-double").value(), options,
                                            {"structured", "near_head_on"});
   EXPECT_EQ(diagnosis.violated, 1U);
+  ASSERT_EQ(diagnosis.faults.size(), 1U);
   EXPECT_EQ(
-      diagnosis.what,
+      diagnosis.faults[0].what,
       "Only 1 violated case was examined, and a hint on the cause needs 5. Judge more cases without --fail-fast.");
-  EXPECT_EQ(diagnosis.where, "");
-  EXPECT_EQ(diagnosis.look_at, "");
+  EXPECT_EQ(diagnosis.faults[0].where, "");
+  EXPECT_EQ(diagnosis.faults[0].look_at, "");
 }
 
 /// `frictionless-world-double` keeps the inverse inertia as a matrix in world axes. The diagnosis must name this
@@ -42,12 +43,14 @@ TEST(Diagnosis, OfSlenderBodiesNamesTheInverseInertiaInWorldAxes) {
   options.cases = 200;
   const Diagnosis slender =
       diagnosis_of(subjects::subject_named("frictionless-world-double").value(), options, {"physical", "structured"});
-  EXPECT_NE(slender.where.find("If a body's greatest moment over its least is at least "), std::string::npos)
-      << slender.where;
-  EXPECT_TRUE(slender.look_at.starts_with("the inverse inertia: J⁻¹ as a matrix in world axes ")) << slender.look_at;
+  EXPECT_NE(slender.faults.at(0).where.find("If a body's greatest moment over its least is at least "),
+            std::string::npos)
+      << slender.faults.at(0).where;
+  EXPECT_TRUE(slender.faults.at(0).look_at.starts_with("the inverse inertia: J⁻¹ as a matrix in world axes "))
+      << slender.faults.at(0).look_at;
   const Diagnosis others =
       diagnosis_of(subjects::subject_named("reflection-in-basis-double").value(), options, {"near_head_on", "head_on"});
-  EXPECT_EQ(others.look_at.find("world axes"), std::string::npos) << others.look_at;
+  EXPECT_EQ(others.faults.at(0).look_at.find("world axes"), std::string::npos) << others.faults.at(0).look_at;
 }
 
 /// The subject changes A's spin by 5 % too much if A's greatest moment exceeds 3 times the least. This error loses no
@@ -70,8 +73,9 @@ TEST(Diagnosis, OfAWrongFormulaForSomeInertiasDoesNotNameLostDigits) {
   GateOptions options;
   options.cases = 200;
   const Diagnosis diagnosis = diagnosis_of(subject, options, {"physical"});
-  EXPECT_NE(diagnosis.where.find("greatest moment over its least is at least "), std::string::npos) << diagnosis.where;
-  EXPECT_EQ(diagnosis.look_at.find("world axes"), std::string::npos) << diagnosis.look_at;
+  EXPECT_NE(diagnosis.faults.at(0).where.find("greatest moment over its least is at least "), std::string::npos)
+      << diagnosis.faults.at(0).where;
+  EXPECT_EQ(diagnosis.faults.at(0).look_at.find("world axes"), std::string::npos) << diagnosis.faults.at(0).look_at;
 }
 
 Subject inelastic(Subject subject) {
@@ -94,7 +98,8 @@ TEST(Diagnosis, OfAWrongImpulseWithFrictionDoesNotNameLostDigits) {
   GateOptions options;
   options.cases = 50;
   const Diagnosis diagnosis = diagnosis_of(subject, options, {"generic", "sliding"});
-  EXPECT_NE(diagnosis.what.find("it differs from the law's impulse"), std::string::npos) << diagnosis.what;
+  EXPECT_NE(diagnosis.faults.at(0).what.find("it differs from the law's impulse"), std::string::npos)
+      << diagnosis.faults.at(0).what;
 }
 
 TEST(Diagnosis, OfAWrongImpulseOfAnyLawNamesTheRestitution) {
@@ -103,7 +108,8 @@ TEST(Diagnosis, OfAWrongImpulseOfAnyLawNamesTheRestitution) {
   GateOptions options;
   options.cases = 50;
   const Diagnosis diagnosis = diagnosis_of(inelastic(subject), options, {"generic", "sliding"});
-  EXPECT_NE(diagnosis.what.find("the normal velocity after it is not −ε N·V⁻"), std::string::npos) << diagnosis.what;
+  EXPECT_NE(diagnosis.faults.at(0).what.find("the normal velocity after it is not −ε N·V⁻"), std::string::npos)
+      << diagnosis.faults.at(0).what;
 }
 
 }  // namespace

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
+#include <array>
 #include <set>
 #include <string>
 
@@ -44,7 +46,7 @@ TEST(Hypotheses, ExplainWhatTheyAnswerThemselves) {
   for (const Law law : laws_with_truth) {
     for (KnownCase one : right_answers(law)) {
       for (const Hypothesis& hypothesis : all_hypotheses()) {
-        const auto answer = hypothesis.answer(one);
+        const auto answer = answer_of(hypothesis, one);
         if (!answer) {
           continue;
         }
@@ -60,6 +62,52 @@ TEST(Hypotheses, ExplainWhatTheyAnswerThemselves) {
   for (const Hypothesis& hypothesis : all_hypotheses()) {
     EXPECT_TRUE(seen.contains(hypothesis.as_if)) << hypothesis.as_if << " is never wrong";
   }
+}
+
+/// A solver with two faults makes both mistakes in one collision.
+TEST(Hypotheses, ExplainAnAnswerWithTwoMistakesOnlyTogether) {
+  const auto named = [](const std::string& as_if) {
+    const auto found = std::ranges::find(all_hypotheses(), as_if, &Hypothesis::as_if);
+    EXPECT_NE(found, all_hypotheses().end()) << as_if;
+    return &*found;
+  };
+  const Hypothesis* const inelastic = named("ε were 0");
+  const Hypothesis* const reversed = named("B's spin were changed in the wrong direction");
+  int explained = 0;
+  for (KnownCase one : right_answers(Law::reflection)) {
+    Steps steps = right_steps(one);
+    ASSERT_TRUE(inelastic->mistakes[0](steps, one) && reversed->mistakes[0](steps, one));
+    const Outcome<double> with_both = outcome_by(steps, impulses_by(steps, one).value(), one);
+    one.answered = with_both;
+    if (is_visibly_off(one, 0x1p-53) && !explains(*inelastic, one) && !explains(*reversed, one)) {
+      EXPECT_TRUE(explains(std::array{inelastic, reversed}, one));
+      ++explained;
+    }
+  }
+  EXPECT_GT(explained, 50);
+}
+
+/// The law has no answer for ε > 1, but the answers for ε = 0 and ε = 1 determine it.
+TEST(Hypotheses, FitTheNumberThatIsAddedToTheRestitution) {
+  int fitted_cases = 0;
+  for (KnownCase one : right_answers(Law::sticking)) {
+    const auto with_restitution = [&](double restitution) {
+      Steps steps = right_steps(one);
+      steps.computed_from.restitution = restitution;
+      steps.has_right_impulse = false;
+      return impulses_by(steps, one).value().on_a;
+    };
+    const Vector3<double> at_0 = with_restitution(0);
+    const Vector3<double> impulse = at_0 + (one.collision.restitution + 0.25) * (with_restitution(1) - at_0);
+    one.answered = outcome_by(right_steps(one), {impulse, -impulse}, one);
+    if (is_visibly_off(one, 0x1p-53)) {
+      const std::optional<double> added = fitted(Fit::added_restitution, right_steps(one), one);
+      ASSERT_TRUE(added);
+      EXPECT_NEAR(*added, 0.25, 0x1p-10);
+      ++fitted_cases;
+    }
+  }
+  EXPECT_GT(fitted_cases, 50);
 }
 
 TEST(Hypotheses, NothingIsVisiblyOffInARightAnswer) {

@@ -166,8 +166,9 @@ TEST(DeclaredEffects, AreTakenOutBeforeTheDiagnosis) {
     });
   };
   const GateReport report = report_on(subject, "structured");
-  const diagnosis::Diagnosis diagnosis = diagnosis::diagnose(report.results.at(0), report);
-  EXPECT_NE(diagnosis.what.find("as if ε were 0"), std::string::npos) << diagnosis.what;
+  const std::vector<diagnosis::Fault> faults = diagnosis::diagnose(report.results.at(0), report).faults;
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_NE(faults[0].what.find("as if ε were 0"), std::string::npos) << faults[0].what;
 }
 
 TEST(DeclaredEffects, OfApproachChangeTheJudgedCollision) {

@@ -1,0 +1,396 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
+#include <iterator>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <carom/collision/validate.hpp>
+#include <carom/properties/diagnosis/evidence.hpp>
+#include <carom/properties/diagnosis/explanation.hpp>
+#include <carom/properties/diagnosis/faults.hpp>
+#include <carom/properties/diagnosis/without_effects.hpp>
+#include <carom/properties/diagnosis/without_outcome.hpp>
+
+namespace carom::properties::diagnosis {
+namespace {
+
+/// The numbers of cases by family, ascending.
+using CaseNumbers = std::vector<std::vector<std::uint64_t>>;
+
+ViolatedCase with_outcome(std::uint64_t index, const Collision& collision, const Outcome<double>& outcome) {
+  Case one;
+  one.collision = collision;
+  return {index, one,
+          ReportedOutcome(map_outcome<long double>(outcome, [](double x) { return static_cast<long double>(x); }))};
+}
+
+/// The first violated cases, one of each family in turn, without declared effects.
+std::vector<ViolatedCase> examples_of(const SubjectResult& result) {
+  std::vector<ViolatedCase> examples;
+  for (const auto first : {&FamilyResult::first_violated, &FamilyResult::first_violated_by_relations}) {
+    for (std::size_t round = 0; round < most_violated_kept; ++round) {
+      for (const FamilyResult& family : result.families) {
+        if (round < (family.*first).size()) {
+          examples.push_back((family.*first)[round]);
+        }
+      }
+    }
+    if (!examples.empty()) {
+      break;
+    }
+  }
+  constexpr std::size_t most_examples = 120;
+  examples.resize(std::min(examples.size(), most_examples), {0, {}, Skipped{}});
+  std::ranges::transform(examples, examples.begin(),
+                         [&](const ViolatedCase& one) { return without_effects(one, result.subject); });
+  return examples;
+}
+
+/// The defects of the first invalid collision that was not refused.
+std::string first_invalid(std::span<const ViolatedCase> examples) {
+  for (const ViolatedCase& one : examples) {
+    if (const std::vector<Defect> defects = validate(one.one.collision); !defects.empty()) {
+      return ", for example one with " + describe(defects);
+    }
+  }
+  return {};
+}
+
+/// The fault of a shown matrix, if the outcome is right.
+Fault matrix_fault(bool is_another) {
+  return is_another
+             ? Fault{"Its outcomes are right. The collision matrix that it shows is not symmetric, or is not the one that it solves with.",
+                     "the shown matrix: its axes, its rows and columns, the contact that it belongs to"}
+             : Fault{"Its outcomes are right. The collision matrix that it shows is not positive definite, or it is too large.",
+                     "the computation of C: signs, the transpose of [r], the moments of inertia"};
+}
+
+/// The step of mechanics at which the outcomes fail, with the usual cause of the conditions that they share. If there
+/// are too few outcomes for a hint, the fault states only their number.
+Fault fault_of_outcomes(const std::vector<ViolatedCase>& outcomes, Law law, const Where& where, bool is_cut_short) {
+  if (outcomes.size() < least_violated) {
+    const std::string few =
+        outcomes.size() == 1 ? "1 violated case was" : fmt::format("{} violated cases were", outcomes.size());
+    return {fmt::format("Only {} examined, and a hint on the cause needs {}. Judge more cases{}.", few, least_violated,
+                        is_cut_short ? " without --fail-fast" : ""),
+            ""};
+  }
+  Fault fault = fault_of(outcomes, law);
+  for (const Condition& condition : where.conditions) {
+    if (!condition.usual_cause.empty()) {
+      fault.look_at = condition.usual_cause + "; " + fault.look_at;
+    }
+  }
+  return fault;
+}
+
+struct CasePlace {
+  std::size_t family;
+  std::uint64_t index;
+};
+
+std::size_t size_of(const CaseNumbers& cases) {
+  std::size_t sum = 0;
+  for (const auto& of_family : cases) {
+    sum += of_family.size();
+  }
+  return sum;
+}
+
+class FaultSearch {
+ public:
+  FaultSearch(const SubjectResult& result, const GateReport& report, const Violations& violations)
+      : result_(result), report_(report), violations_(violations), examples_(examples_of(result)) {}
+
+  std::vector<Fault> run() && {
+    add_matrix();
+    if (violates_only_matrix()) {
+      return std::move(faults_);
+    }
+    add_other_answers();
+    add_invalid();
+    add_outcomes();
+    std::ranges::stable_sort(faults_, std::ranges::greater(), &Fault::cases);
+    return std::move(faults_);
+  }
+
+ private:
+  /// Whether the case is valid. A sample ends with its last valid case.
+  [[nodiscard]] bool is_valid(std::size_t family, std::uint64_t index) const {
+    return index < report_.sampled[family].size() && report_.sampled[family][index].is_valid;
+  }
+
+  [[nodiscard]] CaseNumbers none() const { return CaseNumbers(result_.families.size()); }
+
+  [[nodiscard]] bool violates_only_matrix() const {
+    return std::ranges::all_of(result_.violated_invariants(),
+                               [](const std::string& name) { return invariant_named(name)->is_of_matrix(); });
+  }
+
+  [[nodiscard]] bool violates(bool (Invariant::*is_such)() const) const {
+    return std::ranges::any_of(all_invariants(), [&](const Invariant& invariant) {
+      return (invariant.*is_such)() && result_.count(std::string(invariant.name)).violated > 0;
+    });
+  }
+
+  /// The case, with the violated invariant that comes first as a cause. None if the case violates nothing.
+  [[nodiscard]] std::optional<FaultWitness> witness_at(std::size_t family, std::uint64_t index) const {
+    const Invariant* first = nullptr;
+    for (const auto& [name, numbers] : result_.families[family].violated_cases) {
+      const Invariant* invariant = invariant_named(name);
+      const bool is_earlier = first == nullptr || invariant->rank_as_cause < first->rank_as_cause;
+      if (is_earlier && std::ranges::binary_search(numbers, index)) {
+        first = invariant;
+      }
+    }
+    if (first == nullptr) {
+      return std::nullopt;
+    }
+    return FaultWitness{std::string(report_.options.families[family]->name), index, std::string(first->name)};
+  }
+
+  [[nodiscard]] std::optional<FaultWitness> witness_in(const CaseNumbers& cases) const {
+    for (std::size_t f = 0; f < cases.size(); ++f) {
+      if (!cases[f].empty()) {
+        return witness_at(f, cases[f].front());
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// Adds a fault that happens in `cases`. Its witness is one of `alone`, if there is one. Nothing is known of
+  /// `left_out`.
+  void add(Fault fault, const CaseNumbers& cases, const CaseNumbers& alone = {}, CaseNumbers left_out = {},
+           std::uint64_t every = 1) {
+    fault.cases = size_of(cases);
+    const Where where = where_violated(report_, {cases, violations_.judged, std::move(left_out), every});
+    fault.where = in_words(where);
+    fault.witness = witness_in(alone);
+    if (!fault.witness) {
+      fault.witness = witness_in(cases);
+    }
+    faults_.push_back(std::move(fault));
+  }
+
+  /// Adds the fault of the shown matrix, if it also happens where the outcome is right.
+  void add_matrix() {
+    matrix_alone_ = none();
+    for (std::size_t f = 0; f < matrix_alone_.size(); ++f) {
+      std::set<std::uint64_t> of_matrix;
+      std::set<std::uint64_t> others;
+      for (const auto& [name, numbers] : result_.families[f].violated_cases) {
+        if (const Invariant* invariant = invariant_named(name); invariant->is_of_one_answer()) {
+          (invariant->is_of_matrix() ? of_matrix : others).insert(numbers.begin(), numbers.end());
+        }
+      }
+      std::ranges::set_difference(of_matrix, others, std::back_inserter(matrix_alone_[f]));
+    }
+    // The matrix of a wrong computation also violates invariants in a few cases with a right outcome.
+    constexpr std::size_t least_share = 20;
+    if (size_of(matrix_alone_) >= std::max<std::size_t>(least_violated, size_of(violations_.violated) / least_share)) {
+      add(matrix_fault(result_.count("matrix_used").violated > 0), matrix_alone_);
+    }
+  }
+
+  void add_other_answers() {
+    for (FaultOfKind& one : faults_without_outcome(examples_)) {
+      CaseNumbers cases = none();
+      for (std::size_t f = 0; f < cases.size(); ++f) {
+        for (const SampledAnswer& answer : result_.families[f].sampled_answers) {
+          if (answer.kind == one.kind && is_valid(f, answer.index)) {
+            cases[f].push_back(answer.index);
+          }
+        }
+      }
+      add(std::move(one.fault), cases);
+    }
+  }
+
+  void add_invalid() {
+    if (!violates(&Invariant::is_of_invalid)) {
+      return;
+    }
+    CaseNumbers cases = none();
+    for (std::size_t f = 0; f < cases.size(); ++f) {
+      for (const std::uint64_t index : violations_.violated[f]) {
+        if (!is_valid(f, index)) {
+          cases[f].push_back(index);
+        }
+      }
+    }
+    add({"It does not refuse invalid collisions" + first_invalid(examples_) + ".", "the check of the input"}, cases);
+  }
+
+  /// Sorts the wrong outcomes into those that are visibly off, and those that may be rounding.
+  void examine_outcomes() {
+    if (!determines_outcome(result_.subject.law)) {
+      return;
+    }
+    std::size_t count = 0;
+    for (const FamilyResult& family : result_.families) {
+      count += family.sampled_answers.size();
+    }
+    constexpr std::size_t most_examined = 12'000;  // so that a limit is found within a few percent
+    every_ = std::max<std::size_t>(1, (count + most_examined - 1) / most_examined);
+    const double roundoff = unit_roundoff(result_.subject.precision);
+    small_ = none();
+    for (std::size_t f = 0; f < result_.families.size(); ++f) {
+      for (const SampledAnswer& answer : result_.families[f].sampled_answers) {
+        if (answer.kind != AnswerKind::outcome || !is_valid(f, answer.index) || !is_examined(answer.index, every_) ||
+            std::ranges::binary_search(matrix_alone_[f], answer.index)) {
+          continue;
+        }
+        const auto known = known_case(
+            without_effects(with_outcome(answer.index, report_.sampled[f][answer.index].collision, answer.outcome),
+                            result_.subject),
+            result_.subject.law);
+        if (known && is_visibly_off(*known, roundoff)) {
+          places_.push_back({f, answer.index});
+          wrong_.push_back(*known);
+        } else {
+          small_[f].push_back(answer.index);
+        }
+      }
+    }
+  }
+
+  void add_outcomes() {
+    examine_outcomes();
+    const bool has_state = violates(&Invariant::is_of_session);
+    // State may change the size of each impulse, whatever the other faults.
+    std::vector<Hypothesis> known = has_state ? std::vector{impulses_of_any_size()} : std::vector<Hypothesis>();
+    const std::size_t first = known.size();
+    const Explanation explanation =
+        wrong_.size() < least_violated ? Explanation() : explanation_of(wrong_, std::move(known));
+    CaseNumbers rest = none();
+    for (std::size_t i = 0; i < explanation.by.size(); ++i) {
+      const std::vector<std::size_t>& by = explanation.by[i];
+      if (by.empty() || (has_state && by.front() == 0)) {
+        rest[places_[i].family].push_back(places_[i].index);
+      }
+    }
+    CaseNumbers unknown = rest;
+    for (std::size_t f = 0; f < small_.size(); ++f) {
+      unknown[f].insert(unknown[f].end(), small_[f].begin(), small_[f].end());
+      std::ranges::sort(unknown[f]);
+    }
+    for (std::size_t h = first; h < explanation.found.size(); ++h) {
+      add_explained(explanation, h, unknown);
+    }
+    const bool is_explained = explanation.found.size() > first;
+    if (!add_state(rest, is_explained)) {
+      add_unexplained(rest, is_explained);
+    }
+  }
+
+  /// Adds the fault of a hypothesis. `unknown` lists the cases that may have it.
+  void add_explained(const Explanation& explanation, std::size_t number, const CaseNumbers& unknown) {
+    CaseNumbers cases = none();
+    CaseNumbers alone = none();
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      if (std::ranges::find(explanation.by[i], number) != explanation.by[i].end()) {
+        cases[places_[i].family].push_back(places_[i].index);
+        if (explanation.by[i].size() == 1) {
+          alone[places_[i].family].push_back(places_[i].index);
+        }
+      }
+    }
+    CaseNumbers left_out = none();
+    for (std::size_t f = 0; f < left_out.size(); ++f) {
+      std::ranges::set_difference(unknown[f], cases[f], std::back_inserter(left_out[f]));
+    }
+    const Hypothesis& hypothesis = explanation.found[number];
+    add({fmt::format("It answers as if {} ({} of {} examined wrong outcomes).", hypothesis.as_if, size_of(cases),
+                     wrong_.size()),
+         hypothesis.look_at},
+        cases, alone, std::move(left_out), every_);
+  }
+
+  /// Adds the fault that answers depend on earlier collisions. Returns whether there is one.
+  bool add_state(const CaseNumbers& rest, bool is_explained) {
+    const bool is_of_rest = size_of(rest) >= least_violated;
+    const CaseNumbers& cases = is_of_rest ? rest : violations_.violated;
+    const std::uint64_t every = is_of_rest ? every_ : 1;
+    const auto lost = std::ranges::count_if(result_.witnesses, [](const Witness& one) { return !one.is_reproduced; });
+    if (lost > 0) {
+      add({fmt::format("It keeps state from earlier collisions: {} of {} witnesses get another answer if they are "
+                       "asked alone.",
+                       lost, result_.witnesses.size()),
+           "caches and their keys, warm starts, state that is not reset between contacts"},
+          cases, {}, {}, every);
+      return true;
+    }
+    if (violates(&Invariant::is_of_session) && (!is_explained || size_of(rest) >= least_violated)) {
+      add({"It gives another answer if it is asked again: it keeps state from earlier collisions, or its answer "
+           "depends on the spelling of the request.",
+           "caches, warm starts, state that is not reset; the parser of numbers and of optional fields"},
+          cases, {}, {}, every);
+      return true;
+    }
+    return false;
+  }
+
+  /// Adds the step of mechanics at which the outcomes fail that no hypothesis explains.
+  void add_unexplained(const CaseNumbers& rest, bool is_explained) {
+    // Exceptions of the explained faults are fewer than this share of the wrong outcomes.
+    constexpr std::size_t least_share = 50;
+    if (is_explained) {
+      if (size_of(rest) >= std::max<std::size_t>(least_violated, wrong_.size() / least_share)) {
+        add_step(outcomes_of(rest), rest, every_);
+      }
+      return;
+    }
+    std::vector<ViolatedCase> outcomes;
+    for (const ViolatedCase& one : examples_) {
+      if (kind_of(one.answer) == AnswerKind::outcome && validate(one.one.collision).empty()) {
+        outcomes.push_back(one);
+      }
+    }
+    if (faults_.empty() ? !outcomes.empty()
+                        : outcomes.size() >= least_violated && 5 * outcomes.size() > examples_.size()) {
+      const bool is_of_all = faults_.empty() || size_of(rest) == 0;
+      add_step(outcomes, is_of_all ? violations_.violated : rest, is_of_all ? 1 : every_);
+    }
+  }
+
+  void add_step(const std::vector<ViolatedCase>& outcomes, const CaseNumbers& cases, std::uint64_t every) {
+    const Where where = where_violated(report_, {cases, violations_.judged, {}, every});
+    add(fault_of_outcomes(outcomes, result_.subject.law, where, report_.options.fail_fast), cases, {}, {}, every);
+  }
+
+  /// Some of the cases with their outcomes.
+  [[nodiscard]] std::vector<ViolatedCase> outcomes_of(const CaseNumbers& cases) const {
+    constexpr std::size_t most = 120;
+    const std::size_t every = size_of(cases) / most + 1;
+    std::vector<ViolatedCase> outcomes;
+    std::size_t number = 0;
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      const auto& [family, index] = places_[i];
+      if (std::ranges::binary_search(cases[family], index) && number++ % every == 0) {
+        outcomes.push_back(with_outcome(index, wrong_[i].collision, wrong_[i].answered));
+      }
+    }
+    return outcomes;
+  }
+
+  const SubjectResult& result_;
+  const GateReport& report_;
+  const Violations& violations_;
+  std::vector<ViolatedCase> examples_;
+  std::vector<Fault> faults_;
+  std::vector<KnownCase> wrong_;   // visibly off
+  std::vector<CasePlace> places_;  // of wrong_
+  std::uint64_t every_ = 1;        // one outcome in so many is examined
+  CaseNumbers matrix_alone_;       // only invariants of the matrix are violated
+  CaseNumbers small_;              // wrong outcomes that are not visibly off
+};
+
+}  // namespace
+
+std::vector<Fault> faults_of(const SubjectResult& result, const GateReport& report, const Violations& violations) {
+  return FaultSearch(result, report, violations).run();
+}
+
+}  // namespace carom::properties::diagnosis
