@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <array>
 #include <cmath>
+#include <memory>
+#include <variant>
 
 #include <gtest/gtest.h>
 
@@ -59,9 +61,39 @@ TEST(ChartParts, LeaveOutWhatLeavesTheRangeOfAPrecision) {
   c.a.velocity = {0, -1, 0};
   c.a.principal_inertia.setConstant(1e37);
   c.b.position = {0, -1, 0};
-  const std::vector<Exactness> measured = measured_exactness(methods, std::vector{c}, 32, {}, AnswersOfCoulomb::found);
+  ChartedSubjects charted({methods[0].subject, methods[1].subject});
+  const std::vector<Exactness> measured = measured_exactness(charted, std::vector{c}, 32, {}, AnswersOfCoulomb::found);
   EXPECT_EQ(measured[0].cases, 0U);
   EXPECT_EQ(measured[1].cases, 1U);
+}
+
+/// A solver that halves all velocities after the impulse, as linear damping by 1/2 does.
+Subject damped() {
+  Subject subject = subjects::methods().front().subject;
+  subject.open = [open = subject.open] {
+    return Session([session = std::make_shared<Session>(open())](std::span<const Collision> collisions) {
+      std::vector<Answer> answers = (*session)(collisions);
+      for (Answer& answer : answers) {
+        if (auto* outcome = std::get_if<ReportedOutcome>(&answer)) {
+          outcome->a.velocity /= 2;
+          outcome->b.velocity /= 2;
+        }
+      }
+      return answers;
+    });
+  };
+  return subject;
+}
+
+TEST(ChartParts, TakeOutDeclaredEffects) {
+  const std::vector<Collision> collisions = colliding_cases(*properties::family_named("generic"), 1, 20);
+  Subject declares = damped();
+  declares.effects[DeclaredEffect::linear_damping] = 0.5;
+  ChartedSubjects charted({declares, damped()});
+  const std::vector<Exactness> measured = measured_exactness(charted, collisions, 32, {}, AnswersOfCoulomb::found);
+  EXPECT_GT(measured[0].cases, 15U);
+  EXPECT_EQ(measured[0].failures, 0U);
+  EXPECT_EQ(measured[1].failures, measured[1].cases);
 }
 
 MethodMeasurement method(const std::string& name, double nanoseconds, const std::vector<double>& digits) {
@@ -132,7 +164,10 @@ TEST(ChartParts, AReadableShadeIsNoDarkerThanItMustBe) {
   EXPECT_EQ(readable("#ffffff"), "#757575");
 }
 
-TEST(ChartParts, TextIsQuotedForGnuplot) { EXPECT_EQ(gnuplot_text("a\"b\\c"), "\"a\\\"b\\\\c\""); }
+TEST(ChartParts, TextIsQuotedForGnuplot) {
+  EXPECT_EQ(gnuplot_text("a\"b\\c"), "\"a\\\"b\\\\c\"");
+  EXPECT_EQ(gnuplot_text("`touch x`\nsystem"), "\"'touch x' system\"");
+}
 
 }  // namespace
 }  // namespace carom::tool::chart

@@ -197,12 +197,63 @@ TEST(ChartOfCoulomb, MeasuresTheNearestOfItsAnswers) {
       << "it shows backward errors";
 }
 
-TEST(ChartUsage, AMethodThatIsNotThereIsNamed) {
+/// A program that ignores contacts. Its name has characters that CSV and gnuplot would misread.
+const char* const program_that_ignores = R"(import json, sys
+for line in sys.stdin:
+    request = json.loads(line)
+    if request["cmd"] == "start":
+        print(json.dumps({"protocol": 1, "name": "`touch ran`, \"quoted\"", "precision": "binary64",
+                          "model": "frictionless"}), flush=True)
+    elif request["cmd"] == "solve":
+        a, b = request["collision"]["a"], request["collision"]["b"]
+        print(json.dumps({"id": request["id"], "a": {k: a[k] for k in ("velocity", "angular_velocity")},
+                          "b": {k: b[k] for k in ("velocity", "angular_velocity")}}), flush=True)
+    else:
+        break
+)";
+
+TEST(ChartOfSubjects, DrawsStabilityMapsOfAProgram) {
   const TemporaryDirectory directory;
-  const RunResult run = run_carom({"chart", "no-such-method", "--out", directory.path().string()});
-  EXPECT_EQ(run.exit_status, 2);
-  EXPECT_NE(run.errors.find("no-such-method"), std::string::npos) << run.errors;
-  EXPECT_NE(run.errors.find("reflection-double"), std::string::npos) << run.errors;
+  const std::string program = directory.write("solver.py", program_that_ignores);
+  const std::string out = (directory.path() / "out").string();
+  const RunResult run = run_carom(
+      {"chart", "exec:python3 " + program, "frictionless-double", "--cases", "3", "--repetitions", "1", "--out", out});
+  ASSERT_EQ(run.exit_status, 0) << run.errors;
+  const std::string name = "`touch ran`, \"quoted\"";
+  const json record = json::parse(content_of(out + "/chart.json"));
+  EXPECT_EQ(record.at("methods").size(), 1U) << "only a method is timed";
+  for (const json& sweep : record.at("sweeps")) {
+    ASSERT_EQ(sweep.at("lines").size(), 2U);
+    EXPECT_TRUE(sweep.at("lines")[0].at("leaves_limit_at").is_null()) << sweep.at("name");
+    EXPECT_EQ(sweep.at("lines")[1].at("method"), name);
+    EXPECT_TRUE(sweep.at("lines")[1].at("leaves_limit_at").is_number()) << sweep.at("name");
+  }
+  EXPECT_NE(content_of(out + "/stability.csv").find(",\"`touch ran`, \"\"quoted\"\"\","), std::string::npos);
+  EXPECT_NE(content_of(out + "/stability-frictionless-slenderness.svg").find("touch ran"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(out + "/ran"));
+}
+
+TEST(ChartOfSubjects, HaveNoPicturesOfTimes) {
+  const TemporaryDirectory directory;
+  const std::string out = (directory.path() / "out").string();
+  const RunResult run = run_carom({"chart", "bullet-double", "bullet-double-as-shipped", "--cases", "3", "--out", out});
+  ASSERT_EQ(run.exit_status, 0) << run.errors;
+  EXPECT_EQ(json::parse(content_of(out + "/chart.json")).at("methods").size(), 0U);
+  EXPECT_FALSE(std::filesystem::exists(out + "/work-precision-frictionless.svg"));
+  EXPECT_TRUE(std::filesystem::exists(out + "/stability-frictionless-slenderness.svg"));
+}
+
+TEST(ChartUsage, ASubjectThatCannotBeChartedIsNamed) {
+  const TemporaryDirectory directory;
+  const auto errors_of = [&](const std::string& subject) {
+    const RunResult run = run_carom({"chart", subject, "--out", directory.path().string()});
+    EXPECT_EQ(run.exit_status, 2) << subject;
+    EXPECT_NE(run.errors.find(subject), std::string::npos) << run.errors;
+    return run.errors;
+  };
+  EXPECT_NE(errors_of("no-such-method").find("there is no subject"), std::string::npos);
+  EXPECT_NE(errors_of("bullet-double-coulomb").find("its law `coulomb` determines none"), std::string::npos);
+  EXPECT_NE(errors_of("exec:/no/such/program").find("No such file"), std::string::npos);
 }
 
 TEST(ChartUsage, IfGnuplotWritesNoPictureTheDataAreThere) {

@@ -28,6 +28,18 @@ json exactness_record(const Exactness& exactness) {
           {"backward_error_ulps", exactness.has_backward_error ? quantiles_record(exactness.backward_error) : json()}};
 }
 
+/// The text as a field of a CSV file (RFC 4180).
+std::string csv_text(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) {
+    return text;
+  }
+  std::string field = "\"";
+  for (const char letter : text) {
+    field += letter == '"' ? "\"\"" : std::string(1, letter);
+  }
+  return field + '"';
+}
+
 std::string csv_of(const Quantiles& quantiles) {
   return fmt::format("{:.4g},{:.4g},{:.4g}", quantiles.median, quantiles.of_99_percent, quantiles.worst);
 }
@@ -68,18 +80,21 @@ Table methods_table(std::span<const MethodMeasurement> methods) {
   return table;
 }
 
+/// The subjects of the law. Empty if there are none.
 Table leaving_table(const Measurements& measurements, Law law) {
   Table table{"", {{"method"}}, {}};
   for (const SweepMeasurement& sweep : measurements.sweeps) {
     table.columns.push_back({sweep.label});
   }
-  for (std::size_t i = 0; i < measurements.methods.size(); ++i) {
-    if (measurements.methods[i].law != law) {
+  const std::size_t subjects = measurements.sweeps.empty() ? 0 : measurements.sweeps.front().lines.size();
+  for (std::size_t s = 0; s < subjects; ++s) {
+    const SweepLine& of_first = measurements.sweeps.front().lines[s];
+    if (of_first.law != law) {
       continue;
     }
-    Row row{{measurements.methods[i].name}};
+    Row row{{of_first.method}};
     for (const SweepMeasurement& sweep : measurements.sweeps) {
-      const std::optional<double> at = sweep.lines[i].leaves_limit_at();
+      const std::optional<double> at = sweep.lines[s].leaves_limit_at();
       row.cells.emplace_back(at ? fmt::format("{:.0e}", *at) : no_number);
     }
     table.rows.push_back(std::move(row));
@@ -112,9 +127,9 @@ std::string stability_csv(const Measurements& measurements) {
   for (const SweepMeasurement& sweep : measurements.sweeps) {
     for (const SweepLine& line : sweep.lines) {
       for (std::size_t i = 0; i < line.quantity.size(); ++i) {
-        text +=
-            fmt::format("{},{:g},{},{},{},{},{}\n", sweep.name, line.quantity[i], name_of(line.law), line.method,
-                        line.exactness[i].cases, line.exactness[i].failures, csv_of_backward_error(line.exactness[i]));
+        text += fmt::format("{},{:g},{},{},{},{},{}\n", sweep.name, line.quantity[i], name_of(line.law),
+                            csv_text(line.method), line.exactness[i].cases, line.exactness[i].failures,
+                            csv_of_backward_error(line.exactness[i]));
       }
     }
   }
@@ -181,9 +196,11 @@ std::string tables_markdown(const Measurements& measurements) {
     const std::vector<MethodMeasurement> methods = of_law(measurements.methods, law);
     if (!methods.empty()) {
       document.emplace_back(Section{fmt::format("{}: all families", name_of(law)), {methods_table(methods)}});
+    }
+    if (Table leaving = leaving_table(measurements, law); !leaving.rows.empty()) {
       document.emplace_back(Section{
           fmt::format("{}: where each method leaves the limit of {:g} ulps", name_of(law), measurements.limit_ulps),
-          {leaving_table(measurements, law)}});
+          {std::move(leaving)}});
     }
   }
   return in_markdown(document);

@@ -242,10 +242,11 @@ std::string power_tics(const Axis& axis, char letter) {
 std::string gnuplot_text(std::string_view text) {
   std::string result = "\"";
   for (const char letter : text) {
+    const bool is_control = static_cast<unsigned char>(letter) < ' ' || letter == '\x7f';
     if (letter == '"' || letter == '\\') {
       result += '\\';
     }
-    result += letter;
+    result += is_control ? ' ' : letter == '`' ? '\'' : letter;
   }
   return result + '"';
 }

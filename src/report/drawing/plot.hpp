@@ -121,7 +121,8 @@ void spread(std::vector<double>& heights, double gap, double least);
 /// A gnuplot command for tics at powers of ten, about eight of them, on the axis 'x' or 'y'.
 [[nodiscard]] std::string power_tics(const Axis& axis, char letter);
 
-/// A text as gnuplot reads it between double quotes.
+/// A text as gnuplot reads it between double quotes. gnuplot would run what stands between backquotes as a command, so
+/// apostrophes replace backquotes. Spaces replace control characters.
 [[nodiscard]] std::string gnuplot_text(std::string_view text);
 
 }  // namespace carom::report

@@ -11,7 +11,7 @@
 #include <carom/collision/validate.hpp>
 #include <carom/oracles/judge/accuracy.hpp>
 #include <carom/oracles/judge/coulomb_answers.hpp>
-#include <carom/properties/trial/answers.hpp>
+#include <carom/properties/trial/declared_effects.hpp>
 #include <carom/properties/trial/trial.hpp>
 #include <carom/properties/trial/unjudged.hpp>
 
@@ -41,28 +41,37 @@ oracles::Yardstick yardstick_of(const Subject& subject, double limit_ulps) {
   return yardstick;
 }
 
-void add_result(report::ExactnessBuilder& builder, const oracles::ExactCase& exact_case, const Subject& subject,
+void add_result(report::ExactnessBuilder& builder, const oracles::ExactCase& posed, const Subject& subject,
                 const Answer& answer, double limit_ulps) {
   const oracles::Yardstick yardstick = yardstick_of(subject, limit_ulps);
-  if (properties::reason_unjudged(exact_case, yardstick)) {
+  std::optional<properties::JudgedCase> without_effects;
+  if (subject.effects != DeclaredEffects{}) {
+    without_effects.emplace(properties::Case{posed.collision(), false}, true, subject.effects);
+  }
+  const oracles::ExactCase& judged = without_effects ? without_effects->exact() : posed;
+  if (without_effects ? without_effects->reason_unjudged_by(yardstick)
+                      : properties::reason_unjudged(posed, yardstick)) {
     return;
   }
-  const auto* const outcome = std::get_if<ReportedOutcome>(&answer);
-  if (outcome == nullptr || !oracles::is_finite(*outcome)) {
+  if (judged.approach() != oracles::Approach::colliding) {
+    return;
+  }
+  properties::ExactAnswer lifted = properties::lift(answer);
+  properties::take_out_effects(lifted, subject.effects, judged, subject.law, yardstick.allowance());
+  const auto* const outcome = std::get_if<oracles::LiftedOutcome>(&lifted);
+  if (outcome == nullptr) {
     builder.add(std::numeric_limits<double>::infinity(), 0, false);
     return;
   }
-  if (exact_case.is_open(subject.law, yardstick.allowance())) {
+  if (judged.is_open(subject.law, yardstick.allowance())) {
     return;
   }
-  const oracles::Accuracy accuracy =
-      oracles::accuracy(exact_case, subject.law, oracles::LiftedOutcome(*outcome), yardstick);
+  const oracles::Accuracy accuracy = oracles::accuracy(judged, subject.law, *outcome, yardstick);
   if (!accuracy.is_decided) {  // an undecided outcome counts as a failure
     builder.add(std::numeric_limits<double>::infinity(), 0, false);
     return;
   }
-  const bool within = accuracy.is_allowed();
-  builder.add(accuracy.backward_error(yardstick.unit_roundoff), accuracy.digits(), within);
+  builder.add(accuracy.backward_error(yardstick.unit_roundoff), accuracy.digits(), accuracy.is_allowed());
 }
 
 struct CoulombCase {
@@ -128,44 +137,39 @@ std::vector<Collision> colliding_cases(const properties::Sweep& sweep, double qu
       count);
 }
 
-std::vector<report::Exactness> measured_exactness(std::span<const subjects::Method> methods,
-                                                  std::span<const Collision> collisions, double limit_ulps,
-                                                  const properties::Workers& workers,
+std::vector<report::Exactness> measured_exactness(ChartedSubjects& charted, std::span<const Collision> collisions,
+                                                  double limit_ulps, const properties::Workers& workers,
                                                   AnswersOfCoulomb answers_of_coulomb) {
-  std::vector<std::vector<Answer>> answers;
-  for (const subjects::Method& method : methods) {
-    Session session = method.subject.open();
-    answers.push_back(properties::answers_of(session, collisions));
-  }
+  const std::span<const Subject> subjects = charted.subjects();
+  const std::vector<std::vector<Answer>> answers = charted.answers_to(collisions);
   // The cases are the outer loop, so that the truth of a case is computed once.
   std::vector<std::vector<report::ExactnessBuilder>> parts(std::max(1U, workers.count),
-                                                           std::vector<report::ExactnessBuilder>(methods.size()));
+                                                           std::vector<report::ExactnessBuilder>(subjects.size()));
   std::atomic<std::size_t> next = 0;
   workers.run(parts.size(), [&](std::size_t worker) {
     std::vector<report::ExactnessBuilder>& part = parts[worker];
     for (std::size_t i = next++; i < collisions.size(); i = next++) {
       const oracles::ExactCase exact_case(collisions[i]);
       std::optional<CoulombCase> coulomb_case;
-      for (std::size_t m = 0; m < methods.size(); ++m) {
-        const Subject& subject = methods[m].subject;
-        if (subject.law == Law::coulomb) {
+      for (std::size_t s = 0; s < subjects.size(); ++s) {
+        if (subjects[s].law == Law::coulomb) {
           if (!coulomb_case) {
             coulomb_case.emplace(collisions[i], answers_of_coulomb);
           }
-          add_coulomb_result(part[m], *coulomb_case, subject, answers[m][i], limit_ulps);
+          add_coulomb_result(part[s], *coulomb_case, subjects[s], answers[s][i], limit_ulps);
         } else {
-          add_result(part[m], exact_case, subject, answers[m][i], limit_ulps);
+          add_result(part[s], exact_case, subjects[s], answers[s][i], limit_ulps);
         }
       }
     }
   });
   std::vector<report::Exactness> result;
-  for (std::size_t m = 0; m < methods.size(); ++m) {
+  for (std::size_t s = 0; s < subjects.size(); ++s) {
     for (std::size_t part = 1; part < parts.size(); ++part) {
-      parts[0][m] += parts[part][m];
+      parts[0][s] += parts[part][s];
     }
-    result.push_back(parts[0][m].built());
-    result.back().has_backward_error = determines_outcome(methods[m].subject.law);
+    result.push_back(parts[0][s].built());
+    result.back().has_backward_error = determines_outcome(subjects[s].law);
   }
   return result;
 }

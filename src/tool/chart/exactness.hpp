@@ -10,7 +10,8 @@
 #include <carom/properties/families/sweep.hpp>
 #include <carom/properties/gate/workers.hpp>
 #include <carom/report/chart/measurement.hpp>
-#include <carom/subjects/methods.hpp>
+
+#include "chart/charted_subjects.hpp"
 
 namespace carom::tool::chart {
 
@@ -27,11 +28,12 @@ namespace carom::tool::chart {
 /// equations still judge an outcome, but the number of its correct digits is unknown.
 enum class AnswersOfCoulomb { found, left_out };
 
-/// The accuracy of each method on these colliding collisions, in the order of the methods. The truth (the exact
-/// outcome) judges an outcome. Under `coulomb`, which may have several answers, the law's equations judge the outcome,
-/// and the nearest answer gives its digits. A case is left out if the method's precision cannot represent it, or if the
-/// law demands nothing of its outcome.
-[[nodiscard]] std::vector<report::Exactness> measured_exactness(std::span<const subjects::Method> methods,
+/// The accuracy of each subject on these colliding collisions, in the order of the subjects. The truth (the exact
+/// outcome) judges an outcome, after the effects that the subject declares are taken out. Under `coulomb`, which may
+/// have several answers, the law's equations judge the outcome, and the nearest answer gives its digits. A case is left
+/// out if the subject's precision cannot represent it, if the law demands nothing of its outcome, or if it does not
+/// collide because of a declared effect. Precondition: each subject has a law.
+[[nodiscard]] std::vector<report::Exactness> measured_exactness(ChartedSubjects& charted,
                                                                 std::span<const Collision> collisions,
                                                                 double limit_ulps, const properties::Workers& workers,
                                                                 AnswersOfCoulomb answers_of_coulomb);

@@ -4,14 +4,14 @@
 #include <cstdio>
 #include <exception>
 #include <memory>
+#include <utility>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <carom/oracles/judge/yardstick.hpp>
-#include <carom/properties/trial/nearest_name.hpp>
 #include <carom/report/chart/chart_records.hpp>
 #include <carom/report/chart/diagrams.hpp>
+#include <carom/report/model/words.hpp>
 #include <carom/subjects/methods.hpp>
 
 #include "chart/exactness.hpp"
@@ -19,9 +19,12 @@
 #include "commands/commands.hpp"
 #include "commands/options.hpp"
 #include "io/gnuplot.hpp"
+#include "io/interrupt.hpp"
+#include "io/orphans.hpp"
 #include "io/output_file.hpp"
 #include "io/progress.hpp"
 #include "io/staged_output.hpp"
+#include "io/subject_argument.hpp"
 #include "io/this_environment.hpp"
 #include "io/threads.hpp"
 #include "io/usage_error.hpp"
@@ -30,37 +33,68 @@ namespace carom::tool {
 namespace {
 
 struct ChartArguments {
-  std::vector<std::string> methods;  // names; empty for all
-  std::string out;                   // a directory
+  std::vector<std::string> subjects;  // empty for all methods
+  std::string out;                    // a directory
   std::uint64_t seed = 1;
   std::size_t cases = 200;  // of each family, and at each point of a sweep
   int repetitions = 5;      // of each timing
   unsigned jobs = 0;        // threads that judge; 0: one for each core
+  double timeout = 5;       // for each reply of a program [s]
 };
 
 using report::Exactness;
 using report::MethodMeasurement;
 using subjects::Method;
 
-std::vector<Method> methods_of(const std::vector<std::string>& names) {
-  std::vector<Method> all = subjects::methods();
-  if (names.empty()) {
-    return all;
+/// A method has a kernel for the clock. Of any other subject, only the accuracy is charted.
+struct Charted {
+  std::vector<Method> methods;
+  std::vector<Subject> others;
+};
+
+Subject subject_with_map(const std::string& name, const ChartArguments& arguments, const std::stop_token& stop) {
+  Subject subject = subject_from_argument(name, arguments.timeout, stop);
+  if (!subject.absent.empty()) {
+    throw UsageError(report::shown(fmt::format("{}: {}", subject.name, subject.absent)));
   }
-  std::vector<Method> chosen;
-  for (const std::string& name : names) {
-    const auto found = std::find_if(all.begin(), all.end(), [&](const Method& m) { return m.subject.name == name; });
-    if (found == all.end()) {
-      std::vector<std::string> known;
-      for (const Method& method : all) {
-        known.push_back(method.subject.name);
-      }
-      throw UsageError(fmt::format("METHOD: there is no method '{}'; expected one of {}{}", name,
-                                   fmt::join(known, ", "), properties::did_you_mean(name, known)));
+  try {
+    subject.open().close();  // throws the reason if a program cannot be run
+  } catch (const std::exception& error) {
+    throw UsageError(report::shown(fmt::format("{}: {}", subject.name, error.what())));
+  }
+  if (!determines_outcome(subject.law)) {
+    throw UsageError(report::shown(
+        fmt::format("{}: a chart shows errors against the law's outcome, and its law `{}` determines none",
+                    subject.name, name_of(subject.law))));
+  }
+  return subject;
+}
+
+Charted charted_by(const ChartArguments& arguments, const std::stop_token& stop) {
+  Charted charted{subjects::methods(), {}};
+  if (arguments.subjects.empty()) {
+    return charted;
+  }
+  const std::vector<Method> all = std::exchange(charted.methods, {});
+  for (const std::string& name : arguments.subjects) {
+    const auto method = std::ranges::find_if(all, [&](const Method& one) { return one.subject.name == name; });
+    if (method != all.end()) {
+      charted.methods.push_back(*method);
+    } else {
+      charted.others.push_back(subject_with_map(name, arguments, stop));
     }
-    chosen.push_back(*found);
   }
-  return chosen;
+  return charted;
+}
+
+/// The methods, and then the other subjects.
+std::vector<Subject> subjects_of(const Charted& charted) {
+  std::vector<Subject> subjects;
+  for (const Method& method : charted.methods) {
+    subjects.push_back(method.subject);
+  }
+  subjects.insert(subjects.end(), charted.others.begin(), charted.others.end());
+  return subjects;
 }
 
 struct FamilyCases {
@@ -81,6 +115,9 @@ std::vector<FamilyCases> families_of(const ChartArguments& arguments) {
 
 std::vector<MethodMeasurement> measured_methods(const ChartArguments& arguments, const std::vector<Method>& methods,
                                                 const properties::Workers& workers) {
+  if (methods.empty()) {
+    return {};
+  }
   const std::vector<FamilyCases> families = families_of(arguments);
   // The timings come first, while nothing else runs.
   std::vector<chart::TimedKernel> kernels;
@@ -96,9 +133,10 @@ std::vector<MethodMeasurement> measured_methods(const ChartArguments& arguments,
   for (const Method& method : methods) {
     result.push_back({method.subject.name, method.subject.summary, method.subject.law, method.subject.precision, {}});
   }
+  chart::ChartedSubjects charted(subjects_of({methods, {}}));
   for (std::size_t f = 0; f < families.size(); ++f) {
     std::vector<Exactness> exactness = chart::measured_exactness(
-        methods, families[f].collisions, oracles::default_limit_ulps, workers, chart::AnswersOfCoulomb::found);
+        charted, families[f].collisions, oracles::default_limit_ulps, workers, chart::AnswersOfCoulomb::found);
     for (std::size_t m = 0; m < methods.size(); ++m) {
       result[m].families.push_back(
           {std::string(families[f].family->name), std::move(exactness[m]), times[m * families.size() + f]});
@@ -107,9 +145,8 @@ std::vector<MethodMeasurement> measured_methods(const ChartArguments& arguments,
   return result;
 }
 
-std::vector<report::SweepMeasurement> measured_sweeps(const ChartArguments& arguments,
-                                                      const std::vector<Method>& methods,
-                                                      const properties::Workers& workers) {
+std::vector<report::SweepMeasurement> measured_sweeps(const ChartArguments& arguments, std::vector<Subject> subjects,
+                                                      const properties::Workers& workers, const std::stop_token& stop) {
   const auto progress = progress_line("points of sweeps");
   std::uint64_t all = 0;
   for (const properties::Sweep& sweep : properties::all_sweeps()) {
@@ -117,20 +154,20 @@ std::vector<report::SweepMeasurement> measured_sweeps(const ChartArguments& argu
   }
   std::uint64_t done = 0;
   std::vector<report::SweepMeasurement> result;
+  chart::ChartedSubjects charted(std::move(subjects), stop);
   for (const properties::Sweep& sweep : properties::all_sweeps()) {
     report::SweepMeasurement measurement{
         std::string(sweep.name), std::string(sweep.quantity), std::string(sweep.summary), {}};
-    for (const Method& method : methods) {
-      measurement.lines.push_back(
-          {method.subject.name, method.subject.law, method.subject.precision, sweep.quantities(), {}});
+    for (const Subject& subject : charted.subjects()) {
+      measurement.lines.push_back({subject.name, subject.law, subject.precision, sweep.quantities(), {}});
     }
     for (const double quantity : sweep.quantities()) {
       const std::vector<Collision> collisions =
           chart::colliding_cases(sweep, quantity, arguments.seed, arguments.cases);
       const std::vector<Exactness> exactness = chart::measured_exactness(
-          methods, collisions, oracles::default_limit_ulps, workers, chart::AnswersOfCoulomb::left_out);
-      for (std::size_t m = 0; m < methods.size(); ++m) {
-        measurement.lines[m].exactness.push_back(exactness[m]);
+          charted, collisions, oracles::default_limit_ulps, workers, chart::AnswersOfCoulomb::left_out);
+      for (std::size_t s = 0; s < exactness.size(); ++s) {
+        measurement.lines[s].exactness.push_back(exactness[s]);
       }
       if (progress) {
         progress(++done, all);
@@ -138,31 +175,38 @@ std::vector<report::SweepMeasurement> measured_sweeps(const ChartArguments& argu
     }
     result.push_back(std::move(measurement));
   }
+  charted.close();
   return result;
+}
+
+/// Whether a line of the sweep has the law.
+bool has_law(const report::SweepMeasurement& sweep, Law law) {
+  return std::ranges::any_of(sweep.lines, [&](const report::SweepLine& line) { return line.law == law; });
 }
 
 std::vector<report::Plot> pictures_of(const report::Measurements& measurements) {
   std::vector<report::Plot> pictures;
   for (const Law law : report::charted_laws()) {
     const std::vector<MethodMeasurement> methods = report::of_law(measurements.methods, law);
-    if (methods.empty()) {
-      continue;
-    }
-    pictures.push_back(report::work_precision(methods));
-    pictures.push_back(report::work_precision_of_families(methods));
-    pictures.push_back(report::deadline(methods));
-    if (!determines_outcome(law)) {
-      continue;  // stability maps show backward errors
+    if (!methods.empty()) {
+      pictures.push_back(report::work_precision(methods));
+      pictures.push_back(report::work_precision_of_families(methods));
+      pictures.push_back(report::deadline(methods));
     }
     for (const report::SweepMeasurement& sweep : measurements.sweeps) {
-      pictures.push_back(report::stability_map(sweep, law, measurements.limit_ulps));
+      // Stability maps show backward errors.
+      if (determines_outcome(law) && has_law(sweep, law)) {
+        pictures.push_back(report::stability_map(sweep, law, measurements.limit_ulps));
+      }
     }
   }
   return pictures;
 }
 
-int chart_methods(const ChartArguments& arguments) {
-  const std::vector<Method> methods = methods_of(arguments.methods);
+int chart_subjects(const ChartArguments& arguments) {
+  const std::stop_token stop = stop_on_interrupt();
+  const Orphanage orphanage;
+  const Charted charted = charted_by(arguments, stop);
   StagedOutput staged(arguments.out);
   const properties::Workers workers = threads(arguments.jobs);
   const report::Measurements measurements{this_environment(),
@@ -170,8 +214,8 @@ int chart_methods(const ChartArguments& arguments) {
                                           arguments.cases,
                                           arguments.repetitions,
                                           oracles::default_limit_ulps,
-                                          measured_methods(arguments, methods, workers),
-                                          measured_sweeps(arguments, methods, workers)};
+                                          measured_methods(arguments, charted.methods, workers),
+                                          measured_sweeps(arguments, subjects_of(charted), workers, stop)};
   const std::string tables = report::tables_markdown(measurements);
   const std::filesystem::path& stage = staged.stage();
   write_file(stage / "tables.md", tables);
@@ -196,8 +240,10 @@ int chart_methods(const ChartArguments& arguments) {
 void add_chart(CLI::App& app, Chosen& chosen) {
   const auto arguments = std::make_shared<ChartArguments>();
   CLI::App* command = app.add_subcommand(
-      "chart", "Measure the speed and the accuracy of the built-in methods, and draw charts of them");
-  command->add_option("METHOD", arguments->methods, "Methods to measure (default: all built-in methods)");
+      "chart", "Measure the speed and the accuracy of methods, or the accuracy of other subjects, and draw charts");
+  command->add_option("SUBJECT", arguments->subjects,
+                      "Methods (solvers of carom/impulse), or other subjects: a built-in name, or 'exec:PROGRAM ARG…'. "
+                      "Only methods are timed (default: all methods)");
   command->add_option("--out", arguments->out, "Directory for the charts and the data")->required();
   add_seed(*command, arguments->seed, "Seed of the cases; the same seed gives the same cases");
   command
@@ -208,7 +254,8 @@ void add_chart(CLI::App& app, Chosen& chosen) {
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   add_jobs(*command, arguments->jobs, "Number of threads that judge");
-  command->callback([&chosen, arguments] { chosen = [arguments] { return chart_methods(*arguments); }; });
+  add_timeout(*command, arguments->timeout);
+  command->callback([&chosen, arguments] { chosen = [arguments] { return chart_subjects(*arguments); }; });
 }
 
 }  // namespace carom::tool

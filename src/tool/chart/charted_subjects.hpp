@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <deque>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include <carom/collision/subject.hpp>
+#include <carom/properties/trial/restarts.hpp>
+
+namespace carom::tool::chart {
+
+/// Subjects, each with an open session. A program is started once, and again after a failure, but at most a hundred
+/// times. Then the next answer throws SessionFailure.
+class ChartedSubjects {
+ public:
+  explicit ChartedSubjects(std::vector<Subject> subjects, std::stop_token stop = {});
+  ChartedSubjects(const ChartedSubjects&) = delete;
+  ChartedSubjects& operator=(const ChartedSubjects&) = delete;
+
+  [[nodiscard]] std::span<const Subject> subjects() const { return subjects_; }
+
+  /// The answers of each subject to the collisions, in the order of the subjects.
+  [[nodiscard]] std::vector<std::vector<Answer>> answers_to(std::span<const Collision> collisions);
+
+  /// Ends the sessions. Throws if a subject does not end as it should.
+  void close();
+
+ private:
+  std::vector<Subject> subjects_;
+  std::deque<properties::Restarts> restarts_;  // the sessions refer to the elements
+  std::vector<Session> sessions_;
+};
+
+}  // namespace carom::tool::chart
