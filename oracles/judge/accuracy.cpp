@@ -9,6 +9,7 @@
 #include <carom/oracles/filters/stage.hpp>
 #include <carom/oracles/judge/accuracy.hpp>
 #include <carom/oracles/judge/norm_at_most.hpp>
+#include <carom/oracles/judge/permitted_noise.hpp>
 #include <carom/oracles/numbers/norm.hpp>
 #include <carom/oracles/numbers/norm_bounds.hpp>
 
@@ -116,11 +117,11 @@ Deviation<T> deviation_of(const ExactCase& exact_case, const Truth<T>& truth, co
 /// The accuracy with this sensitivity. No value if T does not decide it, or if a radius is too large for print.
 template <class T>
 std::optional<Accuracy> accuracy_by(const Deviation<T>& deviation, const Sensitivity& sensitivity,
-                                    const Yardstick& yardstick) {
+                                    const Yardstick& yardstick, const PerVector<double>& noise) {
   Accuracy result = deviation.accuracy;
   result.sensitivity = sensitivity;
   for (const OutcomeVector k : all_outcome_vectors) {
-    const double allowance = yardstick.allowance() * sensitivity[k];
+    const double allowance = yardstick.allowance() * sensitivity[k] + noise[k];
     const std::optional<bool> allowed = norm_at_most(deviation.of_vector[k], allowance);
     if (!allowed) {
       return std::nullopt;
@@ -192,6 +193,7 @@ Accuracy accuracy_as(const ExactCase& exact_case, Law law, Approach as, const Li
     }
     return accuracy;
   };
+  const PerVector<double> noise = permitted_noise(exact_case.collision(), yardstick);
   std::optional<Deviation<Enclosure>> enclosed;
   const auto by_enclosures = [&](const Sensitivity& sensitivity) {
     if (!enclosed) {
@@ -201,7 +203,7 @@ Accuracy accuracy_as(const ExactCase& exact_case, Law law, Approach as, const Li
             law, as, [&] { return size_of_change(exact_case, exact_case.bounds().enclosed(), truth.outcome); });
       });
     }
-    return accuracy_by(*enclosed, sensitivity, yardstick);
+    return accuracy_by(*enclosed, sensitivity, yardstick, noise);
   };
   // If a lower bound of the sensitivity permits an error, the sensitivity permits it, too. The sensitivity of moderate
   // numbers is finite. The reported errors depend neither on the sensitivity nor on `known`.
@@ -234,7 +236,7 @@ Accuracy accuracy_as(const ExactCase& exact_case, Law law, Approach as, const Li
     const auto exactly = deviation_of(exact_case, truth, outcome_in<T>(outcome), [&] {
       return size_of_change(exact_case, collision_in<T>(exact_case), truth.outcome);
     });
-    return with_digits(*accuracy_by(exactly, sensitivity, yardstick));
+    return with_digits(*accuracy_by(exactly, sensitivity, yardstick, noise));
   });
 }
 

@@ -9,6 +9,7 @@
 #include <carom/oracles/filters/stage.hpp>
 #include <carom/oracles/judge/compare.hpp>
 #include <carom/oracles/judge/norm_at_most.hpp>
+#include <carom/oracles/judge/permitted_noise.hpp>
 #include <carom/oracles/judge/permitted_residual.hpp>
 #include <carom/oracles/numbers/norm.hpp>
 
@@ -59,13 +60,20 @@ PerVector<double> lost_to_underflow(const Collision& c, double s) {
   return lost;
 }
 
-/// ‖ŷ_k‖ + ‖y_k⁻‖ plus the loss by underflow. ŷ_k is the sum of y_k⁻ and a change, so ŷ_k has an error of u times the
-/// larger of these two terms, even if ŷ_k is zero.
-PerVector<double> sizes_of_outputs(const ExactCase& exact_case, const LiftedOutcome& outcome, double least_size) {
-  PerVector<double> sizes = lost_to_underflow(exact_case.collision(), least_size);
+/// ‖ŷ_k‖ + ‖y_k⁻‖ plus the loss by underflow and the noise. ŷ_k is the sum of y_k⁻ and a change, so ŷ_k has an error of
+/// u times the larger of these two terms, even if ŷ_k is zero.
+PerVector<double> sizes_of_outputs(const ExactCase& exact_case, const LiftedOutcome& outcome,
+                                   const Yardstick& yardstick) {
+  PerVector<double> sizes = lost_to_underflow(exact_case.collision(), yardstick.least_size);
   const PerVector<double> norms = outcome.norms();
   for (const OutcomeVector k : all_outcome_vectors) {
     sizes[k] += norms[k] + exact_case.bounds().norms_before()[k];
+  }
+  if (yardstick.digits) {
+    const PerVector<double> noise = permitted_noise(exact_case.collision(), yardstick);
+    for (const OutcomeVector k : all_outcome_vectors) {
+      sizes[k] += noise[k] / yardstick.allowance();
+    }
   }
   return sizes;
 }
@@ -277,7 +285,7 @@ template <class OneEquation>
 Comparison compare_one(const OneEquation& equation, Relation relation, const ExactCase& exact_case,
                        const LiftedOutcome& outcome, const Yardstick& yardstick) {
   const double allowance = yardstick.allowance();
-  const PerVector<double> sizes = sizes_of_outputs(exact_case, outcome, yardstick.least_size);
+  const PerVector<double> sizes = sizes_of_outputs(exact_case, outcome, yardstick);
   std::optional<double> scale;
   const auto allowed = [&]() -> std::optional<double> {
     if (allowance == 0) {

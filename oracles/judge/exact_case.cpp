@@ -7,6 +7,7 @@
 #include <carom/collision/expects.hpp>
 #include <carom/oracles/filters/definiteness_bounds.hpp>
 #include <carom/oracles/judge/exact_case.hpp>
+#include <carom/oracles/judge/permitted_noise.hpp>
 #include <carom/oracles/laws/certify.hpp>
 #include <carom/oracles/laws/rough.hpp>
 #include <carom/oracles/models/models.hpp>
@@ -247,6 +248,17 @@ Sensitivity ExactCase::sensitivity(Law law, double allowance) const {
   return sensitivity_as(law, may_collide ? Approach::colliding : approach(), allowance);
 }
 
+Sensitivity ExactCase::sensitivity_with_noise(Law law, const Yardstick& yardstick) const {
+  Sensitivity sum = sensitivity(law, yardstick.allowance());
+  if (yardstick.digits) {
+    const PerVector<double> noise = permitted_noise(collision(), yardstick);
+    for (const OutcomeVector k : all_outcome_vectors) {
+      sum[k] += noise[k] / yardstick.allowance();
+    }
+  }
+  return sum;
+}
+
 Sensitivity ExactCase::sensitivity_as(Law law, Approach as, double allowance) const {
   const bool collides = as == Approach::colliding &&
                         (approach() == Approach::colliding || branch(law) != Branch::on_cone || reaches_cone());
@@ -287,7 +299,7 @@ bool ExactCase::has_two_answers(Law law, double allowance) const {
 }
 
 const Sensitivity& ExactCase::colliding_first_order(Law law, Branch branch) const {
-  // Binary64 or double-double arithmetic if it keeps three digits, otherwise exact arithmetic.
+  // Binary64 or double-double arithmetic if it does not lose too many digits, otherwise exact arithmetic.
   return of(law).colliding_sensitivity[branch].get([&]() -> Sensitivity {
     if (bounds_.is_moderate() && bounds_.is_well_conditioned() && has_clear_divisor(bounds_, branch)) {
       if (const auto known = colliding_sensitivity(collision(), law, branch)) {

@@ -7,6 +7,7 @@
 #include <carom/oracles/filters/bounded_case.hpp>
 #include <carom/oracles/filters/lazy.hpp>
 #include <carom/oracles/judge/permitted_inputs.hpp>
+#include <carom/oracles/judge/yardstick.hpp>
 
 namespace carom::oracles {
 
@@ -79,6 +80,9 @@ class ExactCase {
   /// counts: that inside the cone and that on the surface. If PermittedInputs::first_order_is_blind, the sensitivity of
   /// a colliding answer is at least PermittedInputs::distance_of_answers divided by the allowance.
   [[nodiscard]] Sensitivity sensitivity(Law law, double allowance) const;
+
+  /// `sensitivity` plus `permitted_noise` divided by the allowance.
+  [[nodiscard]] Sensitivity sensitivity_with_noise(Law law, const Yardstick& yardstick) const;
 
   /// The sensitivity of the answer for approach `as`, whether or not the contact grazes.
   [[nodiscard]] Sensitivity sensitivity_as(Law law, Approach as, double allowance) const;

@@ -36,7 +36,8 @@ inline constexpr double ten_digits = 0x1p-34;
 /// The sensitivity of the law's answer to a contact that collides, by implicit differentiation in binary64
 /// (implicit_differentiation.hpp). If the law inverts K, the relative error is about u times the condition number of K.
 /// No value if a sum is outside the limits above, or if rounding of r × F may leave fewer than three digits, as for
-/// needles of 1 : 10¹⁰ (`growth_of_roundings`).
+/// needles of 1 : 10¹⁰ (`growth_of_roundings`). If the terms of a derivative cancel and its quantity is large, as for a
+/// position far from the origin, the sum may keep only two digits.
 ///
 /// Preconditions: the collision is moderate (moderate.hpp); a body is movable; the law is one of `laws_with_truth`;
 /// BoundedCase::is_well_conditioned(), except for the frictionless law. For `on_cone`, also

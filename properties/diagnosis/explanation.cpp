@@ -64,12 +64,12 @@ std::vector<std::size_t> spread(const std::vector<std::size_t>& numbers, std::si
   return chosen;
 }
 
-Hypothesis with_size(const FittedSize& size) {
-  if (size.fit == Fit::length_of_impulse) {
-    return {
-        fmt::format("impulses were limited to {:.4g} N s", size.value.value_or(0)), "limits on the impulse", {}, size};
+Hypothesis with_size(Fit fit, double value) {
+  const FittedSize size{fit, value};
+  if (fit == Fit::length_of_impulse) {
+    return {fmt::format("impulses were limited to {:.4g} N s", value), "limits on the impulse", {}, size};
   }
-  return {fmt::format("{:.4g} were added to ε", size.value.value_or(0)),
+  return {fmt::format("{:.4g} were added to ε", value),
           "the source of the coefficient of restitution: thresholds, defaults, the combination of two coefficients",
           {},
           size};
@@ -106,7 +106,9 @@ class HypothesisSearch {
         leave_out(h);
       }
     }
-    explain_by_known();
+    if (known_ > 0) {
+      explain_by_known();
+    }
     return std::move(explanation_);
   }
 
@@ -141,9 +143,9 @@ class HypothesisSearch {
     return fitted;
   }
 
-  /// The hypothesis with a fitted size that most of the cases show.
-  [[nodiscard]] Hypothesis most_frequent(Fit fit, const std::vector<std::vector<std::size_t>>& subsets,
-                                         const std::vector<std::size_t>& looked_at) const {
+  /// The hypothesis with the fitted size that most of the cases show. None if no case shows a size.
+  [[nodiscard]] std::optional<Hypothesis> most_frequent(Fit fit, const std::vector<std::vector<std::size_t>>& subsets,
+                                                        const std::vector<std::size_t>& looked_at) const {
     std::vector<double> values;
     for (const std::size_t number : looked_at) {
       for (const std::vector<std::size_t>& subset : subsets) {
@@ -163,8 +165,11 @@ class HypothesisSearch {
       std::ranges::copy_if(values, std::back_inserter(alike), [&](double other) { return agree(value, other); });
       most = alike.size() > most.size() ? alike : most;
     }
+    if (most.empty()) {
+      return std::nullopt;
+    }
     std::ranges::sort(most);
-    return with_size({fit, most.empty() ? 0 : most[most.size() / 2]});
+    return with_size(fit, most[most.size() / 2]);
   }
 
   /// The hypothesis that explains most of the remaining cases, alone or with one of the subsets of the found ones.
@@ -203,17 +208,27 @@ class HypothesisSearch {
       compare(hypothesis, fitted);
     }
     for (const Fit fit : {Fit::added_restitution, Fit::length_of_impulse}) {
-      const Hypothesis hypothesis = most_frequent(fit, subsets, looked_at);
-      compare(hypothesis, fitting(hypothesis, subsets, looked_at));
+      if (const std::optional<Hypothesis> hypothesis = most_frequent(fit, subsets, looked_at)) {
+        compare(*hypothesis, fitting(*hypothesis, subsets, looked_at));
+      }
     }
     return best;
   }
 
-  /// Explains the case by the fewest of the found hypotheses, without the hypothesis `without`. Empty if none do.
-  [[nodiscard]] std::vector<std::size_t> fewest(const KnownCase& one, std::optional<std::size_t> without) const {
-    for (const std::vector<std::size_t>& subset : subsets_of(explanation_.found.size())) {
-      const bool is_left_out = without && std::ranges::find(subset, *without) != subset.end();
-      if (!subset.empty() && !is_left_out && explains(joined(explanation_.found, subset, nullptr), one)) {
+  /// The sets of found hypotheses without `without`, the smaller ones first, and not the empty set.
+  [[nodiscard]] std::vector<std::vector<std::size_t>> subsets_without(std::optional<std::size_t> without) const {
+    std::vector<std::vector<std::size_t>> subsets = subsets_of(explanation_.found.size());
+    std::erase_if(subsets, [&](const std::vector<std::size_t>& subset) {
+      return subset.empty() || (without && std::ranges::find(subset, *without) != subset.end());
+    });
+    return subsets;
+  }
+
+  /// The first of the subsets that explains the case. Empty if none does.
+  [[nodiscard]] std::vector<std::size_t> first_explaining(const std::vector<std::vector<std::size_t>>& subsets,
+                                                          const KnownCase& one) const {
+    for (const std::vector<std::size_t>& subset : subsets) {
+      if (explains(joined(explanation_.found, subset, nullptr), one)) {
         return subset;
       }
     }
@@ -252,8 +267,9 @@ class HypothesisSearch {
     constexpr std::size_t most_examined = 40;
     for (std::size_t h = explanation_.found.size(); h-- > known_;) {
       const std::vector<std::size_t> examined = spread(cases_of(h), most_examined);
-      const auto explained = static_cast<std::size_t>(
-          std::ranges::count_if(examined, [&](std::size_t number) { return !fewest(wrong_[number], h).empty(); }));
+      const std::vector<std::vector<std::size_t>> others = subsets_without(h);
+      const auto explained = static_cast<std::size_t>(std::ranges::count_if(
+          examined, [&](std::size_t number) { return !first_explaining(others, wrong_[number]).empty(); }));
       if (10 * explained >= 9 * examined.size()) {
         leave_out(h);
         return;
@@ -263,9 +279,9 @@ class HypothesisSearch {
 
   void leave_out(std::size_t hypothesis) {
     left_out_.insert(explanation_.found[hypothesis].as_if);
-    const std::vector<std::size_t> cases = cases_of(hypothesis);
-    for (const std::size_t number : cases) {
-      explanation_.by[number] = fewest(wrong_[number], hypothesis);
+    const std::vector<std::vector<std::size_t>> others = subsets_without(hypothesis);
+    for (const std::size_t number : cases_of(hypothesis)) {
+      explanation_.by[number] = first_explaining(others, wrong_[number]);
       if (explanation_.by[number].empty()) {
         rest_.push_back(number);
       }
@@ -279,12 +295,11 @@ class HypothesisSearch {
     }
   }
 
-  /// Explains the remaining cases by the known hypotheses alone.
+  /// Explains the remaining cases by the given hypotheses, alone or with found ones.
   void explain_by_known() {
+    const std::vector<std::vector<std::size_t>> all = subsets_without(std::nullopt);
     for (const std::size_t number : rest_) {
-      if (known_ > 0) {
-        explanation_.by[number] = fewest(wrong_[number], std::nullopt);
-      }
+      explanation_.by[number] = first_explaining(all, wrong_[number]);
     }
   }
 

@@ -17,7 +17,7 @@ struct LawAnswer {
 /// collision is valid; the law determines an outcome.
 [[nodiscard]] LawAnswer law_answer(const Collision& collision, Law law, std::optional<oracles::Approach> approach = {});
 
-/// The impulse of `law_answer`, with a relative error below 2⁻⁴³. It takes a tenth of the time.
+/// The impulse of `law_answer`, with a relative error below 2⁻⁴³. It takes less time.
 [[nodiscard]] Vector3<double> law_impulse(const Collision& collision, Law law,
                                           std::optional<oracles::Approach> approach = {});
 

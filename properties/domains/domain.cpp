@@ -42,6 +42,8 @@ void add_unless_zero(std::vector<double>& values, double x) {
 
 double greater_speed(const Collision& c) { return std::max(length(c.a.velocity), length(c.b.velocity)); }
 
+double speed_of_spin(const Body& body) { return length(body.angular_velocity) * features::radius_of_gyration(body); }
+
 double quotient_of_greater(double x, double y) { return std::max(x, y) / std::min(x, y); }
 
 /// None if the text is not a finite number.
@@ -108,6 +110,10 @@ Domain::Domain() {
   }
 }
 
+double reach_of_wall(const Collision& collision, const Body& wall) {
+  return std::max(length(features::lever_arm(collision, wall)), features::least_radius_of_gyration(collision));
+}
+
 std::vector<double> values_of(const Collision& c, LimitedQuantity quantity) {
   CAROM_EXPECTS(validate(c).empty(), describe(validate(c)));
   std::vector<double> values;
@@ -132,6 +138,11 @@ std::vector<double> values_of(const Collision& c, LimitedQuantity quantity) {
         add_unless_zero(values, length(features::lever_arm(c, body)));
         values.push_back(features::radius_of_gyration(body));
       });
+      for_each_wall([&](const Body& wall) {
+        if (const double r = length(features::lever_arm(c, wall)); r < features::least_radius_of_gyration(c)) {
+          add_unless_zero(values, r);
+        }
+      });
       break;
     case LimitedQuantity::mass:
       for_each_movable([&](const Body& body) { values.push_back(body.mass); });
@@ -152,9 +163,11 @@ std::vector<double> values_of(const Collision& c, LimitedQuantity quantity) {
     case LimitedQuantity::speed:
       add_unless_zero(values, length(c.a.velocity));
       add_unless_zero(values, length(c.b.velocity));
-      for_each_wall([&](const Body& wall) {
-        add_unless_zero(values, length(cross(wall.angular_velocity, features::lever_arm(c, wall))));
-      });
+      for_each_wall(
+          [&](const Body& wall) { add_unless_zero(values, length(wall.angular_velocity) * reach_of_wall(c, wall)); });
+      if (greater_speed(c) == 0) {
+        for_each_movable([&](const Body& body) { add_unless_zero(values, speed_of_spin(body)); });
+      }
       break;
     case LimitedQuantity::approach:
       if (is_approaching(c)) {
@@ -163,19 +176,15 @@ std::vector<double> values_of(const Collision& c, LimitedQuantity quantity) {
       break;
     case LimitedQuantity::spin:
       if (const double speed = greater_speed(c); speed > 0) {
-        for_each_movable([&](const Body& body) {
-          add_unless_zero(values, length(body.angular_velocity) * features::radius_of_gyration(body) / speed);
-        });
+        for_each_movable([&](const Body& body) { add_unless_zero(values, speed_of_spin(body) / speed); });
       }
       break;
-    case LimitedQuantity::distance: {
-      double least_radius = Range().most;
-      for_each_movable(
-          [&](const Body& body) { least_radius = std::min(least_radius, features::radius_of_gyration(body)); });
-      add_unless_zero(values, length(c.point) / least_radius);
-      for_each_wall([&](const Body& wall) { add_unless_zero(values, length(wall.position) / least_radius); });
+    case LimitedQuantity::distance:
+      if (const double radius = features::least_radius_of_gyration(c); radius > 0) {
+        add_unless_zero(values, length(c.point) / radius);
+        for_each_wall([&](const Body& wall) { add_unless_zero(values, length(wall.position) / radius); });
+      }
       break;
-    }
     case LimitedQuantity::restitution:
       values.push_back(c.restitution);
       break;

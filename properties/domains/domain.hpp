@@ -44,6 +44,10 @@ struct Domain {
 /// distances that are zero lie in every range, and are left out. Precondition: the collision is valid.
 [[nodiscard]] std::vector<double> values_of(const Collision& collision, LimitedQuantity quantity);
 
+/// The distance at which the speed of a wall's spin counts [m]: the wall's lever arm, but at least the lesser radius of
+/// gyration of the movable bodies.
+[[nodiscard]] double reach_of_wall(const Collision& collision, const Body& wall);
+
 /// The first quantity that lies outside of its range. None if the domain contains the collision. An invalid collision
 /// has no quantities, so every domain contains it.
 [[nodiscard]] std::optional<LimitedQuantity> quantity_outside(const Domain& domain, const Collision& collision);

@@ -215,6 +215,12 @@ class Fit {
         one_->convex_uniform = false;
       }
     });
+    for_each_wall([&](Body& wall) {
+      const Vector3<double> arm = features::lever_arm(*c_, wall);
+      if (length(arm) < features::least_radius_of_gyration(*c_)) {
+        set_arm(wall, arm * factor(LimitedQuantity::size, length(arm)));
+      }
+    });
     keep_contact_on(c_->a, overreach_of_a_);
     keep_contact_on(c_->b, overreach_of_b_);
   }
@@ -234,8 +240,10 @@ class Fit {
   }
 
   void distance() {
-    double radius = Range().most;
-    for_each_movable([&](const Body& body) { radius = std::min(radius, features::radius_of_gyration(body)); });
+    const double radius = features::least_radius_of_gyration(*c_);
+    if (radius == 0) {
+      return;
+    }
     const double by = factor(LimitedQuantity::distance, length(c_->point) / radius);
     if (by != 1) {
       set_point(c_->point * by);
@@ -272,21 +280,16 @@ class Fit {
       }
     }
     for_each_wall([&](Body& wall) {
-      const Vector3<double> of_spin = cross(wall.angular_velocity, features::lever_arm(*c_, wall));
-      wall.angular_velocity *= factor(LimitedQuantity::speed, length(of_spin));
+      wall.angular_velocity *= factor(LimitedQuantity::speed, length(wall.angular_velocity) * reach_of_wall(*c_, wall));
     });
   }
 
   void spins() {
     const double speed = std::max(length(c_->a.velocity), length(c_->b.velocity));
-    if (speed == 0) {
-      return;
-    }
     for_each_movable([&](Body& body) {
-      const double spin = length(body.angular_velocity) * features::radius_of_gyration(body) / speed;
-      if (const double by = factor(LimitedQuantity::spin, spin); by != 1) {
-        body.angular_velocity *= by;
-      }
+      const double spin = length(body.angular_velocity) * features::radius_of_gyration(body);
+      body.angular_velocity *=
+          speed == 0 ? factor(LimitedQuantity::speed, spin) : factor(LimitedQuantity::spin, spin / speed);
     });
   }
 

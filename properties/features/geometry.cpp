@@ -70,6 +70,12 @@ double radius_of_gyration(const Body& body) {
   return body.immovable ? 0 : std::sqrt(sum(body.principal_inertia) / 2 / body.mass);
 }
 
+double least_radius_of_gyration(const Collision& collision) {
+  const double of_a = radius_of_gyration(collision.a);
+  const double of_b = radius_of_gyration(collision.b);
+  return of_a == 0 || of_b == 0 ? std::max(of_a, of_b) : std::min(of_a, of_b);
+}
+
 double overreach(const Collision& collision, const Body& body) {
   if (body.immovable) {
     return 0;

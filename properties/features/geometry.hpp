@@ -48,6 +48,9 @@ inline constexpr double largest_mass = 1e10;
 /// √((I₁ + I₂ + I₃) / 2m), the root mean square distance of the mass from its centre [m]; 0 for an immovable body.
 [[nodiscard]] double radius_of_gyration(const Body& body);
 
+/// The lesser radius of gyration of the movable bodies [m]; 0 if both are immovable.
+[[nodiscard]] double least_radius_of_gyration(const Collision& collision);
+
 /// The greatest |e × r| / (2√(I/m)) over the principal axes e, with the moment I about e; 0 for an immovable body. If
 /// it is far above 1, the collision matrix is ill-conditioned.
 [[nodiscard]] double overreach(const Collision& collision, const Body& body);

@@ -19,7 +19,7 @@ Verdict check_collinear_spin(const Evidence& e) {
   if (are_surely_untouched(e, spins)) {
     return {};
   }
-  const oracles::Sensitivity sensitivity = e.exact_case.sensitivity(e.law, e.allowance());
+  const oracles::Sensitivity sensitivity = e.exact_case.sensitivity_with_noise(e.law, e.yardstick);
   Verdict worst;
   for (const OutcomeVector k : spins) {
     worst = both(std::move(worst), vector_untouched(e, k, sensitivity));

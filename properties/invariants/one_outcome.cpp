@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <carom/oracles/filters/stage.hpp>
+#include <carom/oracles/judge/permitted_noise.hpp>
 #include <carom/properties/invariants/invariant_groups.hpp>
 #include <carom/properties/invariants/untouched.hpp>
 #include <carom/properties/invariants/verdicts.hpp>
@@ -52,6 +53,7 @@ Verdict check_backward_error(const Evidence& e) {
     return e.exact_case.is_open(e.law, e.allowance()) ? between_two_answers() : beyond_range();
   }
   const bool enough_digits = accuracy.has_digits.value_or(false);
+  const PerVector<double> noise = oracles::permitted_noise(e.exact_case.collision(), e.yardstick);
   Verdict worst;
   for (const OutcomeVector k : all_outcome_vectors) {
     if (accuracy.allowed[k] || enough_digits) {
@@ -60,7 +62,7 @@ Verdict check_backward_error(const Evidence& e) {
     Verdict verdict{Status::violated,
                     fmt::format("{}, computed and exact", name_of(k)),
                     accuracy.error[k],
-                    e.allowance() * accuracy.sensitivity[k],
+                    e.allowance() * accuracy.sensitivity[k] + noise[k],
                     {},
                     {}};
     const auto show = [&](const auto& truth) {
@@ -156,7 +158,7 @@ Verdict check_separating_untouched(const Evidence& e) {
   if (are_surely_untouched(e, all_outcome_vectors)) {
     return {};
   }
-  const oracles::Sensitivity sensitivity = e.exact_case.sensitivity(e.law, e.allowance());
+  const oracles::Sensitivity sensitivity = e.exact_case.sensitivity_with_noise(e.law, e.yardstick);
   Verdict worst;
   for (const OutcomeVector k : all_outcome_vectors) {
     worst = both(std::move(worst), vector_untouched(e, k, sensitivity));

@@ -110,7 +110,7 @@ Verdict exactly_mapped(const Evidence& e, const Related& related, const Back& ba
       return {};
     }
   }
-  const oracles::Sensitivity sensitivity = e.exact_case.sensitivity(e.law, e.allowance());
+  const oracles::Sensitivity sensitivity = e.exact_case.sensitivity_with_noise(e.law, e.yardstick);
   return agree(e, mapped, back, e.outcome, weighted_sum(1, sensitivity, sensitivity));
 }
 
@@ -143,8 +143,8 @@ Verdict related_pair(const Evidence& e, std::span<const Related> related, double
     }
   }
   return agree(e, first_outcome, expected, second_outcome,
-               weighted_sum(factor, first_case.sensitivity(e.law, e.allowance()),
-                            second_case.sensitivity(e.law, e.allowance())));
+               weighted_sum(factor, first_case.sensitivity_with_noise(e.law, e.yardstick),
+                            second_case.sensitivity_with_noise(e.law, e.yardstick)));
 }
 
 /// Applies `polar` to polar vectors, and `axial` to the angular velocities.
@@ -427,7 +427,7 @@ std::vector<Collision> ask_repeat(const Collision& collision, const Outcome<doub
 /// A bound of the error of N·V⁺, divided by the allowance.
 double slack_of_separation(const Evidence& e) {
   const Collision& c = e.exact_case.collision();
-  const oracles::Sensitivity sensitivity = e.exact_case.sensitivity(e.law, e.allowance());
+  const oracles::Sensitivity sensitivity = e.exact_case.sensitivity_with_noise(e.law, e.yardstick);
   const auto moment = [&](const Body& body) {
     return Vector3<double>(oracles::lever_arm<double>(body, c.point)).cross(c.normal).lpNorm<1>();
   };

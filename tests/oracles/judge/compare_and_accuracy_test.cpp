@@ -11,6 +11,7 @@
 #include <carom/oracles/judge/accuracy.hpp>
 #include <carom/oracles/judge/compare.hpp>
 #include <carom/oracles/judge/norm_at_most.hpp>
+#include <carom/oracles/judge/permitted_noise.hpp>
 
 #include "equality/wild.hpp"
 #include "support/effort.hpp"
@@ -316,6 +317,33 @@ TEST(Accuracy, HasDigitsUpToTheLastBit) {
       EXPECT_EQ(result.has_digits, ulps <= 0) << filtered << ' ' << ulps;
     }
   }
+}
+
+/// A separates without spin, and 10⁻³ of no spin permits nothing. The noise is 32 ulps of 4 m/s at the radius √(least
+/// moment / m) = 1/2 m.
+TEST(Digits, PermitNoiseOfTheLargestSpeed) {
+  Collision c;
+  c.a.velocity = {0, 4, 0};
+  c.a.mass = 4;
+  c.a.principal_inertia = {1, 2, 2};
+  c.b.immovable = true;
+  const ExactCase exact_case(c);
+  Yardstick yardstick;
+  yardstick.unit_roundoff = unit_roundoff(Precision::binary64);
+  const double noise = default_limit_ulps * yardstick.unit_roundoff * 4 / 0.5;
+  const auto passes = [&](double spin) {
+    ReportedOutcome outcome = reported(exact_case.nearest_truth(Law::frictionless));
+    outcome.a.angular_velocity = {spin, 0, 0};
+    return compare(equation::Untouched{OutcomeVector::angular_velocity_of_a}, Relation::equal, exact_case,
+                   LiftedOutcome(outcome), yardstick)
+        .holds;
+  };
+  EXPECT_FALSE(passes(0.9 * noise));
+  yardstick.digits = 3;
+  EXPECT_TRUE(passes(0.9 * noise));
+  EXPECT_FALSE(passes(1.1 * std::sqrt(3.0) * noise));  // an equation multiplies by the norm of the identity, √3
+  EXPECT_EQ(permitted_noise(c, yardstick)[OutcomeVector::velocity_of_b], noise / 2);
+  EXPECT_EQ(permitted_noise(c, yardstick)[OutcomeVector::angular_velocity_of_b], 0);
 }
 
 /// A known bound may replace the sensitivity by a lower bound of it, so the backward error grows, but not beyond the

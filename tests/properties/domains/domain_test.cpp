@@ -85,6 +85,29 @@ TEST(Domain, LimitsHowFarAndHowFastAWallIs) {
   EXPECT_EQ(values_of(c, LimitedQuantity::distance), std::vector<double>{100 / radius});
 }
 
+// The spin of a wall that turns about the contact point moves no point of contact, but an engine still integrates it.
+TEST(Domain, LimitsTheSpinAndTheShortLeverArmOfAWall) {
+  Collision c = known();
+  c.a.velocity.setZero();
+  c.b = Body{.immovable = true};
+  c.b.position = c.point;
+  c.b.angular_velocity = {0, 0, 0.5};
+  const std::vector<double> sizes = values_of(c, LimitedQuantity::size);
+  EXPECT_EQ(values_of(c, LimitedQuantity::speed), std::vector<double>{sizes.back() / 2});
+  c.b.position.x() += 0x1p-20;
+  EXPECT_EQ(values_of(c, LimitedQuantity::size).size(), sizes.size() + 1);
+  EXPECT_EQ(values_of(c, LimitedQuantity::size).back(), 0x1p-20);
+  c.b.position.x() += 1000;
+  EXPECT_EQ(values_of(c, LimitedQuantity::size), sizes);
+}
+
+TEST(Domain, LimitsSpinsBySpeedIfNoCentreMoves) {
+  Collision c = known();
+  c.a.velocity.setZero();
+  EXPECT_EQ(values_of(c, LimitedQuantity::speed), std::vector<double>{15});
+  EXPECT_TRUE(values_of(c, LimitedQuantity::spin).empty());
+}
+
 TEST(Domain, ContainsACollisionUpToTheEndsOfEachRange) {
   for (const LimitedQuantity quantity : all_limited_quantities) {
     const std::vector<double> values = values_of(known(), quantity);

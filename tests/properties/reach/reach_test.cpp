@@ -11,6 +11,7 @@
 
 #include <carom/properties/domains/draw_within.hpp>
 #include <carom/properties/gate/gate.hpp>
+#include <carom/properties/reach/kept_sessions.hpp>
 #include <carom/properties/reach/reach.hpp>
 #include <carom/subjects/catalogue.hpp>
 
@@ -214,6 +215,52 @@ TEST(Reach, DependsOnTheSeedAlone) {
   for (std::size_t i = 0; i < first.ends.faces.size(); ++i) {
     EXPECT_EQ(first.ends.faces[i].end, again.ends.faces[i].end);
   }
+}
+
+/// A program that takes long to start is started a few times: in the core, in the domain, and when it fails. The steps
+/// of the search use two sessions in turn.
+TEST(Reach, KeepsTheSessionsOfAProgram) {
+  const Subject built_in = limited({{LimitedQuantity::mass, true, 5e3}});
+  Subject program = built_in;
+  program.specification = "exec:a-program";
+  std::size_t starts = 0;
+  program.open = [&starts, open = program.open] {
+    ++starts;
+    return open();
+  };
+  ReachOptions one_thread = options();
+  const Reach of_program = measured_reach(program, one_thread);
+  EXPECT_EQ(to_text(of_program.domain), to_text(measured_reach(built_in, one_thread).domain));
+  EXPECT_LE(starts, 12U);
+}
+
+TEST(KeptSessions, TakeTurnsAndLeaveOutFailedOnes) {
+  Subject subject = *subjects::subject_named("frictionless-double");
+  int opened = 0;
+  subject.open = [&opened] {
+    const int number = opened++;
+    return Session([number](std::span<const Collision> collisions) -> std::vector<Answer> {
+      if (collisions.empty()) {
+        throw SessionFailure("it ended", {}, {"it ended"});
+      }
+      return {Skipped{std::to_string(number)}};
+    });
+  };
+  const KeptSessions kept(subject);
+  const Collision collision;
+  const auto answered_by = [&](Session& session) {
+    return std::get<Skipped>(session(std::span(&collision, 1)).front()).why;
+  };
+  for (const char* number : {"0", "1", "0", "1"}) {
+    Session session = kept.subject().open();
+    EXPECT_EQ(answered_by(session), number);
+    session.close();
+  }
+  Session fails = kept.subject().open();
+  EXPECT_THROW((void)fails({}), SessionFailure);
+  fails.close();
+  Session next = kept.subject().open();
+  EXPECT_EQ(answered_by(next), "2");
 }
 
 }  // namespace
