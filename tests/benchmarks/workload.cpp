@@ -32,6 +32,10 @@ std::vector<Collision> colliding(std::size_t count) { return colliding_of(proper
 
 std::vector<Collision> colliding_slender(std::size_t count) { return colliding_of(properties::convex_bodies, count); }
 
+std::vector<Collision> colliding_spheres(std::size_t count) {
+  return colliding_of(properties::touching_spheres, count);
+}
+
 void triad(Workload<double>& workload) {
   std::vector<std::span<const double>> from;
   auto contacts = std::as_const(workload.contacts).arrays();

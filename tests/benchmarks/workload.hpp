@@ -20,6 +20,9 @@ inline constexpr std::size_t out_of_cache = 1'000'000;
 /// Like colliding(), but the greatest moment is up to 10⁸ times the least. About half of the bodies are plates or rods.
 [[nodiscard]] std::vector<Collision> colliding_slender(std::size_t count);
 
+/// Colliding contacts of two balls.
+[[nodiscard]] std::vector<Collision> colliding_spheres(std::size_t count);
+
 /// A batch of `count` contacts of these collisions. If the collisions are fewer, they repeat.
 template <class S>
 [[nodiscard]] impulse::ContactBatch<S> batch_of(const std::vector<Collision>& collisions, std::size_t count) {
