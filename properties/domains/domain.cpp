@@ -40,6 +40,16 @@ void add_unless_zero(std::vector<double>& values, double x) {
   }
 }
 
+/// Calls use(body) for each body that is immovable, or for each that is not.
+template <class Use>
+void for_each_body(const Collision& c, bool immovable, const Use& use) {
+  for (const Body* body : {&c.a, &c.b}) {
+    if (body->immovable == immovable) {
+      use(*body);
+    }
+  }
+}
+
 double greater_speed(const Collision& c) { return std::max(length(c.a.velocity), length(c.b.velocity)); }
 
 double speed_of_spin(const Body& body) { return length(body.angular_velocity) * features::radius_of_gyration(body); }
@@ -118,20 +128,8 @@ std::vector<double> values_of(const Collision& c, LimitedQuantity quantity) {
   CAROM_EXPECTS(validate(c).empty(), describe(validate(c)));
   std::vector<double> values;
   const bool are_movable = !c.a.immovable && !c.b.immovable;
-  const auto for_each_movable = [&](const auto& use) {
-    for (const Body* body : {&c.a, &c.b}) {
-      if (!body->immovable) {
-        use(*body);
-      }
-    }
-  };
-  const auto for_each_wall = [&](const auto& use) {
-    for (const Body* body : {&c.a, &c.b}) {
-      if (body->immovable) {
-        use(*body);
-      }
-    }
-  };
+  const auto for_each_movable = [&](const auto& use) { for_each_body(c, false, use); };
+  const auto for_each_wall = [&](const auto& use) { for_each_body(c, true, use); };
   switch (quantity) {
     case LimitedQuantity::size:
       for_each_movable([&](const Body& body) {

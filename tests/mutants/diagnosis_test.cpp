@@ -19,11 +19,11 @@ namespace {
 using properties::diagnosis::Diagnosis;
 
 /// The diagnosis of each mutant of the page, from one run. Relations are judged on every fourth case, as for programs.
+/// Some mutants remember the last collision, so one thread judges all cases in order.
 std::vector<Diagnosis> diagnoses(const std::vector<KnownDefect>& known) {
   properties::GateOptions options;
   options.shrinks = false;
   options.relations_every = 4;
-  options.workers = tool::threads(0);
   for (const properties::Family& family : properties::all_families()) {
     options.families.push_back(&family);
   }
@@ -31,7 +31,8 @@ std::vector<Diagnosis> diagnoses(const std::vector<KnownDefect>& known) {
   for (const KnownDefect& row : known) {
     subjects.push_back(subject_of(*row.mutant));
   }
-  const properties::GateReport report = run_gate(subjects, options);
+  properties::GateReport report = run_gate(subjects, options);
+  report.options.workers = tool::threads(0);
   return properties::diagnosis::diagnose_all(report);
 }
 

@@ -24,11 +24,14 @@ properties::GateReport judged(const std::vector<Subject>& subjects, std::uint64_
   // A diagnosis rests on single answers. Relations only cost time.
   constexpr std::uint64_t rarely = 50;
   options.relations_every = rarely;
-  options.workers = tool::threads(0);
+  // Some defects remember the last collision, so one thread judges all cases in order.
+  options.workers = {};
   for (const properties::Family& family : properties::all_families()) {
     options.families.push_back(&family);
   }
-  return run_gate(subjects, options);
+  properties::GateReport report = run_gate(subjects, options);
+  report.options.workers = tool::threads(0);  // for the diagnosis
+  return report;
 }
 
 Subject subject_with(const Together& defects) {
