@@ -75,6 +75,12 @@ def number(value):
     return f"{value:.3g}"
 
 
+def core_of(subject):
+    """The core, and the invariants that are not judged."""
+    without = " and ".join(f"`{invariant}`" for invariant in DEVIATES.get(subject, []))
+    return CORE_OF.get(subject, "default") + (f", without {without}" if without else "")
+
+
 def ranges(domain):
     """The ranges of a domain that end before the search does."""
     limits = []
@@ -127,7 +133,7 @@ def main():
                "The search ends at 10⁻⁹ and 10⁹ (moment ratios: 10⁸), and the column lists the ends before these. "
                "*Equal moments*: the core has moment ratios of 1. *Slow spins*: its spins are at most 0.5.",
                ["subject", "core", "domain", "fresh cases"],
-               [[subject, CORE_OF.get(subject, "default"),
+               [[subject, core_of(subject),
                  ranges(record["domain"]), f"{record['cases']}"] for subject, record in known.items()])
     rows = []
     for subject, record in known.items():
