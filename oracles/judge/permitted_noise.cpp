@@ -20,7 +20,7 @@ PerVector<double> permitted_noise(const Collision& collision, const Yardstick& y
     const double reach = std::max(norm_of(Vector3<double>(collision.point - body->position)), radius(*body));
     speed = std::max({speed, norm_of(body->velocity), norm_of(body->angular_velocity) * reach});
   }
-  const double size = yardstick.limit_ulps * yardstick.unit_roundoff * speed;
+  const double size = yardstick.rounding() * speed;
   const auto set = [&](const Body& body, OutcomeVector velocity, OutcomeVector spin) {
     noise[velocity] = size;
     noise[spin] = body.immovable ? 0 : size / radius(body);

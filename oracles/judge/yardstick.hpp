@@ -34,7 +34,10 @@ struct Yardstick {
     return filtered && allowance() > 0 && allowance() <= largest_allowance_for_bounds;
   }
 
-  [[nodiscard]] double allowance() const { return digits ? std::pow(10.0, -*digits) : limit_ulps * unit_roundoff; }
+  /// How much the inputs may be rounded, also if digits decide.
+  [[nodiscard]] double rounding() const { return limit_ulps * unit_roundoff; }
+
+  [[nodiscard]] double allowance() const { return digits ? std::pow(10.0, -*digits) : rounding(); }
 
   /// The allowance times a scale. No value if the product leaves the range in which binary64 has all its digits.
   [[nodiscard]] std::optional<double> allowed(double scale) const {

@@ -105,10 +105,15 @@ std::string why_not_judged(const SubjectResult& result, const std::vector<const 
     valid += is_of_valid ? family.judged() + family.skipped : 0;
     skipped_of_valid += is_of_valid ? family.skipped : 0;
   }
-  constexpr std::uint64_t one_in = 10;  // at most this share of the cases may be skipped
+  constexpr std::uint64_t one_in = 10;  // at most this share of the cases may be skipped, or lie at a limit
   if (skipped_of_valid * one_in > valid) {
     return std::to_string(skipped_of_valid) + " of " + std::to_string(valid) +
            " cases were skipped, which is more than a tenth";
+  }
+  const std::uint64_t at_limit = result.unjudged()[Unjudged::at_declared_limit];
+  if (at_limit * one_in > result.cases()) {
+    return std::to_string(at_limit) + " of " + std::to_string(result.cases()) +
+           " cases lie at a declared threshold or slop, which is more than a tenth";
   }
   // Every law claims at least one of `exercised_by_collisions`.
   const auto is_exercised = [&](const char* invariant) { return result.count(invariant).holds > 0; };

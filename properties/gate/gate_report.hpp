@@ -124,10 +124,11 @@ struct SubjectResult {
   [[nodiscard]] WorstFamily worst_backward_error(const GateOptions& options) const;
 };
 
-/// The text of SubjectResult::not_judged. Empty if three conditions hold:
+/// The text of SubjectResult::not_judged. Empty if four conditions hold:
 ///   (1) In each family of valid collisions, the subject answers a case that its precision can hold.
 ///   (2) The subject skips at most a tenth of all cases that its precision can hold.
-///   (3) An invariant about the outcomes of colliding contacts holds in some case. If no case collides, any invariant
+///   (3) At most a tenth of all cases lie at a declared threshold or slop.
+///   (4) An invariant about the outcomes of colliding contacts holds in some case. If no case collides, any invariant
 ///       will do.
 [[nodiscard]] std::string why_not_judged(const SubjectResult& result, const std::vector<const Family*>& families,
                                          const std::vector<Coverage>& coverage);

@@ -179,6 +179,7 @@ Ends searched_ends(const Search& search, const ReachOptions& options) {
   }
   Ends ends;
   ends.cases_of_core = in_core.cases();
+  ends.unjudged_of_core = in_core.unjudged();
   if (fails(in_core)) {
     ends.error = in_core.error.empty() ? in_core.not_judged : in_core.error;
     if (!in_core.witnesses.empty()) {
@@ -252,6 +253,7 @@ Reach measured_reach(const Subject& subject, const ReachOptions& options) {
   reach.domain = options.core;
   reach.ends = searched_ends(search, options);
   reach.cases = reach.ends.cases_of_core;
+  reach.unjudged = reach.ends.unjudged_of_core;
   if (!reach.ends.error.empty() || reach.ends.in_core) {
     return reach;
   }
@@ -272,6 +274,7 @@ Reach measured_reach(const Subject& subject, const ReachOptions& options) {
     held = share;
     reach.domain = domain;
     reach.cases = result.cases();
+    reach.unjudged = result.unjudged();
     if (share == 1) {
       break;
     }

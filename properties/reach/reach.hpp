@@ -45,6 +45,7 @@ struct Ends {
   std::string error = {};
   std::vector<Face> faces = {};
   std::uint64_t cases_of_core = 0;
+  UnjudgedCounts unjudged_of_core{};
 };
 
 struct Reach {
@@ -54,8 +55,9 @@ struct Reach {
   /// The domain that results from all faces together. If it had a violation, its ranges were narrowed towards the core,
   /// all in one proportion.
   Domain domain = {};
-  double share = 1;         // of the way from the core to the faces, on the scale of the search
-  std::uint64_t cases = 0;  // fresh cases in the domain, without a violation
+  double share = 1;           // of the way from the core to the faces, on the scale of the search
+  std::uint64_t cases = 0;    // fresh cases in the domain, without a violation
+  UnjudgedCounts unjudged{};  // those of them that were not judged
 };
 
 /// Whether the quantity is searched in equal steps, as the coefficients ε and e_t are. All others are searched in equal

@@ -54,7 +54,7 @@ bool are_free_of_effects(const Claim& claim, std::span<const oracles::ExactCase>
   const auto is_free = [&](const oracles::ExactCase& question) {
     const Collision judged = judged_collision(question.collision(), claim.effects);
     return judged.restitution == question.collision().restitution && judged.normal == question.collision().normal &&
-           !is_at_declared_limit(question, claim.effects, claim.yardstick.allowance());
+           !is_at_declared_limit(question, claim.effects, claim.yardstick.rounding());
   };
   return !depend_on_approach(claim.effects) || std::all_of(questions.begin(), questions.end(), is_free);
 }
@@ -148,7 +148,7 @@ std::span<const oracles::ExactCase> JudgedCase::questions_of(const Invariant& in
 std::optional<Unjudged> JudgedCase::reason_unjudged_by(const oracles::Yardstick& yardstick) const {
   return remembered(unjudged_, yardstick, [&]() -> std::optional<Unjudged> {
     if (depend_on_approach(effects_) &&
-        is_at_declared_limit(oracles::ExactCase(generated_.collision, filtered_), effects_, yardstick.allowance())) {
+        is_at_declared_limit(oracles::ExactCase(generated_.collision, filtered_), effects_, yardstick.rounding())) {
       return Unjudged::at_declared_limit;
     }
     return reason_unjudged(exact(), yardstick);

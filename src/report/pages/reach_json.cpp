@@ -41,7 +41,7 @@ json ends_record(const properties::Ends& ends, const oracles::Yardstick& yardsti
 }  // namespace
 
 json reach_record(const MeasuredDomain& measured) {
-  const auto& [subject, deviates, options, reach] = measured;
+  const auto& [subject, deviates, options, reach, effects] = measured;
   json record = ends_record(reach.ends, options.yardstick);
   record.update({{"carom", version},
                  {"subject", subject},

@@ -16,6 +16,7 @@ struct MeasuredDomain {
   std::vector<std::string> deviates;  // deviations from the command line
   properties::ReachOptions options;
   properties::Reach reach;
+  DeclaredEffects effects = {};  // of the subject
 
   /// Whether the subject could be judged in the core, and holds there.
   [[nodiscard]] bool is_known() const { return reach.ends.error.empty() && !reach.ends.in_core; }

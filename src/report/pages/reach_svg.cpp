@@ -15,7 +15,7 @@ Interval interval_of(const properties::Range& range) { return {range.least, rang
 
 std::string reach_svg(const MeasuredDomain& measured, const properties::Domain& beside,
                       const std::string& name_of_beside) {
-  const auto& [subject, deviates, options, reach] = measured;
+  const auto& [subject, deviates, options, reach, effects] = measured;
   CAROM_EXPECTS(measured.is_known(), subject);
   RangePicture picture{
       fmt::format("The domain of {}", shown(subject)),

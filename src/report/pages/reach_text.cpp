@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <carom/properties/trial/in_words.hpp>
+#include <carom/properties/trial/unjudged.hpp>
 #include <carom/report/document/document.hpp>
 #include <carom/report/model/version.hpp>
 #include <carom/report/model/words.hpp>
@@ -70,18 +71,20 @@ std::string stricter_in_core(const MeasuredDomain& measured) {
 }  // namespace
 
 std::string reach_text(const MeasuredDomain& measured) {
-  const auto& [subject, deviates, options, reach] = measured;
+  const auto& [subject, deviates, options, reach, declared] = measured;
+  const std::string effects = properties::to_text(declared);
   std::string text =
-      fmt::format("Carom {}: the domain of {}, seed {}, limit {}\nThe search starts from {}.\n{}\n", version,
+      fmt::format("Carom {}: the domain of {}, seed {}, limit {}\nThe search starts from {}.\n{}{}\n", version,
                   shown(subject), options.seed, limit_in_words(options.yardstick), to_text(options.core),
-                  deviates.empty() ? "" : fmt::format("Not judged: {}.\n", fmt::join(deviates, ", ")));
+                  deviates.empty() ? "" : fmt::format("Not judged: {}.\n", fmt::join(deviates, ", ")),
+                  effects.empty() ? "" : fmt::format("Judged without its declared effects: {}.\n", effects));
   if (!reach.ends.error.empty()) {
-    return text + fmt::format("The subject could not be judged there: {}\n", shown(reach.ends.error));
+    return text + fmt::format("The subject could not be judged in these ranges: {}\n", shown(reach.ends.error));
   }
   if (reach.ends.in_core) {
     return text + fmt::format(
-                      "The subject violates {} there, so it has no domain around these values. Choose other "
-                      "values by --core.\n\n  {}",
+                      "The subject violates {} in these ranges, so it has no domain around them. Choose other "
+                      "ranges by --core.\n\n  {}",
                       reach.ends.in_core->invariant, witness_text(*reach.ends.in_core));
   }
   text += in_text({table_of(measured)});
@@ -91,6 +94,11 @@ std::string reach_text(const MeasuredDomain& measured) {
       "so many cases can be missed.\n",
       reach.share < 1 ? fmt::format(", {:.0f} % of the way", 100 * reach.share) : "", to_text(reach.domain),
       reach.cases);
+  for (const properties::Unjudged reason : properties::all_reasons_unjudged) {
+    if (reach.unjudged[reason] > 0) {
+      text += fmt::format("{} of the cases were not judged: {}.\n", reach.unjudged[reason], in_words(reason));
+    }
+  }
   text += stricter_in_core(measured);
   for (const Face& face : reach.ends.faces) {
     if (face.beyond) {

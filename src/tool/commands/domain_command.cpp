@@ -87,7 +87,8 @@ int measure_domain(const DomainArguments& arguments) {
       append_to_file(option, *file, "");  // fails now rather than after minutes
     }
   }
-  report::MeasuredDomain measured{subject.name, deviates, options_of(arguments, subject.precision, stop), {}};
+  report::MeasuredDomain measured{
+      subject.name, deviates, options_of(arguments, subject.precision, stop), {}, subject.effects};
   measured.reach = measured_reach(subject, measured.options);
   fmt::print("{}", arguments.format == "json"
                        ? reach_record(measured).dump(1, ' ', false, json::error_handler_t::replace) + '\n'

@@ -53,7 +53,7 @@ void add_accuracy(CLI::App& command, double& limit, std::optional<int>& digits, 
 
 void add_yardstick(CLI::App& command, YardstickArguments& arguments) {
   add_accuracy(command, arguments.limit_ulps, arguments.digits, "Largest permitted backward error, in ulps",
-               "Required number of correct digits, in place of --limit-ulps");
+               "N permits a relative error of 10^-N, in place of --limit-ulps");
   command.add_flag("--exact", arguments.exact,
                    "Judge only in exact arithmetic, without the faster filters. The verdicts are the same");
 }

@@ -202,8 +202,25 @@ TEST(DeclaredEffects, AreNotJudgedAtTheirLimit) {
   EXPECT_EQ(reason(0.5), Unjudged::at_declared_limit);
   EXPECT_EQ(reason(0.5 + 0x1p-50), Unjudged::at_declared_limit);
   EXPECT_EQ(reason(0.5 + 0x1p-40), std::nullopt);
+  yardstick.digits = 3;  // inputs are not rounded more because an answer may be
+  EXPECT_EQ(reason(0.5 + 0x1p-50), Unjudged::at_declared_limit);
+  EXPECT_EQ(reason(0.5 + 0x1p-40), std::nullopt);
   c.restitution = 0;  // the threshold changes nothing
   EXPECT_EQ(reason(0.5), std::nullopt);
+}
+
+/// All contacts approach at the threshold, so no outcome is judged, and the subject is not sound.
+TEST(DeclaredEffects, LeaveASubjectWithoutAVerdictIfMostCasesLieAtALimit) {
+  Subject subject = *subjects::subject_named("frictionless-double");
+  subject.effects = only(DeclaredEffect::restitution_threshold, 0.5);
+  GateOptions options;
+  options.cases = 20;
+  options.families = {family_named("generic")};
+  options.within.ranges[LimitedQuantity::approach] = {0.5 - 0x1p-49, 0.5 + 0x1p-49};
+  const SubjectResult result = run_gate({subject}, options).results.at(0);
+  EXPECT_FALSE(result.is_sound());
+  EXPECT_NE(result.not_judged.find("cases lie at a declared threshold or slop"), std::string::npos)
+      << result.not_judged;
 }
 
 TEST(DeclaredEffects, AreRefusedIfTheyAreNotValid) {
