@@ -56,7 +56,7 @@ TEST(DomainCommand, SaysInWordsWhatItFound) {
 TEST(DomainCommand, ShowsAViolationWhereTheSearchStarts) {
   const RunResult result = domain({"reflection-in-basis-double", "--core", "speed=1:2,spin=0:0"});
   EXPECT_EQ(result.exit_status, 1) << result.output << result.errors;
-  EXPECT_NE(result.output.find(" there, so it has no domain around these values. Choose other values by --core."),
+  EXPECT_NE(result.output.find(" in these ranges, so it has no domain around them. Choose other ranges by --core."),
             std::string::npos)
       << result.output;
 }
