@@ -157,8 +157,9 @@ def main():
                [[subject, page.witness(record["in_core"]), record["in_core"]["violation"]]
                 for subject, record in records.items() if "in_core" in record])
     page.lines += ["", "## Sweeps", "",
-                   "Where each engine as configured leaves the limit of 32 ulps, without friction "
-                   f"(`build/carom chart {' '.join(ENGINES)} --out build/chart`). A dash: it never does.", ""]
+                   f"`build/carom chart {' '.join(ENGINES)} --out build/chart` measures the engines as configured, without "
+                   "friction. The table has the first value at which an engine exceeds 32 ulps. A dash says that it "
+                   "never does.", ""]
     page.lines += sweeps(carom, directory)
     (TOP / WITNESSES).write_text("".join(json.dumps(each) + "\n" for each in page.witnesses), encoding="utf-8")
     print("\n".join(page.lines))
