@@ -54,6 +54,7 @@ std::string batch_name(const std::string& scalar, Law law, std::size_t size, Ins
 }
 std::string slender_name(Law law) { return fmt::format("slender/{}", name_of(law)); }
 std::string spheres_name(Law law) { return fmt::format("spheres/{}", name_of(law)); }
+std::string tips_name(Law law) { return fmt::format("tips/{}", name_of(law)); }
 std::string triad_name(std::size_t size) { return fmt::format("triad/{}", size); }
 std::string threads_name(Law law, std::size_t size, unsigned threads) {
   return fmt::format("threads/{}/{}/{}", name_of(law), size, threads);
@@ -142,6 +143,7 @@ void register_batches() {
   }
   for (const Law law : laws) {
     for (const auto& [name, collisions] : {std::pair{slender_name(law), colliding_slender(in_cache)},
+                                           std::pair{tips_name(law), colliding_tips(in_cache)},
                                            std::pair{spheres_name(law), colliding_spheres(in_cache)}}) {
       benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) {
         Workload<double> workload(collisions);
@@ -302,6 +304,11 @@ void print_slender(const Recorder& recorder) {
       fmt::print("  {:<13} {:>8.2f} ns, {:.1f} times as long as without\n", name_of(law),
                  per_contact(recorder, slender_name(law), in_cache),
                  recorder.at(slender_name(law)).median() / recorder.at(usual).median());
+    }
+    if (recorder.has(slender_name(law)) && recorder.has(tips_name(law))) {
+      fmt::print("  {:<13} {:>8.2f} ns if needles are struck on their tips, {:.1f} times as long as slender bodies\n",
+                 name_of(law), per_contact(recorder, tips_name(law), in_cache),
+                 recorder.at(tips_name(law)).median() / recorder.at(slender_name(law)).median());
     }
   }
 }

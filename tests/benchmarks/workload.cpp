@@ -7,6 +7,7 @@
 
 #include <carom/properties/draws/stream.hpp>
 #include <carom/properties/families/body_pairs.hpp>
+#include <carom/properties/families/needle_tip.hpp>
 
 namespace carom::benchmarks {
 
@@ -31,6 +32,8 @@ std::vector<Collision> colliding_of(const Generate& generate, std::size_t count)
 std::vector<Collision> colliding(std::size_t count) { return colliding_of(properties::general_bodies, count); }
 
 std::vector<Collision> colliding_slender(std::size_t count) { return colliding_of(properties::convex_bodies, count); }
+
+std::vector<Collision> colliding_tips(std::size_t count) { return colliding_of(properties::needle_tip, count); }
 
 std::vector<Collision> colliding_spheres(std::size_t count) {
   return colliding_of(properties::touching_spheres, count);

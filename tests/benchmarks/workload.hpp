@@ -20,6 +20,9 @@ inline constexpr std::size_t out_of_cache = 1'000'000;
 /// Like colliding(), but the greatest moment is up to 10⁸ times the least. About half of the bodies are plates or rods.
 [[nodiscard]] std::vector<Collision> colliding_slender(std::size_t count);
 
+/// Colliding contacts of needles that are struck on their tips. One of the bodies has moments of up to 1 : 10¹².
+[[nodiscard]] std::vector<Collision> colliding_tips(std::size_t count);
+
 /// Colliding contacts of two balls.
 [[nodiscard]] std::vector<Collision> colliding_spheres(std::size_t count);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <array>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,8 @@ TEST(DomainCommand, MeasuresWhereASolverFailsAndWritesTheDomain) {
   }
   EXPECT_EQ(failing, std::vector<std::string>{"moment_ratio"});
   EXPECT_EQ(json::parse(content_of(file)), record.at("domain"));
+  EXPECT_GT(record.at("cases"), 0);
+  EXPECT_EQ(record.at("not_judged").at("at_declared_limit"), 0);
   EXPECT_EQ(run_carom({"gate", "reflection-world-double", "--within", file, "--cases", "2"}).exit_status, 0);
 }
 
@@ -54,7 +57,10 @@ TEST(DomainCommand, SaysInWordsWhatItFound) {
 }
 
 TEST(DomainCommand, ShowsAViolationWhereTheSearchStarts) {
-  const RunResult result = domain({"reflection-in-basis-double", "--core", "speed=1:2,spin=0:0"});
+  const TemporaryDirectory directory;
+  const std::string file = (directory.path() / "domain.json").string();
+  const RunResult result = domain({"reflection-in-basis-double", "--core", "speed=1:2,spin=0:0", "--out", file});
+  EXPECT_FALSE(std::filesystem::exists(file));
   EXPECT_EQ(result.exit_status, 1) << result.output << result.errors;
   EXPECT_NE(result.output.find(" in these ranges, so it has no domain around them. Choose other ranges by --core."),
             std::string::npos)

@@ -49,7 +49,8 @@ json reach_record(const MeasuredDomain& measured) {
                  {"core", domain_record(options.core)},
                  {"domain", domain_record(reach.domain)},
                  {"share", reach.share},
-                 {"cases", reach.cases}});
+                 {"cases", reach.cases},
+                 {"not_judged", Json<properties::UnjudgedCounts>::write(reach.unjudged)}});
   if (!deviates.empty()) {
     record["deviates"] = deviates;
   }

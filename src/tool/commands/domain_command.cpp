@@ -84,7 +84,7 @@ int measure_domain(const DomainArguments& arguments) {
   let_deviate(subject, deviates);
   for (const auto& [option, file] : {std::pair("--out", &arguments.out), std::pair("--picture", &arguments.picture)}) {
     if (!file->empty()) {
-      append_to_file(option, *file, "");  // fails now rather than after minutes
+      require_writable(option, *file);  // fails now rather than after minutes
     }
   }
   report::MeasuredDomain measured{

@@ -36,6 +36,14 @@ void append_to_file(const std::string& option, const std::filesystem::path& path
   }
 }
 
+void require_writable(const std::string& option, const std::filesystem::path& path) {
+  const bool existed = std::filesystem::exists(path);
+  append_to_file(option, path, "");
+  if (!existed) {
+    std::filesystem::remove(path);
+  }
+}
+
 void make_directories(const std::filesystem::path& directory) {
   std::error_code error;
   std::filesystem::create_directories(directory, error);

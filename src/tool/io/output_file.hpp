@@ -16,6 +16,9 @@ void write_file(const std::filesystem::path& path, const std::string& text);
 /// file's option if appending is not possible.
 void append_to_file(const std::string& option, const std::filesystem::path& path, const std::string& text);
 
+/// Leaves the path as it is. Throws UsageError, which names the option, if the file cannot be written.
+void require_writable(const std::string& option, const std::filesystem::path& path);
+
 /// Makes a directory that is --out or below it, with its parents. Throws UsageError if it cannot be made.
 void make_directories(const std::filesystem::path& directory);
 
