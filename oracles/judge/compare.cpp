@@ -69,12 +69,7 @@ PerVector<double> sizes_of_outputs(const ExactCase& exact_case, const LiftedOutc
   for (const OutcomeVector k : all_outcome_vectors) {
     sizes[k] += norms[k] + exact_case.bounds().norms_before()[k];
   }
-  if (yardstick.digits) {
-    const PerVector<double> noise = permitted_noise(exact_case.collision(), yardstick);
-    for (const OutcomeVector k : all_outcome_vectors) {
-      sizes[k] += noise[k] / yardstick.allowance();
-    }
-  }
+  add_permitted_noise(exact_case.collision(), yardstick, sizes);
   return sizes;
 }
 

@@ -250,12 +250,7 @@ Sensitivity ExactCase::sensitivity(Law law, double allowance) const {
 
 Sensitivity ExactCase::sensitivity_with_noise(Law law, const Yardstick& yardstick) const {
   Sensitivity sum = sensitivity(law, yardstick.allowance());
-  if (yardstick.digits) {
-    const PerVector<double> noise = permitted_noise(collision(), yardstick);
-    for (const OutcomeVector k : all_outcome_vectors) {
-      sum[k] += noise[k] / yardstick.allowance();
-    }
-  }
+  add_permitted_noise(collision(), yardstick, sum);
   return sum;
 }
 

@@ -30,4 +30,11 @@ PerVector<double> permitted_noise(const Collision& collision, const Yardstick& y
   return noise;
 }
 
+void add_permitted_noise(const Collision& collision, const Yardstick& yardstick, PerVector<double>& sizes) {
+  const PerVector<double> noise = permitted_noise(collision, yardstick);
+  for (const OutcomeVector k : all_outcome_vectors) {
+    sizes[k] += noise[k] / yardstick.allowance();
+  }
+}
+
 }  // namespace carom::oracles

@@ -12,4 +12,7 @@ namespace carom::oracles {
 /// body is immovable. All is 0 without digits. Precondition: the collision is valid.
 [[nodiscard]] PerVector<double> permitted_noise(const Collision& collision, const Yardstick& yardstick);
 
+/// Adds `permitted_noise` divided by the allowance to sizes that the allowance multiplies.
+void add_permitted_noise(const Collision& collision, const Yardstick& yardstick, PerVector<double>& sizes);
+
 }  // namespace carom::oracles
