@@ -19,7 +19,7 @@ struct ContactImpulse {
 template <class Condition, class S, class Inertia, class Slender>
 [[nodiscard]] BodyVelocity<S> apply_impulse(const Condition& colliding, const ContactBody<S, Inertia>& body,
                                             const Vector3<S>& on_body, const Slender& has_slender) {
-  return select_called(
+  return select_of_both(
       colliding, [&] { return apply_impulse(body, on_body, has_slender); }, [&] { return unchanged(body); });
 }
 

@@ -48,7 +48,7 @@ template <class S, class Inertia>
 [[nodiscard]] Outcome<S> apply_impulse(const Contact<S, Inertia>& contact, const NormalImpulse<S>& impulse) {
   const auto struck = [&](const ContactBody<S, Inertia>& body, const Vector3<S>& on_body,
                           const Vector3<S>& change_of_spin) -> BodyVelocity<S> {
-    return select_called(
+    return select_of_both(
         impulse.colliding,
         [&]() -> BodyVelocity<S> {
           return {body.velocity + on_body * body.inverse_mass, body.angular_velocity + change_of_spin};

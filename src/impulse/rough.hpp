@@ -108,7 +108,7 @@ template <class S, class Inertia>
   const auto is_any_slender = has_slender(contact);
   const auto struck = [&](const ContactBody<S, Inertia>& body, const BodyVelocity<S>& by_normal,
                           const Vector3<S>& on_body) {
-    return select_called(
+    return select_of_both(
         impulse.has_friction, [&] { return apply_impulse(body, on_body, is_any_slender); }, [&] { return by_normal; });
   };
   return {struck(contact.a, without.a, impulse.on_a), struck(contact.b, without.b, -impulse.on_a)};

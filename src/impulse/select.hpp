@@ -96,8 +96,19 @@ template <class Condition, class S>
   return {select(condition, yes.velocity, no.velocity), select(condition, yes.angular_velocity, no.angular_velocity)};
 }
 
-/// Chooses between the results of yes() and no(). For a bool, calls only the chosen function. For a mask, calls no()
-/// always, and yes() if any lane chooses it.
+/// Chooses between the results of yes() and no(). For a bool, calls only the chosen function. For a mask, calls both. A
+/// branch would be faster only if both functions take long: across a branch, gcc keeps the results of packs in memory.
+template <class Condition, class Yes, class No>
+[[nodiscard]] auto select_of_both(const Condition& condition, const Yes& yes, const No& no) {
+  if constexpr (std::is_same_v<Condition, bool>) {
+    return condition ? yes() : no();
+  } else {
+    return select(condition, yes(), no());
+  }
+}
+
+/// Chooses between the results of yes() and no(), if yes() takes long. For a bool, calls only the chosen function. For
+/// a mask, calls no() always, and yes() if any lane chooses it.
 template <class Condition, class Yes, class No>
 [[nodiscard]] auto select_called(const Condition& condition, const Yes& yes, const No& no) {
   if constexpr (std::is_same_v<Condition, bool>) {
