@@ -37,7 +37,7 @@ void append_to_file(const std::string& option, const std::filesystem::path& path
 }
 
 void require_writable(const std::string& option, const std::filesystem::path& path) {
-  const bool existed = std::filesystem::exists(path);
+  const bool existed = std::filesystem::exists(std::filesystem::symlink_status(path));
   append_to_file(option, path, "");
   if (!existed) {
     std::filesystem::remove(path);
