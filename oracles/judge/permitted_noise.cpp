@@ -31,6 +31,9 @@ PerVector<double> permitted_noise(const Collision& collision, const Yardstick& y
 }
 
 void add_permitted_noise(const Collision& collision, const Yardstick& yardstick, PerVector<double>& sizes) {
+  if (!yardstick.digits) {
+    return;  // an exact judge has no noise, and the allowance 0
+  }
   const PerVector<double> noise = permitted_noise(collision, yardstick);
   for (const OutcomeVector k : all_outcome_vectors) {
     sizes[k] += noise[k] / yardstick.allowance();
