@@ -16,7 +16,7 @@ import sys
 # each ratio differs by less than a factor of two. A batch is useless if it is not faster than the plain code.
 LIMIT_OF_SOLVERS = 4
 LIMIT_OF_BATCHES = 1
-CONTACTS = 64  # fits in the first-level cache
+CONTACTS = 64  # 36 KB with their outcomes
 
 
 def nanoseconds(runs, pattern):
