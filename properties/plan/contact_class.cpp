@@ -38,17 +38,33 @@ bool has_equal_moments(const ExactBody& body) {
          body.principal_inertia[1] == body.principal_inertia[2];
 }
 
+/// Whether it holds for each movable body.
+template <class Holds>
+bool of_each_movable(const BasicCollision<Rational>& c, const Holds& holds) {
+  return (c.a.immovable || holds(c.a)) && (c.b.immovable || holds(c.b));
+}
+
+TorqueForm form_of(const BasicCollision<Rational>& c) {
+  if (of_each_movable(c, has_equal_moments)) {
+    return TorqueForm::equal;
+  }
+  return of_each_movable(c, [](const ExactBody& body) { return !is_slender(body); }) ? TorqueForm::plain
+                                                                                     : TorqueForm::accurate;
+}
+
 const char* kind_of(const BasicCollision<Rational>& c) {
-  const auto of_each = [&](const auto& holds) {
-    return (c.a.immovable || holds(c.a)) && (c.b.immovable || holds(c.b));
-  };
-  if (of_each([&](const ExactBody& body) { return is_along_normal(body, c); })) {
+  if (of_each_movable(c, [&](const ExactBody& body) { return is_along_normal(body, c); })) {
     return "central";
   }
-  if (!of_each([](const ExactBody& body) { return !is_slender(body); })) {
-    return "slender";
+  switch (form_of(c)) {
+    case TorqueForm::equal:
+      return "equal moments";
+    case TorqueForm::plain:
+      return "general";
+    case TorqueForm::accurate:
+      break;
   }
-  return of_each(has_equal_moments) ? "equal moments" : "general";
+  return "slender";
 }
 
 }  // namespace
@@ -60,6 +76,23 @@ std::string contact_class_of(const Collision& collision) {
   }
   const bool is_against_immovable = collision.a.immovable || collision.b.immovable;
   return std::string(kind_of(oracles::lift(collision))) + (is_against_immovable ? ", one immovable" : ", both movable");
+}
+
+std::string_view name_of(TorqueForm form) {
+  switch (form) {
+    case TorqueForm::equal:
+      return "equal";
+    case TorqueForm::plain:
+      return "plain";
+    case TorqueForm::accurate:
+      break;
+  }
+  return "accurate";
+}
+
+TorqueForm torque_form_of(const Collision& collision) {
+  CAROM_EXPECTS(validate(collision).empty(), describe(validate(collision)));
+  return form_of(oracles::lift(collision));
 }
 
 }  // namespace carom::properties::plan

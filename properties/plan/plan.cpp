@@ -316,6 +316,9 @@ Plan make_plan(std::span<const ClassedCollision> contacts, std::span<const Candi
     measure(parts, served.collisions, plan.candidates, baseline, options.clock);
   }
   for (Part* part : parts) {
+    for (const std::size_t contact : part->contacts) {
+      ++part->torque_forms[torque_form_of(served.collisions[contact])];
+    }
     part->one_at_a_time = least(*part, plan.candidates, false);
     part->in_batches = least(*part, plan.candidates, true);
   }

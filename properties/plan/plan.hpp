@@ -13,6 +13,7 @@
 #include <carom/properties/gate/workers.hpp>
 #include <carom/properties/plan/certificate.hpp>
 #include <carom/properties/plan/classed_collision.hpp>
+#include <carom/properties/plan/contact_class.hpp>
 #include <carom/properties/plan/lint_finding.hpp>
 #include <carom/properties/plan/reduction.hpp>
 
@@ -41,8 +42,9 @@ struct JudgedCandidate {
 
 /// A set of contacts, with the candidates that were judged on it.
 struct Part {
-  std::string name;                   // name of the class
-  std::vector<std::size_t> contacts;  // indices of the contacts
+  std::string name;                                                            // name of the class
+  std::vector<std::size_t> contacts;                                           // indices of the contacts
+  EnumArray<TorqueForm, std::size_t, all_torque_forms.size()> torque_forms{};  // number of contacts for each form
   std::size_t colliding = 0;
   std::vector<LawCount> laws;
   std::vector<JudgedCandidate> candidates;

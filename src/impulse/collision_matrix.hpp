@@ -2,25 +2,38 @@
 #pragma once
 
 #include <carom/impulse/contact.hpp>
+#include <carom/impulse/numbers/symmetric_matrix.hpp>
 
 namespace carom::impulse {
 
-/// The contribution of one body to the collision matrix: I/m + [r]ᵀ J⁻¹ [r], with [r] x = r × x. Exactly symmetric.
+/// `moments_of_unit_impulses` of both bodies. The collision matrix and the changes of spin are made of them.
+template <class S>
+struct ContactMoments {
+  Matrix3<S> of_a;
+  Matrix3<S> of_b;
+};
+
 template <class S, class Inertia>
-[[nodiscard]] Matrix3<S> collision_matrix(const ContactBody<S, Inertia>& body) {
-  Matrix3<S> matrix = angular_part_of_collision_matrix(body.inertia, body.lever_arm);
-  for (int i = 0; i < 3; ++i) {
-    matrix(i, i) += body.inverse_mass;
-  }
-  return matrix;
+[[nodiscard]] ContactMoments<S> moments_of_unit_impulses(const Contact<S, Inertia>& contact) {
+  return {moments_of_unit_impulses(contact.a.inertia, contact.a.lever_arm),
+          moments_of_unit_impulses(contact.b.inertia, contact.b.lever_arm)};
 }
 
 /// K = λI + [r_A]ᵀ J_A⁻¹ [r_A] + [r_B]ᵀ J_B⁻¹ [r_B], λ = 1/m_A + 1/m_B: the change of relative velocity per unit of
 /// impulse [1/kg], in world axes. This is equation 24 of D. Eberly's note (docs/findings/note.md). The note's C
-/// (equations 25 to 27) is K in another basis, except that equation 27 wrongly adds λ twice.
+/// (equations 25 to 27) is K in another basis, except that equation 27 wrongly adds λ twice. Exactly symmetric.
+template <class S, class Inertia>
+[[nodiscard]] Matrix3<S> collision_matrix(const Contact<S, Inertia>& contact, const ContactMoments<S>& moments) {
+  const Matrix3<S> a = angular_part_of_collision_matrix(contact.a.inertia, contact.a.lever_arm, moments.of_a);
+  const Matrix3<S> b = angular_part_of_collision_matrix(contact.b.inertia, contact.b.lever_arm, moments.of_b);
+  return symmetric_matrix<S>([&](int i, int j) -> S {
+    return i == j ? S((a(i, j) + contact.a.inverse_mass) + (b(i, j) + contact.b.inverse_mass)) : S(a(i, j) + b(i, j));
+  });
+}
+
 template <class S, class Inertia>
 [[nodiscard]] Matrix3<S> collision_matrix(const Contact<S, Inertia>& contact) {
-  return collision_matrix(contact.a) + collision_matrix(contact.b);
+  return collision_matrix(contact, moments_of_unit_impulses(contact));
 }
 
 /// The default of a law's argument `see`: ignores the collision matrix. A law that forms K calls `see(K)`, with K in
@@ -34,15 +47,7 @@ struct UnseenMatrix {
 template <class S>
 [[nodiscard]] Matrix3<S> in_basis(const Matrix3<S>& matrix, const Matrix3<S>& basis) {
   const Matrix3<S> half = matrix * basis;
-  Matrix3<S> result;
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column <= row; ++column) {
-      const S entry = basis.col(row).dot(half.col(column));
-      result(row, column) = entry;
-      result(column, row) = entry;
-    }
-  }
-  return result;
+  return symmetric_matrix<S>([&](int i, int j) -> S { return basis.col(i).dot(half.col(j)); });
 }
 
 }  // namespace carom::impulse

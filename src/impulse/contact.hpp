@@ -108,14 +108,40 @@ template <class S, class Inertia>
   return velocity_a - velocity_b;
 }
 
-/// N·V. An angular velocity w contributes w·(r × N), which is exactly 0 if the lever arm r lies along N. The equal N·(w
-/// × r) would keep the rounding error of w × r.
+/// N·V, and the vectors r × N of both bodies.
+template <class S>
+struct Approach {
+  S normal_velocity;
+  Vector3<S> torque_arm_a;
+  Vector3<S> torque_arm_b;
+};
+
+/// The approach with a known N·V.
+template <class S, class Inertia>
+[[nodiscard]] Approach<S> approach_of(const Contact<S, Inertia>& contact, const S& normal_velocity) {
+  return {normal_velocity, cross(contact.a.lever_arm, contact.normal), cross(contact.b.lever_arm, contact.normal)};
+}
+
+/// The part of N·V by the spins. An angular velocity w contributes w·(r × N), which is exactly 0 if the lever arm r
+/// lies along N. The equal N·(w × r) would keep the rounding error of w × r.
+template <class S, class Inertia>
+[[nodiscard]] S normal_velocity_by_spins(const Contact<S, Inertia>& contact, const Approach<S>& approach) {
+  return dot(contact.a.angular_velocity, approach.torque_arm_a) -
+         dot(contact.b.angular_velocity, approach.torque_arm_b);
+}
+
+template <class S, class Inertia>
+[[nodiscard]] Approach<S> approach_of(const Contact<S, Inertia>& contact) {
+  Approach<S> approach = approach_of(contact, S(0));
+  approach.normal_velocity =
+      dot(contact.normal, contact.a.velocity - contact.b.velocity) + normal_velocity_by_spins(contact, approach);
+  return approach;
+}
+
+/// N·V.
 template <class S, class Inertia>
 [[nodiscard]] S normal_velocity(const Contact<S, Inertia>& contact) {
-  const Vector3<S> torque_arm_a = cross(contact.a.lever_arm, contact.normal);
-  const Vector3<S> torque_arm_b = cross(contact.b.lever_arm, contact.normal);
-  return dot(contact.normal, contact.a.velocity - contact.b.velocity) +
-         (dot(contact.a.angular_velocity, torque_arm_a) - dot(contact.b.angular_velocity, torque_arm_b));
+  return approach_of(contact).normal_velocity;
 }
 
 /// λ = 1/m_A + 1/m_B, a lower bound of the eigenvalues of the collision matrix K (collision_matrix.hpp).
@@ -147,12 +173,18 @@ template <class S, class Inertia>
   return is_slender(contact.a.inertia) || is_slender(contact.b.inertia);
 }
 
-/// The velocities of a body after `impulse` [N s] acts on it at the contact (the note's equation 23).
+/// The velocities of a body after `impulse` [N s] acts on it and changes its spin by `change_of_spin` (the note's
+/// equation 23).
+template <class S, class Inertia>
+[[nodiscard]] BodyVelocity<S> struck(const ContactBody<S, Inertia>& body, const Vector3<S>& impulse,
+                                     const Vector3<S>& change_of_spin) {
+  return {body.velocity + impulse * body.inverse_mass, body.angular_velocity + change_of_spin};
+}
+
 template <class S, class Inertia, class Condition>
 [[nodiscard]] BodyVelocity<S> apply_impulse(const ContactBody<S, Inertia>& body, const Vector3<S>& impulse,
                                             const Condition& has_slender) {
-  return {body.velocity + impulse * body.inverse_mass,
-          body.angular_velocity + angular_response(body.inertia, body.lever_arm, impulse, has_slender)};
+  return struck(body, impulse, angular_response(body.inertia, body.lever_arm, impulse, has_slender));
 }
 
 /// The outcome of the impulse F = `impulse` [N s] on A and −F on B.

@@ -85,7 +85,7 @@ template <class S, class See = UnseenMatrix>
   CAROM_EXPECTS(contact.friction > S(0), contact.friction);
   const S approach = normal_velocity(contact);
   if (!is_colliding(contact, approach)) {
-    return {false, contact.normal};
+    return {false, contact.normal, contact.normal, contact.normal};
   }
   const Matrix3<S> basis = stable_tangent_basis(contact);
   const Vector3<S> velocity = relative_velocity_along_normal(contact);
@@ -95,7 +95,7 @@ template <class S, class See = UnseenMatrix>
   see(matrix);
   const detail::SlipResistance<S> law(in_basis<S>(matrix, basis), change, inverse_mass(contact), contact.friction);
   const Vector3<S> sticking = law.impulse(S(0));
-  return {true, times(basis, law.is_in_cone(sticking) ? sticking : law.impulse_on_cone())};
+  return contact_impulse(contact, true, times(basis, law.is_in_cone(sticking) ? sticking : law.impulse_on_cone()));
 }
 
 /// The outcome of the law `coulomb`. For μ = 0, this is the frictionless outcome. A contact that is not colliding keeps

@@ -29,7 +29,7 @@ struct FrictionlessLaw {
 }  // namespace detail
 
 /// Calls use(solver) if the law is one of `laws_with_truth`. `solver` solves a contact in any scalar type, and returns
-/// a ContactImpulse, NormalImpulse or RoughImpulse. Its arguments are the contact, optionally a more accurate N·V⁻, and
+/// a ContactImpulse or RoughImpulse. Its arguments are the contact, optionally a more accurate N·V⁻, and
 /// optionally the function `see`, which receives the collision matrix.
 template <class Use>
 constexpr void with_law(Law law, const Use& use) {

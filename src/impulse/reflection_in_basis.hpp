@@ -93,7 +93,7 @@ template <class S, class See = UnseenMatrix>
 /// outcome is that of `frictionless`, so that the rounding errors of T0 and T1 turn no body.
 template <class S, class See = UnseenMatrix>
 [[nodiscard]] Outcome<S> reflection_in_stable_basis(const Contact<S>& contact, const See& see = {}) {
-  if (detail::turns_no_body(contact, contact.normal)) {
+  if (detail::turns_no_body(contact, approach_of(contact))) {
     return frictionless(contact);
   }
   return reflection_in_given_basis(contact, stable_tangent_basis(contact), see);

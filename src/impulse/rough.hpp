@@ -2,11 +2,11 @@
 #pragma once
 
 #include <cmath>
-#include <utility>
 
 #include <carom/collision/expects.hpp>
 #include <carom/impulse/collision_matrix.hpp>
 #include <carom/impulse/frictionless.hpp>
+#include <carom/impulse/select.hpp>
 #include <carom/impulse/solve3.hpp>
 #include <carom/impulse/solved_impulse.hpp>
 #include <carom/impulse/sticking.hpp>
@@ -16,9 +16,8 @@ namespace carom::impulse {
 /// The result of the law `rough`. `rough_impulse` defines P_I, D and κ.
 template <class S>
 struct RoughImpulse {
-  NormalImpulse<S> normal;                                       // (1 + ε) P_I and the changes of spin that it causes
-  decltype(std::declval<S>() < std::declval<S>()) has_friction;  // κ ≠ 0 and colliding: a bool or a mask
-  Vector3<S> on_a;  // F = (1 + ε) P_I + κ D [N s]; meaningless without friction
+  ContactImpulse<S> normal;         // (1 + ε) P_I
+  ContactImpulse<S> with_friction;  // F = (1 + ε) P_I + κ D. `colliding` is true if normal.colliding and κ ≠ 0.
 };
 
 namespace detail {
@@ -63,20 +62,21 @@ template <class S, class Inertia>
 /// The type `Solve` solves the 3×3 system (solve3.hpp). Preconditions: the contact was made from a valid collision;
 /// `approach` is N·V⁻.
 template <class Solve = Ldlt, class S, class Inertia, class See = UnseenMatrix>
-[[nodiscard]] RoughImpulse<S> rough_impulse(const Contact<S, Inertia>& contact, const S& approach,
+[[nodiscard]] RoughImpulse<S> rough_impulse(const Contact<S, Inertia>& contact, const Approach<S>& approach,
                                             const See& see = {}) {
   CAROM_EXPECTS(is_made_of_valid(contact), contact.a.inverse_mass, contact.b.inverse_mass, contact.normal,
                 contact.restitution, contact.friction, contact.tangential_restitution);
   const Vector3<S>& n = contact.normal;
-  const NormalImpulse<S> normal = frictionless_impulse(contact, approach);
-  if (none_of(normal.colliding)) {
-    return {normal, normal.colliding, n};
+  const ContactImpulse<S> normal = frictionless_impulse(contact, approach);
+  if (is_known_false(normal.colliding)) {
+    return {normal, normal};
   }
   // D is computed as P_II − P_I. The equal −K⁻¹ (V⁻ + K P_I) would multiply the rounding error of K P_I by the
   // condition number of K.
   const Vector3<S> velocity = relative_velocity(contact);
-  const Vector3<S> approaching = velocity + n * S((approach - dot(n, velocity)) / dot(n, n));
-  const Matrix3<S> matrix = collision_matrix(contact);
+  const Vector3<S> approaching = velocity + n * S((approach.normal_velocity - dot(n, velocity)) / dot(n, n));
+  const ContactMoments<S> moments = moments_of_unit_impulses(contact);
+  const Matrix3<S> matrix = collision_matrix(contact, moments);
   see(matrix);
   const Vector3<S> solved = solved_impulse<Solve>(contact, matrix, approaching);
   const Vector3<S> stops_point = -detail::without_gain_of_energy<S>(contact, solved, approaching);
@@ -90,28 +90,28 @@ template <class Solve = Ldlt, class S, class Inertia, class See = UnseenMatrix>
   const S share = S(select(is_outside, limit, whole) / select(is_outside, divisor, rebound));
   // If μ = 0, `share` is 0, unless the computed N × D is 0. Hence the condition μ > 0.
   const auto has_friction = normal.colliding && share > S(0) && contact.friction > S(0);
-  return {normal, has_friction, normal.on_a + d * share};
+  return {normal, contact_impulse(contact, has_friction, Vector3<S>(normal.on_a + d * share), moments)};
 }
 template <class Solve = Ldlt, class S, class Inertia>
 [[nodiscard]] RoughImpulse<S> rough_impulse(const Contact<S, Inertia>& contact) {
-  return rough_impulse<Solve, S>(contact, normal_velocity(contact));
+  return rough_impulse<Solve>(contact, approach_of(contact));
+}
+template <class Solve = Ldlt, class S, class Inertia, class See = UnseenMatrix>
+[[nodiscard]] RoughImpulse<S> rough_impulse(const Contact<S, Inertia>& contact, const S& normal_velocity,
+                                            const See& see = {}) {
+  return rough_impulse<Solve>(contact, approach_of(contact, normal_velocity), see);
 }
 
-/// The outcome of the impulse. Without friction, the outcome has the bits of the frictionless law. With friction, F
-/// acts in one step, because (1 + ε) P_I alone may turn a slender body far more than F.
+/// The impulse that acts. Without friction, it has the bits of the frictionless law. With friction, F acts in one step,
+/// because (1 + ε) P_I alone may turn a slender body far more than F.
+template <class S>
+[[nodiscard]] ContactImpulse<S> acting_impulse(const RoughImpulse<S>& impulse) {
+  return select(impulse.with_friction.colliding, impulse.with_friction, impulse.normal);
+}
+
 template <class S, class Inertia>
 [[nodiscard]] Outcome<S> apply_impulse(const Contact<S, Inertia>& contact, const RoughImpulse<S>& impulse) {
-  const Outcome<S> without = apply_impulse(contact, impulse.normal);
-  if (none_of(impulse.has_friction)) {
-    return without;
-  }
-  const auto is_any_slender = has_slender(contact);
-  const auto struck = [&](const ContactBody<S, Inertia>& body, const BodyVelocity<S>& by_normal,
-                          const Vector3<S>& on_body) {
-    return select_of_both(
-        impulse.has_friction, [&] { return apply_impulse(body, on_body, is_any_slender); }, [&] { return by_normal; });
-  };
-  return {struck(contact.a, without.a, impulse.on_a), struck(contact.b, without.b, -impulse.on_a)};
+  return apply_impulse(contact, acting_impulse(impulse));
 }
 
 /// The outcome of the law `rough`. A contact that is not colliding keeps its velocities. Precondition: the contact was

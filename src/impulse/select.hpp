@@ -14,6 +14,17 @@ namespace carom::impulse {
 /// Whether the condition holds in no lane. For masks, argument-dependent lookup finds std::experimental::none_of.
 [[nodiscard]] inline bool none_of(bool condition) { return !condition; }
 
+/// Whether the condition is a bool and false. A law returns early only if it is, because gcc keeps packs in memory
+/// across a branch.
+template <class Condition>
+[[nodiscard]] bool is_known_false(const Condition& condition) {
+  if constexpr (std::is_same_v<Condition, bool>) {
+    return !condition;
+  } else {
+    return false;
+  }
+}
+
 /// `yes` if the condition holds, otherwise `no`, lane by lane.
 template <class Condition, class S>
 [[nodiscard]] S select(const Condition& condition, const S& yes, const S& no) {
@@ -24,11 +35,6 @@ template <class Condition, class S>
     where(condition, chosen) = yes;
     return chosen;
   }
-}
-
-template <class S>
-[[nodiscard]] auto is_zero(const Vector3<S>& v) {
-  return v[0] == S(0) && v[1] == S(0) && v[2] == S(0);
 }
 
 /// The number, or `least` if the number is below it. A NaN stays.
@@ -51,6 +57,24 @@ template <class S>
     return std::abs(x);
   } else {
     return at_least(S(-x), x);
+  }
+}
+
+/// max |v_i|. A NaN in v₀ or v₁ may be lost.
+template <class S>
+[[nodiscard]] S greatest_size(const Vector3<S>& v) {
+  return at_least(at_least(absolute(v[0]), absolute(v[1])), absolute(v[2]));
+}
+
+/// The unit roundoff of a floating-point type, or of the lanes of a pack. 0 for every other type.
+template <class S>
+[[nodiscard]] constexpr auto unit_roundoff() {
+  if constexpr (std::is_floating_point_v<S>) {
+    return std::numeric_limits<S>::epsilon() / 2;
+  } else if constexpr (requires { typename S::value_type; }) {
+    return std::numeric_limits<typename S::value_type>::epsilon() / 2;
+  } else {
+    return 0;
   }
 }
 
@@ -96,26 +120,18 @@ template <class Condition, class S>
   return {select(condition, yes.velocity, no.velocity), select(condition, yes.angular_velocity, no.angular_velocity)};
 }
 
-/// Chooses between the results of yes() and no(). For a bool, calls only the chosen function. For a mask, calls both.
-/// For quick functions this is faster than `select_called`, because gcc keeps packs in memory across a branch.
-template <class Condition, class Yes, class No>
-[[nodiscard]] auto select_of_both(const Condition& condition, const Yes& yes, const No& no) {
-  if constexpr (std::is_same_v<Condition, bool>) {
-    return condition ? yes() : no();
-  } else {
-    return select(condition, yes(), no());
-  }
-}
-
-/// Chooses between the results of yes() and no(), if yes() takes long. For a bool, calls only the chosen function. For
-/// a mask, calls no() always, and yes() if any lane chooses it.
+/// Chooses between the results of yes() and no(), if they take long. For a bool, calls only the chosen function. For a
+/// mask, calls yes() if any lane chooses it, and no() if any lane chooses no().
 template <class Condition, class Yes, class No>
 [[nodiscard]] auto select_called(const Condition& condition, const Yes& yes, const No& no) {
   if constexpr (std::is_same_v<Condition, bool>) {
     return condition ? yes() : no();
   } else {
+    if (all_of(condition)) [[unlikely]] {
+      return yes();
+    }
     auto chosen = no();
-    if (!none_of(condition)) {
+    if (!none_of(condition)) [[unlikely]] {
       chosen = select(condition, yes(), chosen);
     }
     return chosen;

@@ -26,12 +26,12 @@ struct Ldlt {
   template <class S>
   [[nodiscard]] static Vector3<S> solve(const Matrix3<S>& m, const Vector3<S>& b, const S& least) {
     CAROM_EXPECTS(least > S(0), least);
-    const S largest = at_least(absolute(b[0]), at_least(absolute(b[1]), absolute(b[2])));
+    const S largest = greatest_size(b);
     const S bound = (largest + largest) / least;
     const Vector3<S> x = solve_by<S>(
         m, b, [&](const S& computed) { return at_least(least, computed); },
         [&](const S& computed) { return at_least(S(-bound), S(-at_least(S(-bound), S(-computed)))); });
-    const S size = at_least(absolute(x[0]), at_least(absolute(x[1]), absolute(x[2])));
+    const S size = greatest_size(x);
     if (none_of(bound < size)) {
       return x;
     }

@@ -34,7 +34,8 @@ template <class Solve, class S, class Inertia>
   const S trace = (matrix(0, 0) + matrix(1, 1)) + matrix(2, 2);
   const auto is_rounded_much =
       S(greatest_growth_of_roundings) * detail::sum_of_sizes(change) < trace * detail::sum_of_sizes(solved);
-  return select_called(is_rounded_much, refined, [&] { return solved; });
+  const Vector3<S> impulse = select_called(is_rounded_much, refined, [&] { return solved; });
+  return detail::without_negative_zeros(impulse);
 }
 
 }  // namespace carom::impulse

@@ -4,6 +4,7 @@
 #include <carom/collision/expects.hpp>
 #include <carom/impulse/collision_matrix.hpp>
 #include <carom/impulse/contact_impulse.hpp>
+#include <carom/impulse/select.hpp>
 #include <carom/impulse/solve3.hpp>
 #include <carom/impulse/solved_impulse.hpp>
 
@@ -30,8 +31,7 @@ template <class S, class Inertia>
   const Vector3<S>& n = contact.normal;
   const Vector3<S> by_spins =
       cross(contact.a.angular_velocity, contact.a.lever_arm) - cross(contact.b.angular_velocity, contact.b.lever_arm);
-  const S along_normal = dot(contact.a.angular_velocity, cross(contact.a.lever_arm, n)) -
-                         dot(contact.b.angular_velocity, cross(contact.b.lever_arm, n));
+  const S along_normal = normal_velocity_by_spins(contact, approach_of(contact, S(0)));
   const Vector3<S> terms = detail::terms_of_spin(contact.a) + detail::terms_of_spin(contact.b);
   // The correction δ has the least Σ (δ_i / terms_i)² of all δ with N·δ = along_normal − N·by_spins.
   const Vector3<S> along{n[0] * terms[0], n[1] * terms[1], n[2] * terms[2]};
@@ -54,15 +54,16 @@ template <class Solve = Ldlt, class S, class Inertia, class See = UnseenMatrix>
                 contact.restitution, contact.friction, contact.tangential_restitution);
   const Vector3<S>& n = contact.normal;
   const auto colliding = is_colliding(contact, approach);
-  if (none_of(colliding)) {
-    return {colliding, n};
+  if (is_known_false(colliding)) {
+    return {colliding, n, n, n};
   }
   const Vector3<S> velocity = relative_velocity_along_normal(contact);
   const S factor = contact.restitution * approach / dot(n, n);
   const Vector3<S> velocity_change = -(velocity + n * factor);
-  const Matrix3<S> matrix = collision_matrix(contact);
+  const ContactMoments<S> moments = moments_of_unit_impulses(contact);
+  const Matrix3<S> matrix = collision_matrix(contact, moments);
   see(matrix);
-  return {colliding, solved_impulse<Solve>(contact, matrix, velocity_change)};
+  return contact_impulse(contact, colliding, solved_impulse<Solve>(contact, matrix, velocity_change), moments);
 }
 template <class Solve = Ldlt, class S, class Inertia>
 [[nodiscard]] ContactImpulse<S> sticking_impulse(const Contact<S, Inertia>& contact) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <carom/collision/vector.hpp>
+#include <carom/impulse/select.hpp>
 
 namespace carom::impulse {
 
@@ -16,6 +17,12 @@ struct Turning {
   /// F·u = (r × F)ᵀ J⁻¹ (r × F), with u = `velocity_by_turning`.
   S along_impulse;
 };
+
+template <class Condition, class S>
+[[nodiscard]] Turning<S> select(const Condition& condition, const Turning<S>& yes, const Turning<S>& no) {
+  return {select(condition, yes.change_of_spin, no.change_of_spin),
+          select(condition, yes.along_impulse, no.along_impulse)};
+}
 
 /// J⁻¹ (r × F): the change of angular velocity by an impulse F [N s] at the lever arm r.
 template <class Inertia, class S, class Condition>
@@ -32,6 +39,12 @@ template <class Inertia, class S>
 template <class Inertia, class S>
 [[nodiscard]] S angular_part_along(const Inertia& inertia, const Vector3<S>& r, const Vector3<S>& impulse) {
   return turning(inertia, r, impulse, is_slender(inertia)).along_impulse;
+}
+
+/// The part of one body in the collision matrix, without its mass: [r]ᵀ J⁻¹ [r].
+template <class Inertia, class S>
+[[nodiscard]] Matrix3<S> angular_part_of_collision_matrix(const Inertia& inertia, const Vector3<S>& r) {
+  return angular_part_of_collision_matrix(inertia, r, moments_of_unit_impulses(inertia, r));
 }
 
 }  // namespace carom::impulse

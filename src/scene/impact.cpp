@@ -42,7 +42,7 @@ BodyVelocity<double> in_double(const BodyVelocity<S>& velocity) {
 template <class S>
 Outcome<double> struck_in(Law law, const Collision& collision) {
   using impulse::Ldlt;
-  using Inertia = impulse::PrincipalInertia<S, false>;  // no sphere is slender
+  using Inertia = impulse::PrincipalInertia<S, impulse::Moments::equal>;
   impulse::Contact<S, Inertia> contact = impulse::make_contact<S, Inertia>(collision);
   const auto outcome = [&]() -> Outcome<S> {
     switch (law) {

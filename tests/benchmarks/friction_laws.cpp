@@ -87,7 +87,7 @@ void add_case(std::uint64_t index, Collision collision, Map& map) {
     cell.most = std::max<std::uint64_t>(cell.most, answers.size());
     const auto energy = oracles::equation::Energy{}(c, answers.front().truth.outcome);
     cell.create_energy += energy.left[0] > energy.right[0] ? 1 : 0;
-    const Vector3<double> rough = impulse::rough_impulse<impulse::Ldlt>(impulse::make_contact<double>(collision)).on_a;
+    const Vector3<double> rough = acting_impulse(impulse::rough_impulse(impulse::make_contact<double>(collision))).on_a;
     const Vector3<double> coulomb =
         answers.front().truth.impulse.unaryExpr([](const oracles::Rational& x) { return oracles::to_double(x); });
     cell.differences.push_back((coulomb - rough).norm() / rough.norm());

@@ -41,7 +41,7 @@ Point impulse_by(Law law, const Collision& collision) {
     return point_of(impulse::coulomb_impulse(contact).on_a);
   }
   Point point;
-  impulse::with_law(law, [&](const auto& solver) { point = point_of(solver(contact).on_a); });
+  impulse::with_law(law, [&](const auto& solver) { point = point_of(acting_impulse(solver(contact)).on_a); });
   return point;
 }
 

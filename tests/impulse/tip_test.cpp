@@ -70,7 +70,8 @@ ContactImpulse<S> solved_once(const Contact<S>& contact) {
   const S approach = normal_velocity(contact);
   const Vector3<S> change =
       contact.normal * S(-(S(1) + contact.restitution) * approach / dot(contact.normal, contact.normal));
-  return {approach < S(0), Ldlt::solve<S>(collision_matrix(contact), change, inverse_mass(contact))};
+  return contact_impulse(contact, approach < S(0),
+                         Ldlt::solve<S>(collision_matrix(contact), change, inverse_mass(contact)));
 }
 
 TYPED_TEST(Tips, HoldTheRestitution) {

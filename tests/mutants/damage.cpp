@@ -22,23 +22,18 @@ Vector across(const Vector& vector) {
 
 /// The outcome of `impulse` on A and −`impulse` on B.
 Outcome<double> struck_by(const Solution& sound, const Vector& impulse) {
-  return impulse::apply_impulse(sound.contact, ContactImpulse{sound.impulse.colliding, impulse});
-}
-
-template <class Impulse>
-ContactImpulse impulse_on_a(const Impulse& impulse) {
-  return {impulse.colliding, impulse.on_a};
-}
-ContactImpulse impulse_on_a(const impulse::RoughImpulse<double>& impulse) {
-  return {impulse.normal.colliding, impulse.has_friction ? impulse.on_a : impulse.normal.on_a};
+  return impulse::apply_impulse(sound.contact,
+                                impulse::contact_impulse(sound.contact, sound.impulse.colliding, impulse));
 }
 
 /// Computes the law's impulse for `other`, with N·V⁻ of the sound contact, and applies it to the sound contact.
 Outcome<double> solved_as(const Solution& sound, const impulse::Contact<double>& other) {
   Outcome<double> outcome;
   impulse::with_law(sound.law, [&](const auto& solver) {
+    const auto result = solver(other, impulse::normal_velocity(sound.contact));
+    const ContactImpulse& acting = acting_impulse(result);
     outcome =
-        impulse::apply_impulse(sound.contact, impulse_on_a(solver(other, impulse::normal_velocity(sound.contact))));
+        impulse::apply_impulse(sound.contact, impulse::contact_impulse(sound.contact, acting.colliding, acting.on_a));
   });
   return outcome;
 }
@@ -125,7 +120,7 @@ Solution solved(Law law, const Collision& collision) {
   Solution solution{law, impulse::make_contact<double>(collision), {}, {}};
   impulse::with_law(law, [&](const auto& solver) {
     const auto impulse = solver(solution.contact);
-    solution.impulse = impulse_on_a(impulse);
+    solution.impulse = acting_impulse(impulse);
     solution.outcome = impulse::apply_impulse(solution.contact, impulse);
   });
   return solution;

@@ -87,6 +87,8 @@ TEST(Plan, NamesTheLeastThatServesForEachClassAndTheWhole) {
   EXPECT_EQ(spheres.at("one_at_a_time").at("headers"), json({"carom/impulse/frictionless.hpp"}));
   EXPECT_EQ(spheres.at("in_batches").at("subject"), "frictionless-batch-double");
   EXPECT_EQ(spheres.at("laws")[0].at("reasons"), json({{"N is an eigenvector of K", spheres.at("contacts")}}));
+  EXPECT_EQ(spheres.at("torque_forms"), json({{"equal", spheres.at("contacts")}, {"plain", 0}, {"accurate", 0}}));
+  EXPECT_EQ(part_named(record, "crates").at("torque_forms").at("plain"), 6);
   EXPECT_EQ(record.at("whole").at("contacts"), 11);
   EXPECT_EQ(record.at("whole").at("one_at_a_time").at("law"), "reflection");
   EXPECT_TRUE(record.at("whole").at("baseline_nanoseconds").is_null());
@@ -97,9 +99,9 @@ TEST(Plan, IsShownAsTextAndMarkdown) {
   const std::string file = directory.write("lines", crates_and_spheres());
   const std::string text = plan(file, {"--law", "reflection"}).output;
   const std::string markdown = plan(file, {"--law", "reflection", "--format", "markdown"}).output;
-  for (const char* part :
-       {"asked for: reflection, 32 ulps of binary64", "frictionless-double", "crates", "the whole",
-        "<carom/impulse/frictionless.hpp>", "N is an eigenvector of K", "frictionless, however computed"}) {
+  for (const char* part : {"asked for: reflection, 32 ulps of binary64", "frictionless-double", "crates", "the whole",
+                           "<carom/impulse/frictionless.hpp>", "N is an eigenvector of K",
+                           "frictionless, however computed", "body frame (plain)", "body frame (equal/plain)"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part << '\n' << text;
     EXPECT_NE(markdown.find(part), std::string::npos) << part << '\n' << markdown;
   }

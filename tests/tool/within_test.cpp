@@ -130,5 +130,14 @@ TEST(Within, IsTheSameInShards) {
   EXPECT_NE(different.errors.find("within: " + small_bodies), std::string::npos) << different.errors;
 }
 
+/// Just below 1 : 8, the solvers compute torques by plain cross products (impulse/principal_inertia.hpp). A cheaper
+/// form of J⁻¹, τ/I₃ + Σ (1/I_k − 1/I₃) e_k (e_k·τ), violates `sticks` here.
+TEST(Within, BodiesThatAreAlmostSlenderAreSolvedSoundly) {
+  const RunResult result = run_carom({"gate", "reflection-double", "frictionless-double", "sticking-double",
+                                      "rough-double", "coulomb-double", "sticking-float", "reflection-float",
+                                      "--families", "needle_tip", "--within", "moment_ratio=4:8", "--cases", "2000"});
+  EXPECT_EQ(result.exit_status, 0) << result.output;
+}
+
 }  // namespace
 }  // namespace carom::tests

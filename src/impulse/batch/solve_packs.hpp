@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -9,9 +8,9 @@
 #include <carom/impulse/batch/contact_numbers.hpp>
 #include <carom/impulse/batch/pack_task.hpp>
 #include <carom/impulse/contact_impulse.hpp>
-#include <carom/impulse/frictionless.hpp>
 #include <carom/impulse/numbers/pack.hpp>
-#include <carom/impulse/rough.hpp>
+#include <carom/impulse/principal_inertia.hpp>
+#include <carom/impulse/select.hpp>
 
 namespace carom::impulse {
 
@@ -70,87 +69,85 @@ template <class P>
   return P(task.contacts[k] + i, unaligned);
 }
 
-template <class P, class Inertia = PrincipalInertia<P>>
-[[nodiscard]] Contact<P, Inertia> read_contact(const PackTask<typename P::value_type>& task, std::size_t i) {
-  return contact_of<P, Inertia>([&](std::size_t k) { return read_pack<P>(task, k, i); });
-}
-
 /// A function that writes the pack of the k-th numbers of the outcomes from i on.
 template <class P>
 [[nodiscard]] auto writer(const PackTask<typename P::value_type>& task, std::size_t i) {
   return [&task, i](std::size_t k, const P& number) { number.copy_to(task.outcomes[k] + i, unaligned); };
 }
 
-/// Writes the outcome of a pack. Reading each body again is faster than keeping it.
-template <class P, class Inertia>
-void write_outcome_of(const PackTask<typename P::value_type>& task, std::size_t i, const ContactImpulse<P>& impulse) {
-  const auto is_any_slender = has_slender(read_contact<P, Inertia>(task, i));
-  const auto solve_body = [&](std::size_t first, std::size_t first_of_outcome, const Vector3<P>& on_body) {
-    const auto body = contact_body_of<P, Inertia>([&](std::size_t k) { return read_pack<P>(task, k, i); }, first);
-    write_body_velocity<P>(apply_impulse(impulse.colliding, body, on_body, is_any_slender), first_of_outcome,
-                           writer<P>(task, i));
-  };
-  solve_body(first_number_of_a, first_outcome_of_a, impulse.on_a);
-  solve_body(first_number_of_b, first_outcome_of_b, -impulse.on_a);
-}
-
-template <class P, class Inertia>
-void write_outcome_of(const PackTask<typename P::value_type>& task, std::size_t i, const NormalImpulse<P>& impulse) {
-  write_outcome(apply_impulse(read_contact<P, Inertia>(task, i), impulse), writer<P>(task, i));
-}
-
-template <class P, class Inertia>
-void write_outcome_of(const PackTask<typename P::value_type>& task, std::size_t i, const RoughImpulse<P>& impulse) {
-  write_outcome(apply_impulse(read_contact<P, Inertia>(task, i), impulse), writer<P>(task, i));
-}
-
-template <class P, class Inertia>
-void write_outcome_of(const PackTask<typename P::value_type>& task, std::size_t i, const Outcome<P>& outcome) {
-  write_outcome(outcome, writer<P>(task, i));
-}
-
-/// Solves `Packs` packs of contacts from i on. Computes the impulses of all packs before it writes an outcome. Each
-/// impulse is a long chain of dependent operations, and the processor interleaves the chains.
-template <class P, class Inertia, std::size_t Packs, class Solver>
+/// Solves the pack of contacts from i on.
+template <class P, class Inertia, class Solver>
 void solve_as(const PackTask<typename P::value_type>& task, std::size_t i, const Solver& solver) {
-  std::array<std::invoke_result_t<const Solver&, const Contact<P, Inertia>&>, Packs> answers;
-#pragma GCC unroll 2
-  for (std::size_t pack = 0; pack < Packs; ++pack) {
-    answers[pack] = solver(read_contact<P, Inertia>(task, i + pack * P::size()));
-  }
-#pragma GCC unroll 2
-  for (std::size_t pack = 0; pack < Packs; ++pack) {
-    write_outcome_of<P, Inertia>(task, i + pack * P::size(), answers[pack]);
+  const Contact<P, Inertia> contact = contact_of<P, Inertia>([&](std::size_t k) { return read_pack<P>(task, k, i); });
+  const auto answer = solver(contact);
+  if constexpr (std::is_same_v<decltype(answer), const Outcome<P>>) {
+    write_outcome(answer, writer<P>(task, i));
+  } else {
+    write_outcome(apply_impulse(contact, answer), writer<P>(task, i));
   }
 }
 
-/// Solves one pack with slender bodies. Not inlined, so that it takes no registers from the usual case. Each
-/// instruction set has its own type P, so the linker uses this function in no other unit.
+/// Solves a pack with slender bodies. Not inlined, so that it takes no registers from the usual case. Each instruction
+/// set has its own type P, so the linker uses this function in no other unit.
 template <class P, class Solver>
 [[gnu::noinline, gnu::flatten]] void solve_slender(const PackTask<typename P::value_type>& task, std::size_t i,
                                                    const Solver& solver) {
-  solve_as<P, PrincipalInertia<P>, 1>(task, i, solver);
+  solve_as<P, PrincipalInertia<P>>(task, i, solver);
 }
 
-/// Solves contacts with the faster type PrincipalInertia<P, false> if no body is slender and the solver accepts this
-/// type.
-template <class P, std::size_t Packs, class Solver>
-void solve_from(const PackTask<typename P::value_type>& task, std::size_t i, const Solver& solver) {
-  using NotSlender = PrincipalInertia<P, false>;
+/// The knowledge of the moments of both bodies that holds in every lane.
+template <class P>
+[[nodiscard]] Moments moments_of_pack(const PackTask<typename P::value_type>& task, std::size_t i) {
+  bool is_any_slender = false;
+  bool is_every_isotropic = true;
+  for (const std::size_t first : {first_number_of_a, first_number_of_b}) {
+    const auto body =
+        contact_body_of<P, PrincipalInertia<P>>([&](std::size_t k) { return read_pack<P>(task, k, i); }, first);
+    is_any_slender = is_any_slender || !none_of(is_slender(body.inertia));
+    is_every_isotropic = is_every_isotropic && all_of(is_isotropic(body.inertia));
+  }
+  if (is_any_slender) {
+    return Moments::any;
+  }
+  return is_every_isotropic ? Moments::equal : Moments::not_slender;
+}
+
+/// Solves the pack of contacts from i on. If no body is slender, it takes a faster type of inertia, and the fastest if
+/// the moments of each body are equal. Finite numbers give the same bits by each type. A solver that accepts only
+/// PrincipalInertia<P> gets this type.
+template <class P, class Solver>
+void solve_pack(const PackTask<typename P::value_type>& task, std::size_t i, const Solver& solver) {
+  using NotSlender = PrincipalInertia<P, Moments::not_slender>;
   if constexpr (std::is_invocable_v<const Solver&, const Contact<P, NotSlender>&>) {
-    bool is_any_slender = false;
-#pragma GCC unroll 2
-    for (std::size_t pack = 0; pack < Packs; ++pack) {
-      is_any_slender = is_any_slender || !none_of(has_slender(read_contact<P>(task, i + pack * P::size())));
-    }
-    if (!is_any_slender) {
-      solve_as<P, NotSlender, Packs>(task, i, solver);
-      return;
+    switch (moments_of_pack<P>(task, i)) {
+      case Moments::not_slender:
+        solve_as<P, NotSlender>(task, i, solver);
+        return;
+      case Moments::equal:
+        solve_as<P, PrincipalInertia<P, Moments::equal>>(task, i, solver);
+        return;
+      case Moments::any:
+        break;
     }
   }
-  for (std::size_t pack = 0; pack < Packs; ++pack) {
-    solve_slender<P>(task, i + pack * P::size(), solver);
+  solve_slender<P>(task, i, solver);
+}
+
+/// Solves all full packs, and returns the number of contacts in them.
+template <class P, class Solver>
+[[gnu::noinline, gnu::flatten]] std::size_t solve_full_packs(const PackTask<typename P::value_type>& task,
+                                                             const Solver& solver) {
+  constexpr std::size_t width = P::size();
+  const BlockPrefetch prefetch(task);
+  const bool is_large = prefetch.pays();
+  std::size_t i = 0;
+  for (; i + width <= task.count; i += width) {
+    if (is_large) {
+      prefetch.ask(i, width);
+    }
+    solve_pack<P>(task, i, solver);
   }
+  return i;
 }
 
 template <class P>
@@ -190,29 +187,16 @@ struct OnePack {
 
 }  // namespace detail
 
-/// Applies `solver` to all contacts. `solver` maps a Contact<P> to a ContactImpulse<P>, NormalImpulse<P>,
-/// RoughImpulse<P> or (slower) an Outcome<P>. An array of outcomes may be the array of the contacts' velocities that it
+/// Applies `solver` to all contacts. `solver` maps a Contact<P> to a ContactImpulse<P>, a RoughImpulse<P> or an
+/// Outcome<P>. An array of outcomes may be the array of the contacts' velocities that it
 /// replaces. Otherwise no two arrays overlap.
 template <class P, class Solver>
 void solve_packs(const PackTask<typename P::value_type>& task, const Solver& solver) {
-  constexpr std::size_t width = P::size();
-  const detail::BlockPrefetch prefetch(task);
-  const bool is_large = prefetch.pays();
-  std::size_t i = 0;
-  // For large arrays, two packs at a time take an eighth longer than one pack at a time.
-  for (; !is_large && i + 2 * width <= task.count; i += 2 * width) {
-    detail::solve_from<P, 2>(task, i, solver);
-  }
-  for (; i + width <= task.count; i += width) {
-    if (is_large) {
-      prefetch.ask(i, width);
-    }
-    detail::solve_from<P, 1>(task, i, solver);
-  }
-  if (i < task.count) {
-    detail::OnePack<P> rest(task, i);
-    detail::solve_from<P, 1>(rest.task(), 0, solver);
-    rest.write_to(task, i);
+  const std::size_t solved = detail::solve_full_packs<P>(task, solver);
+  if (solved < task.count) {
+    detail::OnePack<P> rest(task, solved);
+    detail::solve_full_packs<P>(rest.task(), solver);
+    rest.write_to(task, solved);
   }
 }
 

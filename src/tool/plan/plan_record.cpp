@@ -81,6 +81,14 @@ json laws_record(const Part& part) {
   return laws;
 }
 
+json forms_record(const Part& part) {
+  json forms = json::object();
+  for (const auto form : properties::plan::all_torque_forms) {
+    forms[std::string(name_of(form))] = part.torque_forms[form];
+  }
+  return forms;
+}
+
 json part_record(const Part& part, const Plan& plan) {
   json candidates = json::array();
   for (const JudgedCandidate& one : part.candidates) {
@@ -89,6 +97,7 @@ json part_record(const Part& part, const Plan& plan) {
   return {{"name", part.name},
           {"contacts", part.contacts.size()},
           {"colliding", part.colliding},
+          {"torque_forms", forms_record(part)},
           {"timed_contacts", part.timed_contacts},
           {"baseline_nanoseconds", optional_number(part.baseline_nanoseconds)},
           {"laws", laws_record(part)},

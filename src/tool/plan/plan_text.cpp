@@ -32,9 +32,20 @@ std::string number_or_dash(const std::optional<double>& number, const char* form
   return number ? fmt::format(fmt::runtime(format), *number) : "–";
 }
 
-std::string in_words(const Candidate& candidate) {
+/// How torques are computed for the part's contacts, such as "equal/plain".
+std::string forms_of(const Part& part) {
+  std::string names;
+  for (const auto form : properties::plan::all_torque_forms) {
+    if (part.torque_forms[form] > 0) {
+      names += fmt::format("{}{}", names.empty() ? "" : "/", name_of(form));
+    }
+  }
+  return names;
+}
+
+std::string in_words(const Candidate& candidate, const Part& part) {
   return fmt::format("{}, {}, {}", candidate.scalar, candidate.solve,
-                     candidate.frame == Frame::world ? "world frame" : "body frame");
+                     candidate.frame == Frame::world ? "world frame" : fmt::format("body frame ({})", forms_of(part)));
 }
 
 /// Every class, followed by the part with all contacts.
@@ -59,7 +70,7 @@ void add_choice(Table& table, const Part& part, const Plan& plan, bool in_batche
     const JudgedCandidate& one = part.candidates[*choice];
     const Candidate& candidate = plan.candidates[one.candidate];
     row.push_back(candidate.subject.name);
-    row.push_back(in_words(candidate));
+    row.push_back(in_words(candidate, part));
     row.push_back(number_or_dash(one.certificate.worst_backward_error, "{:.3g}"));
     row.push_back(number_or_dash(one.certificate.least_digits, "{:.1f}"));
     row.push_back(one.nanoseconds ? report::in_three_digits(*one.nanoseconds) : "–");

@@ -5,6 +5,7 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -15,6 +16,8 @@
 #include <carom/impulse/laws.hpp>
 #include <carom/impulse/numbers/pack.hpp>
 #include <carom/properties/families/family.hpp>
+
+#include "support/cases.hpp"
 
 /// Each available instruction set gives the same bits as the scalar solvers, for any alignment of the arrays and any
 /// number of contacts.
@@ -101,6 +104,47 @@ TYPED_TEST(Batch, GivesTheBitsOfTheScalarSolvers) {
         changed += same_bits(alone, unchanged(contacts[i])) ? 0 : 1;
       }
       EXPECT_GT(changed, contacts.size() / 2);
+    }
+  }
+}
+
+/// Packs of spheres alone, of bodies that are not slender, and of others take different code. Zeros keep their signs.
+TYPED_TEST(Batch, GivesASphereTheSameBitsBesideAnyNeighbour) {
+  using S = TypeParam;
+  const auto contacts_of = [](std::string_view family) {
+    std::vector<Contact<S>> contacts;
+    for (std::uint64_t i = 0; i < 64; ++i) {
+      contacts.push_back(make_contact<S>(unit::case_of(family, i).collision));
+      if (i % 2 == 0) {
+        for (ContactBody<S>* body : {&contacts.back().a, &contacts.back().b}) {
+          body->velocity[static_cast<Eigen::Index>(i / 2 % 3)] = -S(0);
+          body->angular_velocity.setConstant(-S(0));
+        }
+      }
+    }
+    return contacts;
+  };
+  const auto spheres = contacts_of("collinear_spheres");
+  constexpr std::size_t widest = 64 / sizeof(S);
+  for (const auto& [family, run] : {std::pair{"generic", std::size_t{1}}, std::pair{"generic", widest},
+                                    std::pair{"physical", std::size_t{1}}, std::pair{"needle_tip", std::size_t{1}}}) {
+    const auto general = contacts_of(family);  // alternate with the spheres in runs
+    ContactBatch<S> batch(2 * spheres.size());
+    std::vector<Contact<S>> contacts;
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+      const std::size_t k = i / (2 * run) * run + i % run;
+      contacts.push_back(i / run % 2 == 0 ? spheres[k] : general[k]);
+      batch.set(i, contacts.back());
+    }
+    for (const InstructionSet set : available_instruction_sets()) {
+      for (const Law law : laws_with_truth) {
+        OutcomeBatch<S> outcomes(batch.size());
+        solve(batch, law, outcomes, set);
+        for (std::size_t i = 0; i < batch.size(); ++i) {
+          ASSERT_TRUE(same_bits(outcomes.at(i), solved_alone(contacts[i], law)))
+              << name_of(set) << ' ' << name_of(law) << ' ' << family << " contact " << i << " in runs of " << run;
+        }
+      }
     }
   }
 }

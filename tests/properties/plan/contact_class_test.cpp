@@ -43,5 +43,19 @@ TEST(ContactClass, AsksEachMovableBodyAndNoOther) {
   EXPECT_EQ(contact_class_of(c), "equal moments, both movable");
 }
 
+TEST(TorqueForm, IsThatOfTheLeastSimpleMovableBody) {
+  Collision c = unit::ball_on_a_plane(0.5, 1);
+  const auto form_of = [&](const Vector3<double>& moments_of_a) {
+    c.a.principal_inertia = moments_of_a;
+    return torque_form_of(c);
+  };
+  EXPECT_EQ(form_of({1, 1, 1}), TorqueForm::equal);
+  EXPECT_EQ(form_of({1, 2, 2.5}), TorqueForm::plain);
+  EXPECT_EQ(form_of({1, 8, 8}), TorqueForm::plain);
+  EXPECT_EQ(form_of({1, 8.0000001, 8}), TorqueForm::accurate);
+  c.a.immovable = true;
+  EXPECT_EQ(torque_form_of(c), TorqueForm::equal);
+}
+
 }  // namespace
 }  // namespace carom::properties::plan
