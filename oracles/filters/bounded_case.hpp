@@ -83,7 +83,8 @@ class BoundedCase {
   /// is movable.
   [[nodiscard]] bool has_clear_divisor() const;
 
-  /// Whether bounds show that the condition number of K is below 2²⁰. An inverse of K in binary64 then keeps ten digits.
+  /// Whether bounds show that the condition number of K is below 2²⁰. An inverse of K in binary64 then keeps ten
+  /// digits.
   [[nodiscard]] bool is_well_conditioned() const;
 
   [[nodiscard]] const Matrix3<Approximation>& collision_matrix() const { return approximate_response().matrix; }
