@@ -14,6 +14,7 @@
 #   scenes    build carom-scene too, run every scene of docs/examples/scenes into build/scenes, and print one verdict
 #             a line
 #   quick     build and run the fastest unit tests: the first answer to an edit
+#   wasm      build the judge in WebAssembly, the npm package build-wasm/carom-VERSION.tgz and the page build-wasm/page
 #   test      build, then run the tests that a change needs (`ctest ARG…`). The heavy tests run a sample of their cases
 #   test all  run all tests with all their cases, the proofs, the browser, the installed libraries and every
 #             instruction set
@@ -135,6 +136,22 @@ build_program() {
   cmake --build build --parallel "$jobs" --target carom_programs >&2
 }
 
+# build_web TARGET…: configures the judge in WebAssembly, with Debian's emscripten, and builds the targets
+build_web() {
+  local of_web
+  mapfile -t of_web < <(packages_of web)
+  install_packages "${of_web[@]}"
+  command -v npm >/dev/null || install_packages nodejs npm
+  npm ci --prefix src/web/page --no-audit --no-fund --loglevel=error >&2
+  (
+    # Emscripten finds Debian's acorn by NODE_PATH, and trips over `fetch` in later versions of node.
+    export NODE_PATH=/usr/share/nodejs NODE_OPTIONS=--no-experimental-fetch
+    bash src/web/libraries.sh build-wasm/libraries
+    configure wasm
+    cmake --build build-wasm --parallel "$jobs" --target "$@" >&2
+  )
+}
+
 # run_tests DIRECTORY [ARG…]: runs one test more at a time than there are processors, because some tests wait for
 # programs that hang.
 run_tests() {
@@ -251,6 +268,10 @@ scenes)
   done
   exit "$status"
   ;;
+wasm)
+  build_web carom_web
+  ls -l build-wasm/*.tgz build-wasm/page
+  ;;
 quick)
   build carom_unit_tests
   run_tests build --label-regex '^unit$' --label-exclude '^thorough$' "$@"
@@ -258,6 +279,7 @@ quick)
 test)
   if [ "${1:-}" = all ]; then
     install_all_test_programs
+    (build_web carom_web verdicts) || echo "bootstrap: the tests Web.* will be skipped" >&2
     build carom_all_tests everything
     run_tests build "${@:2}"
   fi

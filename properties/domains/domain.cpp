@@ -285,4 +285,13 @@ std::string to_text(const Domain& domain) {
   return text.empty() ? "everything" : text;
 }
 
+std::optional<Domain> domain_named(std::string_view name) {
+  for (const NamedDomain& named : named_domains()) {
+    if (named.name == name) {
+      return domain_from(named.ranges);
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace carom::properties

@@ -84,4 +84,7 @@ struct NamedDomain {
 };
 [[nodiscard]] std::span<const NamedDomain> named_domains();
 
+/// The ranges of the shipped domain with this name; none if there is no such domain.
+[[nodiscard]] std::optional<Domain> domain_named(std::string_view name);
+
 }  // namespace carom::properties

@@ -2,7 +2,7 @@
 # The components of Carom. Each component can be built and installed without the components that it does not need.
 
 set(CAROM_COMPONENTS all CACHE STRING
-    "What is built and installed: a list of impulse, judge, report, kit, program, scenes and proofs, or all but the proofs")
+    "What is built and installed: a list of impulse, judge, report, kit, program, scenes, web and proofs, or all but web and proofs")
 
 # For each component: the components that it needs, the CMake packages of its build, and the CMake packages of its
 # users.
@@ -22,14 +22,16 @@ set(carom_program_packages Boost CLI11 Threads PkgConfig benchmark)
 set(carom_program_packages_of_users Boost Threads)
 set(carom_scenes_needs program)
 set(carom_scenes_packages fcl)
+# Only emscripten builds this component. src/cmake/webassembly.cmake finds what it needs.
+set(carom_web_needs report)
 # The proofs contain no C++ and need no CMake package.
 
 # The components to build. Each one follows the components that it needs.
 set(CAROM_BUILT)
 function(carom_build_component part)
-  if(NOT part IN_LIST carom_parts AND NOT part STREQUAL "proofs")
+  if(NOT part IN_LIST carom_parts AND NOT part MATCHES "^(web|proofs)$")
     list(JOIN carom_parts ", " names)
-    message(FATAL_ERROR "CAROM_COMPONENTS is all, or a list of ${names} and proofs, not \"${CAROM_COMPONENTS}\"")
+    message(FATAL_ERROR "CAROM_COMPONENTS is all, or a list of ${names}, web and proofs, not \"${CAROM_COMPONENTS}\"")
   endif()
   foreach(needed IN LISTS carom_${part}_needs)
     carom_build_component(${needed})

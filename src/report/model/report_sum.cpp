@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include <carom/collision/expects.hpp>
+#include <carom/properties/gate/witness.hpp>
 #include <carom/report/model/report_sum.hpp>
 
 namespace carom::report {
@@ -74,6 +75,19 @@ void complete_sum(properties::GateReport& sum, const properties::Shard& shard) {
   for (SubjectResult& result : sum.results) {
     result.not_judged = properties::why_not_judged(result, sum.options.families, sum.coverage);
   }
+}
+
+void complete_run(properties::GateReport& sum, const properties::GateOptions& options,
+                  const std::vector<Subject>& subjects) {
+  CAROM_EXPECTS(sum.results.size() == subjects.size(), sum.results.size(), subjects.size());
+  sum.options = options;
+  sum.interrupted = options.stop.stop_requested();
+  complete_sum(sum, options.shard);
+  for (std::size_t s = 0; s < subjects.size(); ++s) {
+    sum.results[s].subject = subjects[s];
+    sum.results[s].witnesses.clear();
+  }
+  properties::add_witnesses(sum);
 }
 
 }  // namespace carom::report

@@ -8,9 +8,9 @@
 #include <carom/properties/trial/declared_effects.hpp>
 #include <carom/properties/trial/in_words.hpp>
 #include <carom/report/document/markup.hpp>
-#include <carom/report/drawing/contact_drawing.hpp>
 #include <carom/report/drawing/formula.hpp>
 #include <carom/report/model/words.hpp>
+#include <carom/report/pages/case_drawing.hpp>
 #include <carom/report/pages/parts.hpp>
 
 namespace carom::report {
@@ -150,42 +150,6 @@ void add_sides(Document& document, const properties::Verdict& verdict) {
   document.emplace_back(std::move(table));
 }
 
-template <class T>
-Motion motion_of(const Collision& collision, const Outcome<T>& outcome) {
-  const auto exact = map_numbers<T>(collision, [](double x) { return T(x); });
-  const Vector3<T> relative = oracles::relative_velocity<T>(exact, outcome);
-  Motion motion{map_outcome<double>(outcome, [](const T& x) { return oracles::nearest_double(x); }), {}};
-  for (int i = 0; i < 3; ++i) {
-    motion.relative_velocity[i] = oracles::nearest_double(relative[i]);
-  }
-  return motion;
-}
-
-void add_drawing(pugi::xml_node section, const Witness& witness, const properties::JudgedCase& judged_case, Law claimed,
-                 const std::string& anchor, const std::string& title) {
-  if (!judged_case.is_valid()) {
-    add(section, "p", {}, "The collision is invalid, so there is no drawing.");
-    return;
-  }
-  const oracles::ExactCase& exact_case = judged_case.exact();
-  const Collision& collision = witness.shrunk.collision;
-  ContactPicture picture{collision, motion_of(collision, unchanged(exact_case.exact())), std::nullopt, std::nullopt};
-  const auto* computed = std::get_if<ReportedOutcome>(&witness.answer);
-  if (computed != nullptr && oracles::is_finite(*computed)) {
-    picture.computed = motion_of(collision, oracles::lift(*computed));
-  }
-  if (claimed == Law::coulomb) {
-    const std::vector<oracles::CoulombAnswer> answers = oracles::coulomb_answers(exact_case);
-    const bool is_finite = computed != nullptr && oracles::is_finite(*computed);
-    const std::size_t nearest = is_finite ? oracles::nearest_answer(exact_case, answers, *computed).number : 0;
-    picture.exact = motion_of(collision, answers[nearest].truth.outcome);
-  } else if (determines_outcome(claimed)) {
-    exact_case.with_truth(claimed, exact_case.approach(),
-                          [&](const auto& truth) { picture.exact = motion_of(collision, truth.outcome); });
-  }
-  add_contact_figure(section, picture, anchor, title);
-}
-
 /// The case that the family drew, before it was shrunk to the witness.
 Details drawn_case(const Witness& witness, const std::string& replay) {
   Details details{
@@ -213,8 +177,8 @@ Section witness_section(const Run& run, std::size_t s, const Witness& witness, c
   const auto judged_case = std::make_shared<const properties::JudgedCase>(witness.shrunk, true, result.subject.effects);
   add_outcome(numbers, witness, *judged_case, result.subject.law);
   add_sides(numbers, witness.verdict);
-  Picture picture{[&witness, judged_case, law = result.subject.law, anchor, title](pugi::xml_node node) {
-    add_drawing(node, witness, *judged_case, law, anchor, title);
+  Picture picture{[&answer = witness.answer, judged_case, law = result.subject.law, anchor, title](pugi::xml_node node) {
+    add_case_drawing(node, *judged_case, answer, law, anchor, title);
   }};
   Document content{Paragraph{fmt::format("{} The subject violates this in {}. This witness comes from the family {}.",
                                          invariant.statement, violated_of_judged_cases(result.count(witness.invariant)),

@@ -155,14 +155,7 @@ Subject exec_subject(const std::string& specification, const ExecOptions& option
     }
     auto conversation = std::make_shared<Conversation>(words, options);
     const Introduction introduction = conversation->introduction();
-    subject.name = introduction.name;
-    subject.version = introduction.version;
-    subject.law = introduction.law;
-    subject.precision = introduction.precision;
-    subject.deviates = introduction.deviates;
-    subject.domain = introduction.domain;
-    subject.effects = introduction.effects;
-    subject.shows_collision_matrix = introduction.matrix;
+    introduce(subject, introduction);
     const auto first = std::make_shared<FirstConversation>(std::move(conversation));
     subject.open = [words, options, introduction, first] { return open_session(words, options, introduction, *first); };
   } catch (const std::exception& error) {

@@ -168,6 +168,17 @@ json domain_record(std::string_view text) {
 
 }  // namespace
 
+void introduce(Subject& subject, const Introduction& introduction) {
+  subject.name = introduction.name;
+  subject.version = introduction.version;
+  subject.law = introduction.law;
+  subject.precision = introduction.precision;
+  subject.deviates = introduction.deviates;
+  subject.domain = introduction.domain;
+  subject.effects = introduction.effects;
+  subject.shows_collision_matrix = introduction.matrix;
+}
+
 std::string start_request() { return json{{"cmd", "start"}, {"protocol", version}}.dump() + '\n'; }
 
 std::string solve_request(std::uint64_t id, const Collision& collision, unsigned spelling) {

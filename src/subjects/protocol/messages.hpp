@@ -27,6 +27,9 @@ struct Introduction {
   bool operator==(const Introduction&) const = default;
 };
 
+/// Gives the subject the name and the claims of its introduction.
+void introduce(Subject& subject, const Introduction& introduction);
+
 [[nodiscard]] std::string start_request();
 /// `spelling` is one of the ways to write the collision (spelling.hpp). Precondition: spelling < spelling_count.
 [[nodiscard]] std::string solve_request(std::uint64_t id, const Collision& collision, unsigned spelling = 0);

@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include <carom/properties/domains/draw_within.hpp>
 #include <carom/properties/gate/gate.hpp>
+#include <carom/properties/gate/posed_families.hpp>
 #include <carom/report/model/duration.hpp>
 #include <carom/report/model/run_facts.hpp>
 #include <carom/report/model/words.hpp>
@@ -21,7 +21,6 @@
 #include "commands/options.hpp"
 #include "io/deviations.hpp"
 #include "io/domain_argument.hpp"
-#include "io/family_argument.hpp"
 #include "io/interrupt.hpp"
 #include "io/job_shard.hpp"
 #include "io/journal.hpp"
@@ -65,51 +64,6 @@ struct GateArguments {
 };
 
 namespace fs = std::filesystem;
-
-std::vector<const properties::Family*> families_of(const GateArguments& arguments) {
-  std::vector<const properties::Family*> families;
-  if (arguments.families.empty()) {
-    for (const properties::Family& family : properties::all_families()) {
-      families.push_back(&family);
-    }
-    return families;
-  }
-  for (const std::string& name : arguments.families) {
-    const properties::Family* family = &family_from_argument("--families", name);
-    if (std::find(families.begin(), families.end(), family) == families.end()) {
-      families.push_back(family);
-    }
-  }
-  return families;
-}
-
-struct Posed {
-  std::vector<const properties::Family*> families;
-  std::vector<std::string> without_case;  // names of the families that have no case within the domain
-};
-
-/// Throws UsageError if no valid case lies within the domain, or if the command line names a family that has none.
-Posed posed_within(const GateArguments& arguments, const properties::Domain& within) {
-  Posed posed;
-  const auto has_cases = [&](const properties::Family& family) {
-    return within.is_everything() || has_cases_within(within, family, arguments.seed);
-  };
-  if (!has_cases(*properties::family_named("generic"))) {
-    throw UsageError(
-        fmt::format("--within: no case of generic lies within {}; use wider ranges", properties::to_text(within)));
-  }
-  for (const properties::Family* family : families_of(arguments)) {
-    if (has_cases(*family)) {
-      posed.families.push_back(family);
-    } else if (arguments.families.empty()) {
-      posed.without_case.emplace_back(family->name);
-    } else {
-      throw UsageError(
-          fmt::format("--families: no case of {} lies within {}", family->name, properties::to_text(within)));
-    }
-  }
-  return posed;
-}
 
 /// The subjects to judge. A subject counts for the exit status if the command line names it, or if it is expected to
 /// pass.
@@ -191,19 +145,16 @@ std::string directory_of(const GateArguments& arguments, const std::optional<pro
 }
 
 properties::GateOptions options_of(const GateArguments& arguments, const properties::Domain& within,
-                                   std::vector<const properties::Family*> families, const std::stop_token& stop) {
+                                   properties::PosedFamilies posed, const std::stop_token& stop) {
   properties::GateOptions options;
   options.seed = arguments.seed;
   options.cases = arguments.cases;
   options.budget = arguments.budget;
   options.fail_fast = arguments.fail_fast;
-  options.families = std::move(families);
+  options.families = std::move(posed.families);
   options.within = within;
-  const bool is_whole = arguments.families.empty() && within.is_everything();
-  if (is_whole && !arguments.budget && !arguments.fail_fast) {
-    for (const properties::Family& family : properties::families_beyond_domain()) {
-      options.beyond_domain.push_back(&family);
-    }
+  if (!arguments.budget && !arguments.fail_fast) {
+    options.beyond_domain = std::move(posed.beyond_domain);
   }
   options.yardstick = arguments.judged.yardstick();
   options.workers = threads(arguments.jobs);
@@ -245,8 +196,8 @@ int gate(const GateArguments& arguments) {
     let_deviate(subject, deviates);
   }
   const properties::Domain within = arguments.within ? *arguments.within : declared_domain(selection.subjects);
-  Posed posed = posed_within(arguments, within);
-  properties::GateOptions options = options_of(arguments, within, std::move(posed.families), stop);
+  properties::PosedFamilies posed = properties::posed_families(arguments.families, within, arguments.seed);
+  properties::GateOptions options = options_of(arguments, within, posed, stop);
   options.shard = shard.value_or(properties::Shard{});
   std::optional<StagedOutput> staged;
   if (!out.empty()) {

@@ -10,7 +10,6 @@
 
 #include <carom/collision/expects.hpp>
 #include <carom/properties/gate/gate.hpp>
-#include <carom/properties/gate/witness.hpp>
 #include <carom/report/model/report_sum.hpp>
 
 namespace carom::tool {
@@ -80,14 +79,7 @@ GateReport journaled_gate(const std::vector<Subject>& subjects, const GateOption
   if (already_finished > 0) {
     fmt::print(stderr, "carom: {} of {} parts are in the journal, and are not judged again\n", already_finished, parts);
   }
-  sum->options = options;
-  sum->interrupted = options.stop.stop_requested();
-  report::complete_sum(*sum, options.shard);
-  for (std::size_t s = 0; s < subjects.size(); ++s) {
-    sum->results[s].subject = subjects[s];
-    sum->results[s].witnesses.clear();
-  }
-  add_witnesses(*sum);
+  report::complete_run(*sum, options, subjects);
   return std::move(*sum);
 }
 

@@ -2,12 +2,13 @@
 #include <memory>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
-#include <carom/collision/json/json.hpp>
 #include <carom/properties/families/family.hpp>
 #include <carom/properties/features/feature.hpp>
 #include <carom/properties/invariants/invariant.hpp>
 #include <carom/properties/trial/in_words.hpp>
+#include <carom/report/model/lists.hpp>
 #include <carom/subjects/catalogue.hpp>
 
 #include "commands/commands.hpp"
@@ -25,14 +26,6 @@ std::string joined(const std::vector<Law>& laws) {
     text += (text.empty() ? "" : ", ") + std::string(name_of(law));
   }
   return text;
-}
-
-json names_of(const std::vector<Law>& laws) {
-  json names = json::array();
-  for (const Law law : laws) {
-    names.push_back(name_of(law));
-  }
-  return names;
 }
 
 /// The theorems of an invariant, each as `spelled`, separated by commas.
@@ -128,64 +121,34 @@ int list_invariants(const std::string& format) {
     print_markdown();
     return exit_all_hold;
   }
-  json list = json::array();
-  for (const properties::Invariant& invariant : properties::all_invariants()) {
-    if (format == "json") {
-      list.push_back({{"name", invariant.name},
-                      {"statement", invariant.statement},
-                      {"formula", invariant.formula},
-                      {"source", invariant.source},
-                      {"domain", invariant.domain},
-                      {"models", names_of(invariant.laws)},
-                      {"proved_models", names_of(invariant.proved_laws())},
-                      {"theorems", json::array()}});
-      for (const properties::Theorem& theorem : invariant.proof.theorems) {
-        list.back()["theorems"].push_back({{"name", theorem.name}, {"file", theorem.file}});
-      }
-    } else {
-      fmt::print("{}\n    {}\n    claimed for {}; {}\n    {}\n", invariant.name, invariant.statement,
-                 joined(invariant.laws), invariant.domain, shown_in_text(invariant));
-    }
-  }
   if (format == "json") {
-    print_json(list);
+    print_json(report::invariants_list());
+    return exit_all_hold;
+  }
+  for (const properties::Invariant& invariant : properties::all_invariants()) {
+    fmt::print("{}\n    {}\n    claimed for {}; {}\n    {}\n", invariant.name, invariant.statement,
+               joined(invariant.laws), invariant.domain, shown_in_text(invariant));
   }
   return exit_all_hold;
 }
 
 int list_families(const std::string& format, std::uint64_t seed) {
-  json list = json::array();
+  if (format == "json") {
+    print_json(report::families_list(seed));
+    return exit_all_hold;
+  }
   for (const auto kind : {properties::all_families(), properties::families_beyond_domain()}) {
     for (const properties::Family& family : kind) {
-      const Collision example = properties::drawn_case(family, seed, 0).collision;
-      if (format == "json") {
-        list.push_back({{"name", family.name},
-                        {"summary", family.summary},
-                        {"beyond_domain", family.is_beyond_domain()},
-                        {"example", collision_to_json(example)}});
-      } else {
-        fmt::print("{}\n    {}{}\n{}", family.name, family.is_beyond_domain() ? "beyond the claimed domain: " : "",
-                   family.summary, in_words(example, "      "));
-      }
+      fmt::print("{}\n    {}{}\n{}", family.name, family.is_beyond_domain() ? "beyond the claimed domain: " : "",
+                 family.summary, in_words(properties::drawn_case(family, seed, 0).collision, "      "));
     }
-  }
-  if (format == "json") {
-    print_json(list);
   }
   return exit_all_hold;
 }
 
 int list_features(const std::string& format) {
-  const std::span<const properties::Feature> all = properties::all_features();
   if (format == "json") {
-    json list = json::array();
-    for (const properties::Feature& feature : all) {
-      list.push_back({{"name", feature.name},
-                      {"kind", name_of(feature.kind)},
-                      {"statement", feature.statement},
-                      {"why", feature.why}});
-    }
-    print_json(list);
+    print_json(report::features_list());
     return exit_all_hold;
   }
   if (format == "markdown") {
@@ -197,7 +160,7 @@ int list_features(const std::string& format) {
         "that body. The family `structured` combines features. The report of a gate counts the features and their "
         "pairs.\n\n| feature | kind | what holds | why it is here |\n| --- | --- | --- | --- |\n");
   }
-  for (const properties::Feature& feature : all) {
+  for (const properties::Feature& feature : properties::all_features()) {
     if (format == "markdown") {
       fmt::print("| `{}` | {} | {} | {} |\n", feature.name, name_of(feature.kind), feature.statement, feature.why);
     } else {

@@ -29,10 +29,8 @@ properties::Domain domain_from_file(const std::string& option, const std::string
 }  // namespace
 
 properties::Domain domain_from_argument(const std::string& option, const std::string& text) {
-  for (const properties::NamedDomain& named : properties::named_domains()) {
-    if (named.name == text) {
-      return properties::domain_from(named.ranges);
-    }
+  if (const std::optional<properties::Domain> named = properties::domain_named(text)) {
+    return *named;
   }
   if (text.find('=') == std::string::npos) {
     return domain_from_file(option, text);

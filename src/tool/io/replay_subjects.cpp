@@ -52,12 +52,6 @@ std::vector<properties::NamedVerdict> session_verdicts(const properties::Claim& 
 
 }  // namespace
 
-bool is_violated(const properties::Judgement& judgement) {
-  return std::any_of(judgement.verdicts.begin(), judgement.verdicts.end(), [](const properties::NamedVerdict& named) {
-    return named.verdict.status == properties::Status::violated;
-  });
-}
-
 ReplaySubject::ReplaySubject(const std::string& name, double timeout_seconds, const oracles::Yardstick& yardstick,
                              const properties::Domain& within, const std::stop_token& stop) {
   const unsigned spellings = runs_in_this_process(name) ? 1 : spelling_count;
@@ -81,7 +75,7 @@ ReplayedCase ReplaySubject::judge(const properties::Case& one) {
         in_its_name(subject_, [&] { return properties::judge_in_session(claim_, session, one); });
     cases.push_back({std::move(answer), std::move(judgement)});
   }
-  const auto shows = [](const ReplayedCase& replayed) { return is_violated(replayed.judgement); };
+  const auto shows = [](const ReplayedCase& replayed) { return report::is_violated(replayed.judgement); };
   const auto found = std::find_if(cases.begin(), cases.end(), shows);
   const auto chosen = static_cast<std::size_t>((found == cases.end() ? cases.begin() : found) - cases.begin());
   ReplayedCase result = cases[chosen];

@@ -13,19 +13,14 @@
 #include <carom/properties/gate/witness.hpp>
 #include <carom/properties/trial/restarts.hpp>
 #include <carom/properties/trial/trial.hpp>
+#include <carom/report/pages/shown_case.hpp>
 
 #include "io/input_file.hpp"
 #include "io/usage_error.hpp"
 
 namespace carom::tool {
 
-struct ReplayedCase {
-  Answer answer;
-  properties::Judgement judgement;
-  std::size_t spellings = 0;           // the number of spellings (spelling.hpp) that a program got; otherwise 0
-  std::size_t violated_spellings = 0;  // of these, those with a violation
-  std::string spelt = {};              // the collision in the spelling of the answer
-};
+using report::ReplayedCase;
 
 /// A subject with its sessions. A program has one session for each spelling (a way to write a request in JSON,
 /// subjects/protocol/spelling.hpp), because a fault of its JSON reader may show in one spelling alone.
@@ -81,7 +76,5 @@ class ReplaySubjects {
   properties::Domain within_;
   std::map<std::string, ReplaySubject> open_;
 };
-
-[[nodiscard]] bool is_violated(const properties::Judgement& judgement);
 
 }  // namespace carom::tool

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include <carom/collision/subject.hpp>
+#include <carom/properties/trial/trial.hpp>
+
+/// One collision with its exact outcome, step by step, and the verdicts on a subject's answer.
+namespace carom::report {
+
+struct ReplayedCase {
+  Answer answer;
+  properties::Judgement judgement;
+  std::size_t spellings = 0;           // the number of spellings (spelling.hpp) that a program got; otherwise 0
+  std::size_t violated_spellings = 0;  // of these, those with a violation
+  std::string spelt = {};              // the collision in the spelling of the answer
+};
+
+[[nodiscard]] bool is_violated(const properties::Judgement& judgement);
+
+struct CaseToShow {
+  std::string place;  // where the collision comes from
+  const properties::Case& one;
+  Law law;                          // the exact outcome is the one under this law, or under each law for `any`
+  bool is_filtered = true;          // whether faster filters judge before exact arithmetic
+  std::string why_not_judged = {};  // empty if nobody asked for a judgement
+  /// The subject that answered; all null if there is none.
+  struct Judged {
+    const Subject* subject = nullptr;
+    const oracles::Yardstick* yardstick = nullptr;
+    const ReplayedCase* replayed = nullptr;
+  } judged = {};
+};
+
+struct ShownCase {
+  nlohmann::json record;
+  std::string text;  // not yet safe to print: it quotes the subject
+};
+
+[[nodiscard]] ShownCase shown_case(const CaseToShow& to_show);
+
+}  // namespace carom::report

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSL-1.0
+#include "commands.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <stdexcept>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <carom/collision/json/json.hpp>
+#include <carom/properties/domains/draw_within.hpp>
+#include <carom/properties/gate/gate.hpp>
+#include <carom/properties/gate/posed_families.hpp>
+#include <carom/report/model/lists.hpp>
+#include <carom/report/model/report_sum.hpp>
+#include <carom/report/model/run_json.hpp>
+#include <carom/report/model/version.hpp>
+#include <carom/report/pages/pages.hpp>
+
+#include "arbitrary.hpp"
+#include "replay.hpp"
+#include "request.hpp"
+
+namespace carom::web {
+namespace {
+
+using nlohmann::json;
+
+/// A report file as text. JavaScript's own writer would lose −0 and digits of large integers.
+std::string in_json(const json& record) { return record.dump(2, ' ', false, json::error_handler_t::replace) + '\n'; }
+
+std::uint64_t all_cases(const properties::GateOptions& options) {
+  std::uint64_t all = 0;
+  for (const properties::Family* family : options.families) {
+    all += cases_of(options, *family);
+  }
+  return all;
+}
+
+report::Run run_of(const Request& request, properties::GateReport report, bool is_shard) {
+  report::Run run = report::run_of(std::move(report), {true}, {}, request.environment, request.deviates, is_shard);
+  run.settings.without_case = request.without_case;
+  return run;
+}
+
+json list(const json& record) {
+  const std::string what = record.at("what").get<std::string>();
+  if (what == "families") {
+    return report::families_list(record.contains("seed") ? count_from(record.at("seed"), "/seed") : 1);
+  }
+  if (what == "invariants") {
+    return report::invariants_list();
+  }
+  if (what == "features") {
+    return report::features_list();
+  }
+  if (what == "domains") {
+    return report::domains_list();
+  }
+  throw FormatError("/what", "expected families, invariants, features or domains, found " + what);
+}
+
+json plan(const json& record) {
+  const Request request = request_from(record);
+  json names = json::array();
+  for (const properties::Family* family : request.options.families) {
+    names.push_back(family->name);
+  }
+  return {{"cases", all_cases(request.options)}, {"families", names}, {"without_case", request.without_case}};
+}
+
+json part(const json& record) {
+  Request request = request_from(record);
+  request.options.shard = {count_from(record.at("part"), "/part"), count_from(record.at("of"), "/of")};
+  request.options.shrinks = false;
+  properties::GateReport report = properties::run_gate({request.subject}, request.options);
+  report.results[0].witnesses.clear();  // the worst violations suffice to find them again
+  return {{"report", in_json(report::report_record(run_of(request, std::move(report), true)))}};
+}
+
+json files_of(const report::Run& run, const std::string& out) {
+  json files = json::array();
+  const auto add = [&](const std::string& file, std::string text) {
+    files.push_back({{"file", file}, {"text", std::move(text)}});
+  };
+  for (const report::JudgedSubject& subject : run.subjects) {
+    for (const properties::Witness& witness : subject.result.witnesses) {
+      add(report::witness_path("", subject.result.subject, witness.invariant),
+          in_json(report::witness_record(witness, subject.result.subject, run.settings,
+                                         report::witness_path(out, subject.result.subject, witness.invariant))));
+    }
+  }
+  add("junit.xml", report::junit_xml(run));
+  add("report.html", report::run_html(run, out));
+  add("report.json", in_json(report::report_record(run)));
+  return files;
+}
+
+/// The sum of the reports of parts. Without a part, it has no case.
+properties::GateReport sum_of(const json& parts, const Request& request) {
+  std::optional<properties::GateReport> sum;
+  for (const json& one : parts) {
+    properties::GateReport read = report::shard_from(parse_json(one.get_ref<const std::string&>()), "/reports").report;
+    if (sum) {
+      report::add_report(*sum, read);
+    } else {
+      sum = std::move(read);
+    }
+  }
+  if (!sum) {
+    std::stop_source stopped;
+    stopped.request_stop();
+    properties::GateOptions options = request.options;
+    options.stop = stopped.get_token();
+    sum = properties::run_gate({request.subject}, options);
+  }
+  return std::move(*sum);
+}
+
+json finish(const json& record) {
+  const Request request = request_from(record);
+  properties::GateReport sum = sum_of(record.at("reports"), request);
+  report::complete_run(sum, request.options, {request.subject});
+  sum.interrupted = record.value("interrupted", false);
+  report::Run run = run_of(request, std::move(sum), false);
+  return {{"status", run.exit_status()},
+          {"report", report::report_record(run)},
+          {"text", report::run_text(run, request.out)},
+          {"markdown", report::run_markdown(run, request.out)},
+          {"files", files_of(run, request.out)}};
+}
+
+json draw(const json& record) {
+  const properties::Family& family = properties::require_family("family", record.at("family").get<std::string>());
+  const properties::Domain within =
+      record.contains("within") ? domain_given(record.at("within").get<std::string>()) : properties::Domain();
+  const std::uint64_t seed = record.contains("seed") ? count_from(record.at("seed"), "/seed") : 1;
+  const std::uint64_t first = record.contains("first") ? count_from(record.at("first"), "/first") : 0;
+  json collisions = json::array();
+  for (std::uint64_t i = 0; i < count_from(record.at("count"), "/count"); ++i) {
+    collisions.push_back(collision_to_json(properties::drawn_case_within(within, family, seed, first + i).collision));
+  }
+  return {{"collisions", collisions}};
+}
+
+struct Command {
+  std::string_view name;
+  json (*answer)(const json& record);
+};
+
+constexpr std::array commands{
+    Command{"version",
+            [](const json&) -> json {
+              return {{"version", report::version}};
+            }},
+    Command{"list", list},
+    Command{"plan", plan},
+    Command{"part", part},
+    Command{"finish", finish},
+    Command{"draw", draw},
+    Command{"chosen", chosen},
+    Command{"simpler", simpler},
+    Command{"replay", replay},
+    Command{"judge", judge},
+};
+
+}  // namespace
+
+json answer_to(const json& request) {
+  const std::string name = request.at("cmd").get<std::string>();
+  const auto found =
+      std::find_if(commands.begin(), commands.end(), [&](const Command& command) { return command.name == name; });
+  if (found == commands.end()) {
+    throw std::invalid_argument("there is no request " + name);
+  }
+  return found->answer(request);
+}
+
+}  // namespace carom::web

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <exception>
+#include <string>
+
+#include <emscripten/emscripten.h>
+#include <nlohmann/json.hpp>
+
+#include <carom/collision/json/json.hpp>
+
+#include "commands.hpp"
+
+/// Answers one request. Both are JSON texts. The answer is valid until the next call. An error is {"error": "…"}.
+extern "C" EMSCRIPTEN_KEEPALIVE const char* carom_call(const char* request) {
+  static std::string answer;
+  nlohmann::json record;
+  try {
+    record = carom::web::answer_to(carom::parse_json(request));
+  } catch (const std::exception& error) {
+    record = {{"error", error.what()}};
+  }
+  answer = record.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  return answer.c_str();
+}

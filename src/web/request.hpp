@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include <carom/properties/gate/gate_report.hpp>
+#include <carom/report/model/run.hpp>
+
+namespace carom::web {
+
+/// The solver and the run of a request.
+struct Request {
+  Subject subject;
+  properties::GateOptions options;
+  std::vector<std::string> without_case;  // families that have no case within the domain
+  std::vector<std::string> deviates;      // of the run
+  report::Environment environment;
+  std::string out;  // the directory of the witnesses, as the report shows it
+};
+
+/// Reads the fields `subject` and `options` of a request. src/web/README.md describes them. Throws FormatError or
+/// std::invalid_argument that names the field or the option.
+[[nodiscard]] Request request_from(const nlohmann::json& record);
+
+/// The domain with this name, or with these ranges. Throws std::invalid_argument.
+[[nodiscard]] properties::Domain domain_given(const std::string& text);
+
+/// A whole number, also as text, because JavaScript's numbers end at 2^53. Throws FormatError.
+[[nodiscard]] std::uint64_t count_from(const nlohmann::json& value, const std::string& place);
+
+}  // namespace carom::web
