@@ -106,6 +106,8 @@ struct Subject {
   std::string domain = {};
   /// What the subject does on purpose besides its law. The gate judges the rest.
   DeclaredEffects effects = {};
+  /// The number of ways to write one collision for the subject. 1 if it reads bits, not decimals.
+  unsigned spellings = 1;
 
   [[nodiscard]] bool is_program() const { return !specification.empty(); }
 };

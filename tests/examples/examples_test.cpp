@@ -40,7 +40,7 @@ std::string block_of(const std::string& page, const std::string& language) {
 TEST(Examples, AreLinkedInTheGuideAndQuotedWordForWord) {
   const std::string guide = content_of(documents / "guide" / "plug-in.md");
   const std::map<std::string, std::string> languages{
-      {"solver.py", "python"}, {"solver.mjs", ""}, {"solver.cpp", "cpp"}, {"reflection.py", ""}};
+      {"solver.py", "python"}, {"solver.mjs", ""}, {"solver.cpp", "cpp"}, {"solver.c", ""}, {"reflection.py", ""}};
   for (const auto& [name, language] : languages) {
     EXPECT_NE(guide.find("(../examples/" + name + ")"), std::string::npos) << name << " is not linked";
     if (!language.empty()) {
@@ -66,6 +66,19 @@ TEST(Examples, InPythonIsSound) {
 TEST(Examples, InJavaScriptIsSound) {
   const json report = report_on("exec:node " + (documents / "examples" / "solver.mjs").string(), "200");
   EXPECT_EQ(report.at("status"), "sound") << report;
+}
+
+/// Hexadecimal numbers in place of JSON.
+TEST(Examples, InCIsSound) {
+  const TemporaryDirectory directory;
+  const std::string program = (directory.path() / "my-solver").string();
+  const RunResult built =
+      run_program("/usr/bin/env", {"cc", "-std=c11", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-O2", "-o", program,
+                                   (documents / "examples" / "solver.c").string(), "-lm"});
+  ASSERT_EQ(built.exit_status, 0) << built.errors;
+  const json report = report_on("exec:" + program, "200");
+  EXPECT_EQ(report.at("status"), "sound") << report;
+  EXPECT_EQ(report.at("name"), "example-c");
 }
 
 TEST(Examples, OfReflectionIsSound) {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
 // The first byte selects the precision. The rest is a line. The target reads the line as the reply to `start`, and as
-// the reply to `solve` number 1.
+// the reply to `solve` number 1, in JSON and in hexadecimal numbers.
 #include <array>
 #include <optional>
+#include <string>
 
 #include <carom/collision/json/json.hpp>
+#include <carom/subjects/protocol/hex_lines.hpp>
 #include <carom/subjects/protocol/messages.hpp>
 
 #include "input.hpp"
@@ -64,6 +66,13 @@ void read(Bytes bytes) {
   if (const auto answer = read_or_none([&] { return protocol::answer_from(line, 1, precision, true); })) {
     const Answer again = protocol::answer_from(protocol::answer_reply(1, *answer, precision), 1, precision, true);
     require(same_answer(*answer, again), "an answer does not survive being written");
+  }
+  if (const auto answer = read_or_none([&] { return protocol::answer_from_hex(line, 1, true); })) {
+    std::string reply;
+    protocol::add_hex_reply(reply, 1, *answer);
+    reply.pop_back();  // the line end
+    require(same_answer(*answer, protocol::answer_from_hex(reply, 1, true)),
+            "a hexadecimal answer does not survive being written");
   }
 }
 

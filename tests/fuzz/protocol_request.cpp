@@ -5,6 +5,7 @@
 
 #include <carom/collision/json/json.hpp>
 #include <carom/subjects/catalogue.hpp>
+#include <carom/subjects/protocol/hex_lines.hpp>
 #include <carom/subjects/protocol/messages.hpp>
 #include <carom/subjects/protocol/serve.hpp>
 
@@ -35,6 +36,10 @@ void require_right_replies(const std::string& requests, const std::string& repli
   std::string request;
   for (std::string reply; std::getline(answered, reply);) {
     require(static_cast<bool>(std::getline(asked, request)), "more replies than requests");
+    if (!reply.starts_with('{')) {
+      (void)protocol::answer_from_hex(reply, protocol::hex_request_from(request).id, true);
+      continue;
+    }
     const nlohmann::json read = parse_json(request);
     if (read.at("cmd") == "start") {
       (void)protocol::introduction_from(reply);
@@ -45,14 +50,14 @@ void require_right_replies(const std::string& requests, const std::string& repli
   }
 }
 
-void answer(const std::string& requests) {
+void answer(const std::string& requests, protocol::Numbers numbers) {
   static const Subject subject = subjects::subject_named("reflection-double").value();
   std::istringstream input(requests);
   std::ostringstream output;
   int status = 0;
   {
     const Silence silence;
-    status = protocol::serve(subject, input, output);
+    status = protocol::serve(subject, input, output, numbers);
   }
   require(status == 0 || status == 2, "the exit status is neither 0 nor 2");
   require_right_replies(requests, output.str(), subject.precision);
@@ -62,6 +67,10 @@ void answer(const std::string& requests) {
 }  // namespace carom::fuzz
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  carom::fuzz::answer(std::string(carom::fuzz::Input({data, size}).text()));
+  using carom::subjects::protocol::Numbers;
+  const std::string requests(carom::fuzz::Input({data, size}).text());
+  for (const Numbers numbers : {Numbers::decimal, Numbers::hex}) {
+    carom::fuzz::answer(requests, numbers);
+  }
   return 0;
 }

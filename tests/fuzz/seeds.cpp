@@ -12,6 +12,7 @@
 #include <carom/collision/json/json.hpp>
 #include <carom/properties/trial/answers.hpp>
 #include <carom/subjects/catalogue.hpp>
+#include <carom/subjects/protocol/hex_lines.hpp>
 #include <carom/subjects/protocol/messages.hpp>
 
 #include "case_bytes.hpp"
@@ -64,14 +65,21 @@ void write_texts(const fs::path& directory, std::uint8_t number, const std::stri
                      {"collision", record}};
   const std::string as_line = witness.dump() + '\n';
   write(directory, "json_witness", family, number % 3 == 0 ? as_line + as_line : witness.dump(2));
-  write(directory, "protocol_request", family,
-        protocol::start_request() + protocol::solve_request(number, collision) + protocol::stop_request());
+  std::string hex_request;
+  protocol::add_hex_request(hex_request, number, collision);
+  for (const auto& [name, request] :
+       {std::pair(family, protocol::solve_request(number, collision)), std::pair(family + "-hex", hex_request)}) {
+    write(directory, "protocol_request", name, protocol::start_request() + request + protocol::stop_request());
+  }
   const Answer answer = properties::answers_of(session, std::span(&collision, 1)).front();
   for (const Precision precision : {Precision::binary64, Precision::extended}) {
     const char chosen = precision == Precision::binary64 ? '\1' : '\2';
     write(directory, "protocol_reply", family + '-' + std::string(name_of(precision)),
           chosen + protocol::answer_reply(1, answer, precision));
   }
+  std::string hex_reply = "\1";
+  protocol::add_hex_reply(hex_reply, 1, answer);
+  write(directory, "protocol_reply", family + "-hex", hex_reply.substr(0, hex_reply.size() - 1));
 }
 
 void write_all(const fs::path& directory) {

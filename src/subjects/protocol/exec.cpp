@@ -10,6 +10,7 @@
 #include <carom/collision/json/text.hpp>
 #include <carom/subjects/protocol/command_line.hpp>
 #include <carom/subjects/protocol/exec.hpp>
+#include <carom/subjects/protocol/hex_lines.hpp>
 #include <carom/subjects/protocol/messages.hpp>
 #include <carom/subjects/protocol/spelling.hpp>
 
@@ -35,7 +36,7 @@ class Conversation {
     answers.reserve(collisions.size());
     std::string requests;
     for (std::size_t i = 0; i < collisions.size(); ++i) {
-      requests += request(i, collisions[i]);
+      add_request(requests, i, collisions[i]);
     }
     try {
       process_.exchange(requests, collisions.size(), [&](std::string_view line) {
@@ -58,7 +59,9 @@ class Conversation {
 
  private:
   [[nodiscard]] Answer answer_to(const Collision& collision, std::string_view line, std::uint64_t id) const {
-    Answer answer = answer_from(line, id, introduction_.precision, introduction_.matrix);
+    Answer answer = introduction_.numbers == Numbers::hex
+                        ? answer_from_hex(line, id, introduction_.matrix)
+                        : answer_from(line, id, introduction_.precision, introduction_.matrix);
     const auto* outcome = std::get_if<ReportedOutcome>(&answer);
     if (outcome != nullptr && introduction_.matrix && !outcome->collision_matrix &&
         owes_matrix(collision, *outcome, introduction_.precision)) {
@@ -67,16 +70,21 @@ class Conversation {
     return answer;
   }
 
-  /// The request for collision number `place` of the current call of solve().
-  [[nodiscard]] std::string request(std::size_t place, const Collision& collision) const {
+  /// Appends the request for collision number `place` of the current call of solve().
+  void add_request(std::string& requests, std::size_t place, const Collision& collision) const {
+    if (introduction_.numbers == Numbers::hex) {
+      add_hex_request(requests, next_id_ + place, collision);
+      return;
+    }
     const auto turning = static_cast<unsigned>((hash_of(collision) + call_) % spelling_count);
-    return solve_request(next_id_ + place, collision, spelling_.value_or(turning));
+    requests += solve_request(next_id_ + place, collision, spelling_.value_or(turning));
   }
 
   [[noreturn]] void fail(std::span<const Collision> collisions, const std::vector<Answer>& answers,
                          const std::exception& error, const std::string& why) {
     const std::size_t failed = std::min(answers.size(), collisions.size() - 1);
-    request_ = request(failed, collisions[failed]);
+    request_.clear();
+    add_request(request_, failed, collisions[failed]);
     throw SessionFailure(description("solve " + std::to_string(next_id_ + failed), error), answers,
                          {printable(why, longest_shown_request), errors_and_request()});
   }
@@ -156,6 +164,7 @@ Subject exec_subject(const std::string& specification, const ExecOptions& option
     auto conversation = std::make_shared<Conversation>(words, options);
     const Introduction introduction = conversation->introduction();
     introduce(subject, introduction);
+    subject.spellings = introduction.numbers == Numbers::hex ? 1 : spelling_count;
     const auto first = std::make_shared<FirstConversation>(std::move(conversation));
     subject.open = [words, options, introduction, first] { return open_session(words, options, introduction, *first); };
   } catch (const std::exception& error) {

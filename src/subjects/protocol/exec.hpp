@@ -17,7 +17,7 @@ struct ExecOptions {
   /// A request to stop ends every wait for the program.
   std::stop_token stop;
   /// The spelling of every request (a way to write a collision, spelling.hpp), less than spelling_count. If this is
-  /// empty, the spelling changes from call to call.
+  /// empty, the spelling changes from call to call. Hexadecimal numbers have one spelling.
   std::optional<unsigned> spelling = {};
 };
 

@@ -20,8 +20,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t longest_name = 100;   // bytes
-constexpr std::size_t longest_text = 2000;  // bytes
+constexpr std::size_t longest_name = 100;  // bytes
 
 template <class Json>
 const Json& required(const Json& object, const char* name) {
@@ -148,6 +147,19 @@ DeclaredEffects effects_from(const json& claims) {
   return effects;
 }
 
+Numbers numbers_from(const json& form, Precision precision) {
+  if (form == "decimal") {
+    return Numbers::decimal;
+  }
+  if (form != "hex") {
+    throw FormatError("/numbers", "expected decimal or hex, found " + printable(form.dump(), longest_name));
+  }
+  if (precision == Precision::extended) {
+    throw FormatError("/numbers", "hex has the bits of binary64, but the precision is extended; expected decimal");
+  }
+  return Numbers::hex;
+}
+
 /// The object that `domain_from` reads back.
 json domain_record(std::string_view text) {
   json record = json::object();
@@ -230,6 +242,9 @@ Introduction introduction_from(std::string_view line) {
     }
     introduction.matrix = matrix.get<bool>();
   }
+  if (reply.contains("numbers")) {
+    introduction.numbers = numbers_from(reply.at("numbers"), introduction.precision);
+  }
   return introduction;
 }
 
@@ -246,10 +261,10 @@ Answer answer_from(std::string_view line, std::uint64_t id, Precision precision,
     throw FormatError("expected exactly one of: the outcome a and b, skipped, error");
   }
   if (is_skipped) {
-    return Skipped{required_text(reply, "skipped", longest_text)};
+    return Skipped{required_text(reply, "skipped", longest_reason)};
   }
   if (is_refused) {
-    return Refused{required_text(reply, "error", longest_text)};
+    return Refused{required_text(reply, "error", longest_reason)};
   }
   const auto in_precision = [&](long double number) {
     return precision == Precision::extended ? number : static_cast<long double>(static_cast<double>(number));
@@ -286,6 +301,9 @@ std::string introduction_reply(const Introduction& introduction) {
              {"deviates", introduction.deviates}};
   if (introduction.matrix) {
     reply["matrix"] = true;
+  }
+  if (introduction.numbers == Numbers::hex) {
+    reply["numbers"] = "hex";
   }
   if (!introduction.domain.empty()) {
     reply["domain"] = domain_record(introduction.domain);

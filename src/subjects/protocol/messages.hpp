@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -13,6 +14,12 @@ namespace carom::subjects::protocol {
 
 inline constexpr int version = 1;
 
+/// The longest reason in a reply, `skipped` or `error` [bytes]. Longer ones are cut.
+inline constexpr std::size_t longest_reason = 2000;
+
+/// How the requests and replies to `solve` write numbers: as JSON, or as in hex_lines.hpp.
+enum class Numbers { decimal, hex };
+
 struct Introduction {
   std::string name;
   std::string version;
@@ -23,6 +30,7 @@ struct Introduction {
 
   std::string domain = {};  // for which the subject is meant, as in Subject
   DeclaredEffects effects = {};
+  Numbers numbers = Numbers::decimal;  // `hex` is not for the precision `extended`
 
   bool operator==(const Introduction&) const = default;
 };

@@ -83,6 +83,8 @@ ReplayedCase ReplaySubject::judge(const properties::Case& one) {
     const std::vector<properties::NamedVerdict> verdicts =
         session_verdicts(claim_, properties::sameness_of_answers(subject_), cases);
     result.judgement.verdicts.insert(result.judgement.verdicts.end(), verdicts.begin(), verdicts.end());
+  }
+  if (subject_.spellings > 1) {
     result.spellings = cases.size();
     result.violated_spellings = static_cast<std::size_t>(std::count_if(cases.begin(), cases.end(), shows));
     result.spelt = subjects::protocol::spelt(one.collision, static_cast<unsigned>(chosen));

@@ -23,7 +23,8 @@ namespace carom::tool {
 using report::ReplayedCase;
 
 /// A subject with its sessions. A program has one session for each spelling (a way to write a request in JSON,
-/// subjects/protocol/spelling.hpp), because a fault of its JSON reader may show in one spelling alone.
+/// subjects/protocol/spelling.hpp), because a fault of its JSON reader may show in one spelling alone. A program that
+/// reads hexadecimal numbers has as many sessions, so that `memoryless` is judged.
 class ReplaySubject {
  public:
   /// Throws UsageError if the subject cannot be run.

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <array>
+#include <string>
+#include <vector>
+
 #include <gtest/gtest.h>
 
+#include <carom/collision/doubles.hpp>
 #include <carom/properties/gate/gate.hpp>
 #include <carom/subjects/catalogue.hpp>
 #include <carom/subjects/protocol/exec.hpp>
+#include <carom/subjects/protocol/spelling.hpp>
 
 #include "io/threads.hpp"
 
@@ -21,11 +27,19 @@ properties::GateReport gate_of(const std::vector<Subject>& subjects, unsigned jo
   return properties::run_gate(subjects, options);
 }
 
-TEST(Exec, ChangesNoVerdict) {
-  for (const char* name : {"frictionless-double", "reflection-float", "reflection-llt-long-double",
-                           "sticking-world-double", "reflection-adjugate-float"}) {
+/// Each subject with the form of its numbers. Two subjects are wrong.
+TEST(Exec, ChangesNoVerdictAndNoWitness) {
+  for (const auto& [name, numbers] : std::vector<std::array<const char*, 2>>{{"frictionless-double", ""},
+                                                                             {"frictionless-double", " hex"},
+                                                                             {"reflection-float", ""},
+                                                                             {"reflection-llt-long-double", ""},
+                                                                             {"sticking-world-double", ""},
+                                                                             {"sticking-world-double", " hex"},
+                                                                             {"reflection-adjugate-float", ""},
+                                                                             {"reflection-adjugate-float", " hex"}}) {
     const Subject here = *subject_named(name);
-    const Subject there = exec_subject(std::string("exec:") + CAROM_WELL_BEHAVED + ' ' + name, {});
+    const Subject there = exec_subject(std::string("exec:") + CAROM_WELL_BEHAVED + ' ' + name + numbers, {});
+    EXPECT_EQ(there.spellings, *numbers == 0 ? spelling_count : 1);
     EXPECT_EQ(there.name, here.name);
     EXPECT_EQ(there.law, here.law);
     EXPECT_EQ(there.precision, here.precision);
@@ -46,6 +60,13 @@ TEST(Exec, ChangesNoVerdict) {
       }
     }
     ASSERT_EQ(report.results[0].witnesses.size(), report.results[1].witnesses.size());
+    EXPECT_EQ(report.results[0].witnesses.empty(), report.results[0].is_sound()) << name;
+    for (std::size_t w = 0; w < report.results[0].witnesses.size(); ++w) {
+      const properties::Witness& in_process = report.results[0].witnesses[w];
+      const properties::Witness& over_the_line = report.results[1].witnesses[w];
+      EXPECT_EQ(in_process.invariant, over_the_line.invariant) << name;
+      EXPECT_EQ(doubles_of(in_process.shrunk.collision), doubles_of(over_the_line.shrunk.collision)) << name;
+    }
   }
 }
 
@@ -98,14 +119,29 @@ TEST(Exec, IsNotSoundWhereItClaimsNothing) {
 }
 
 TEST(Exec, AnswersManyAtOnceAndNone) {
-  const Subject subject = exec_subject(std::string("exec:") + CAROM_WELL_BEHAVED, {});
-  Session session = subject.open();
-  EXPECT_TRUE(session({}).empty());
-  // 5000 collisions exceed the buffers of the pipes.
-  const std::vector<Collision> many(5000);
-  EXPECT_EQ(session(many).size(), many.size());
-  EXPECT_EQ(session(std::span(many).first(1)).size(), 1U);
-  session.close();
+  for (const char* numbers : {"", " hex"}) {
+    const Subject subject =
+        exec_subject(std::string("exec:") + CAROM_WELL_BEHAVED + " frictionless-double" + numbers, {});
+    Session session = subject.open();
+    EXPECT_TRUE(session({}).empty());
+    // 5000 collisions exceed the buffers of the pipes.
+    const std::vector<Collision> many(5000);
+    EXPECT_EQ(session(many).size(), many.size());
+    EXPECT_EQ(session(std::span(many).first(1)).size(), 1U);
+    session.close();
+  }
+}
+
+/// An extended number does not fit into 16 digits.
+TEST(Exec, RefusesHexadecimalNumbersOfExtendedPrecision) {
+  const Subject subject = exec_subject(std::string("exec:") + CAROM_WELL_BEHAVED + " frictionless-long-double hex", {});
+  try {
+    (void)subject.open();
+    ADD_FAILURE() << "it was opened";
+  } catch (const std::exception& error) {
+    EXPECT_NE(std::string(error.what()).find("/numbers: hex has the bits of binary64"), std::string::npos)
+        << error.what();
+  }
 }
 
 }  // namespace

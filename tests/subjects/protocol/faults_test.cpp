@@ -81,6 +81,11 @@ const std::vector<Fault>& all_faults() {
       Fault{"matrix-missing", {"solve ", "/C: is missing, but the contact collides"}},
       Fault{"matrix-of-two-rows", {"solve ", "/C: expected an array of 3 rows, found"}},
       Fault{"matrix-not-a-number", {"solve ", "/C/1/2: expected a number, found \"much\""}},
+      Fault{"hex-one-less", {"solve 3", "/b/angular_velocity/2: is missing; expected 12 numbers, found 11"}},
+      Fault{"hex-no-digit", {"solve 3", "/b/angular_velocity/2: expected 16 hexadecimal digits, found "}},
+      Fault{"hex-decimal", {"solve 3", "/a/velocity/0: expected 16 hexadecimal digits, found 0.5"}},
+      Fault{"hex-json", {"solve 3", "/id: expected 3, found {\"id\":3}"}},
+      Fault{"hex-wrong-id", {"solve 3", "/id: expected 3, found 4", "request: 3 0000000000000000 "}},
       Fault{"leave-group", {"solve 3", no_line}, true},
       Fault{"wide", {"solve 3", "/skipped: expected a string"}},
       Fault{"bare-nan", {"solve 3", "not JSON"}},
@@ -152,9 +157,10 @@ INSTANTIATE_TEST_SUITE_P(Each, Faults, testing::ValuesIn(all_faults()),
                          [](const auto& each) { return name_of(each.param); });
 
 TEST(Faults, WithoutOneTheSameProgramIsSound) {
-  const Gate gate({misbehaving("none")});
+  const Gate gate({misbehaving("none"), misbehaving("hex", "in-hex")});
   EXPECT_EQ(gate.run.exit_status, 0) << gate.run.output;
   EXPECT_EQ(gate.subject(0).at("status"), "sound");
+  EXPECT_EQ(gate.subject(1).at("status"), "sound");
 }
 
 TEST(Faults, LoseNoVerdict) {

@@ -63,6 +63,21 @@ TEST(Introduction, MayDeclareEffects) {
   EXPECT_EQ(introduction_from(introduction_reply(declared)), declared);
 }
 
+TEST(Introduction, MayAskForHexadecimalNumbers) {
+  EXPECT_EQ(introduction_from(sound).numbers, Numbers::decimal);
+  EXPECT_EQ(introduction_from(with(sound, "}", R"(,"numbers":"decimal"})")).numbers, Numbers::decimal);
+  const std::string asking = with(sound, "}", R"(,"numbers":"hex"})");
+  const Introduction read = introduction_from(asking);
+  EXPECT_EQ(read.numbers, Numbers::hex);
+  EXPECT_EQ(introduction_from(introduction_reply(read)), read);
+  expect_format_error([&] { return introduction_from(with(asking, "binary32", "extended")); },
+                      "/numbers: hex has the bits of binary64, but the precision is extended; expected decimal");
+  for (const char* other : {"\"octal\"", "16", "true"}) {
+    expect_format_error([&] { return introduction_from(with(asking, "\"hex\"", other)); },
+                        std::string("/numbers: expected decimal or hex, found ") + other);
+  }
+}
+
 TEST(Introduction, MayClaimEveryLawOfTheProtocol) {
   EXPECT_EQ(introduction_from(with(sound, "frictionless", "reflection")).law, Law::reflection);
   EXPECT_EQ(introduction_from(with(sound, "frictionless", "any")).law, Law::any);

@@ -12,6 +12,7 @@
 
 #include <carom/collision/json/json.hpp>
 #include <carom/subjects/catalogue.hpp>
+#include <carom/subjects/protocol/hex_lines.hpp>
 #include <carom/subjects/protocol/messages.hpp>
 
 namespace carom {
@@ -152,6 +153,28 @@ const std::map<std::string, std::function<void(json& reply)>>& matrix_faults() {
   return all;
 }
 
+/// Faults of a program that exchanges hexadecimal numbers.
+const std::map<std::string, std::function<std::string(std::string reply)>>& hex_faults() {
+  constexpr std::size_t width = 17;  // of a space and a number
+  static const std::map<std::string, std::function<std::string(std::string)>> all{
+      {"hex", [](auto reply) { return reply; }},
+      {"hex-one-less", [](auto reply) { return reply.substr(0, reply.size() - 1 - width) + '\n'; }},
+      {"hex-no-digit", [](auto reply) { return reply.replace(reply.size() - 2, 1, "x"); }},
+      {"hex-decimal", [](auto reply) { return reply.replace(1, width, " 0.5"); }},
+      {"hex-json", [](auto) { return std::string("{\"id\":3}\n"); }},
+      {"hex-wrong-id", [](auto reply) { return '4' + reply.substr(1); }},
+  };
+  return all;
+}
+
+/// The reply of a session to a request with hexadecimal numbers.
+std::string hex_reply(const std::string& line, const std::string& fault, Session& session) {
+  const subjects::protocol::HexRequest request = subjects::protocol::hex_request_from(line);
+  std::string reply;
+  subjects::protocol::add_hex_reply(reply, request.id, session(std::span(&request.collision, 1)).at(0));
+  return request.id == faulty_solve ? hex_faults().at(fault)(reply) : reply;
+}
+
 int run(int argc, char** argv) {
   const std::string fault = argc > 1 ? argv[1] : "none";
   if (fault == "exit-at-once") {
@@ -170,7 +193,14 @@ int run(int argc, char** argv) {
   }
   Session session = subjects::subject_named(introduction.matrix ? "reflection-double" : "frictionless-double")->open();
   const auto known = faults().find(fault);
+  if (hex_faults().contains(fault)) {
+    introduction.numbers = subjects::protocol::Numbers::hex;
+  }
   for (std::string line; std::getline(std::cin, line);) {
+    if (!line.starts_with('{')) {
+      std::cout << hex_reply(line, fault, session) << std::flush;
+      continue;
+    }
     const json request = json::parse(line);
     if (request.at("cmd") == "start") {
       std::string reply = subjects::protocol::introduction_reply(introduction);

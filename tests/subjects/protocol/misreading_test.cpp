@@ -45,6 +45,23 @@ INSTANTIATE_TEST_SUITE_P(Each, Misreading,
                            return name;
                          });
 
+/// Hexadecimal numbers have one spelling, so a replay does not count spellings.
+TEST(WrongInHex, HasAWitnessThatReplays) {
+  const std::string subject = std::string("exec:") + CAROM_WELL_BEHAVED + " reflection-adjugate-float hex";
+  const TemporaryDirectory out;
+  const RunResult run = run_carom({"gate", subject, "--families", "mass_scale", "--cases", "100", "--relations-every",
+                                   "1", "--jobs", "1", "--out", out.path().string()});
+  EXPECT_EQ(run.exit_status, 1) << run.output << run.errors;
+  const json report = json::parse(content_of(out.path() / "report.json"));
+  const json& violations = report.at("subjects").at(0).at("violations");
+  ASSERT_FALSE(violations.empty());
+  const std::string witness = (out.path() / violations.at(0).at("witness").get<std::string>()).string();
+  const RunResult replayed = run_carom({"replay", witness, "--subject", subject, "--format", "json"});
+  EXPECT_EQ(replayed.exit_status, 1) << replayed.output << replayed.errors;
+  EXPECT_EQ(replayed.output.find("spellings"), std::string::npos) << replayed.output;
+  EXPECT_NE(replayed.output.find("memoryless"), std::string::npos) << replayed.output;
+}
+
 TEST(MisreadingNothing, IsSound) {
   const RunResult run = run_carom({"gate", misreading("none"), "--cases", "20", "--jobs", "1"});
   EXPECT_EQ(run.exit_status, 0) << run.output << run.errors;
