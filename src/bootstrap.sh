@@ -279,7 +279,7 @@ quick)
 test)
   if [ "${1:-}" = all ]; then
     install_all_test_programs
-    (build_web carom_web verdicts) || echo "bootstrap: the tests Web.* will be skipped" >&2
+    (build_web carom_web replay_answers) || echo "bootstrap: the tests Web.* will be skipped" >&2
     build carom_all_tests everything
     run_tests build "${@:2}"
   fi

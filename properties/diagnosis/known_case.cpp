@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <carom/collision/expects.hpp>
 #include <carom/collision/validate.hpp>
@@ -8,44 +9,84 @@
 #include <carom/oracles/models/models.hpp>
 #include <carom/oracles/models/sensitivity.hpp>
 #include <carom/properties/diagnosis/known_case.hpp>
+#include <carom/properties/draws/moment_ratio.hpp>
 
 namespace carom::properties::diagnosis {
 namespace {
 
-// The range of Wide holds the squares of all binary64 numbers.
+/// Its range holds the squares of all binary64 numbers.
 using Wide = long double;
 
-BasicCollision<Wide> widened(const Collision& collision) {
-  return map_numbers<Wide>(collision, [](double x) { return static_cast<Wide>(x); });
+template <class S>
+BasicCollision<S> widened(const Collision& collision) {
+  return map_numbers<S>(collision, [](double x) { return static_cast<S>(x); });
 }
 
-Outcome<Wide> widened(const Outcome<double>& outcome) {
-  return map_outcome<Wide>(outcome, [](double x) { return static_cast<Wide>(x); });
+template <class S>
+Outcome<S> widened(const Outcome<double>& outcome) {
+  return map_outcome<S>(outcome, [](double x) { return static_cast<S>(x); });
 }
 
 Outcome<double> narrowed(const Outcome<Wide>& outcome) {
   return map_outcome<double>(outcome, [](Wide x) { return static_cast<double>(x); });
 }
 
-Wide twice_energy(const BasicBody<Wide>& body, const BodyVelocity<Wide>& motion) {
-  return body.immovable ? 0
+template <class... Numbers>
+bool are_in_middle_range(Numbers... numbers) {
+  // Products of four such numbers, and of their differences, neither overflow nor underflow.
+  const auto is_in_range = [](double x) { return x == 0 || (std::abs(x) >= 0x1p-100 && std::abs(x) <= 0x1p100); };
+  return (is_in_range(numbers) && ...);
+}
+
+/// Whether binary64 suffices: no number is extreme, and no body is slender. Then the rounding is far below the least
+/// share of an error that `is_explained_by` tells apart.
+template <class... Outcomes>
+bool is_plain(const Collision& collision, const Outcomes&... outcomes) {
+  constexpr double slender = 8;
+  bool plain = moment_ratio(collision.a) <= slender && moment_ratio(collision.b) <= slender;
+  for_each_number([&](const FieldPath&, double x) { plain = plain && are_in_middle_range(x); }, collision);
+  const auto look_at = [&](const Outcome<double>& outcome) {
+    for (const Vector3<double>* v : vectors(outcome)) {
+      plain = plain && are_in_middle_range((*v)[0], (*v)[1], (*v)[2]);
+    }
+  };
+  (look_at(outcomes), ...);
+  return plain;
+}
+
+/// A machine computes a long double of more than 64 digits in software, fifty times as slowly as a double.
+constexpr bool is_wide_slow = std::numeric_limits<Wide>::digits > 64;
+
+/// use(S{}), with S as narrow as the numbers permit if Wide is slow.
+template <class Use, class... Outcomes>
+auto in_wide(const Use& use, const Collision& collision, const Outcomes&... outcomes) {
+  if (is_wide_slow && is_plain(collision, outcomes...)) {
+    return use(double{});
+  }
+  return use(Wide{});
+}
+
+template <class S>
+S twice_energy(const BasicBody<S>& body, const BodyVelocity<S>& motion) {
+  return body.immovable ? S{0}
                         : body.mass * motion.velocity.squaredNorm() +
                               motion.angular_velocity.dot(oracles::apply_inertia(body, motion.angular_velocity));
 }
 
-BodyVelocity<Wide> difference(const BodyVelocity<Wide>& x, const BodyVelocity<Wide>& y) {
+template <class S>
+BodyVelocity<S> difference(const BodyVelocity<S>& x, const BodyVelocity<S>& y) {
   return {x.velocity - y.velocity, x.angular_velocity - y.angular_velocity};
 }
 
-BodyVelocity<Wide> pushed_body(const BasicBody<Wide>& body, const Vector3<Wide>& point, const Vector3<Wide>& impulse) {
+template <class S>
+BodyVelocity<S> pushed_body(const BasicBody<S>& body, const Vector3<S>& point, const Vector3<S>& impulse) {
   if (body.immovable) {
     return {body.velocity, body.angular_velocity};
   }
-  const Vector3<Wide> torque = oracles::lever_arm(body, point).cross(impulse);
-  const Vector3<Wide> in_body = oracles::turned<Wide>(oracles::conjugate(body.orientation), torque);
-  return {
-      body.velocity + impulse / body.mass,
-      body.angular_velocity + oracles::turned<Wide>(body.orientation, in_body.cwiseQuotient(body.principal_inertia))};
+  const Vector3<S> torque = oracles::lever_arm(body, point).cross(impulse);
+  const Vector3<S> in_body = oracles::turned<S>(oracles::conjugate(body.orientation), torque);
+  return {body.velocity + impulse / body.mass,
+          body.angular_velocity + oracles::turned<S>(body.orientation, in_body.cwiseQuotient(body.principal_inertia))};
 }
 
 template <class T, class Nearest>
@@ -82,15 +123,21 @@ LawAnswer law_answer(const Collision& collision, Law law, std::optional<oracles:
 Vector3<double> law_impulse(const Collision& collision, Law law, std::optional<oracles::Approach> approach) {
   const oracles::ExactCase exact_case(collision);
   const oracles::Approach as = approach.value_or(exact_case.approach());
-  // `Wide` makes fewer than 2⁹ roundings of 2⁻⁶⁴, which grow by this factor. So the relative error is below 2⁻⁴³. This
-  // is a thousandth of the least visible error.
-  constexpr double largest_growth = 0x1p+12;
+  // A scalar with the unit roundoff u makes fewer than 2⁹ roundings, which grow by this factor. So the relative error
+  // is below 2⁹ u · 2⁻⁵² / u = 2⁻⁴³. This is a thousandth of the least visible error.
+  const auto largest_growth = [](auto scalar) {
+    return static_cast<double>(0x1p-51L / std::numeric_limits<decltype(scalar)>::epsilon());
+  };
   const bool is_linear = std::ranges::find(oracles::linear_laws, law) != oracles::linear_laws.end();
-  if (as != oracles::Approach::colliding || !is_linear || !exact_case.bounds().is_moderate() ||
-      oracles::growth_in_collision_matrix(collision) > largest_growth) {
+  const double growth = oracles::growth_in_collision_matrix(collision);
+  const double allowed = is_wide_slow ? largest_growth(double{}) : largest_growth(Wide{});
+  if (as != oracles::Approach::colliding || !is_linear || !exact_case.bounds().is_moderate() || !(growth <= allowed)) {
     return law_answer(collision, law, as).impulse;
   }
-  const oracles::Truth<Wide> truth = oracles::colliding_truth(widened(collision), law, oracles::Branch::only);
+  if (is_wide_slow) {
+    return oracles::colliding_truth(collision, law, oracles::Branch::only).impulse;
+  }
+  const oracles::Truth<Wide> truth = oracles::colliding_truth(widened<Wide>(collision), law, oracles::Branch::only);
   return truth.impulse.cast<double>();
 }
 
@@ -110,23 +157,29 @@ KnownCase known_case(const Collision& collision, const Outcome<double>& answered
 }
 
 double energy_product(const Collision& collision, const Outcome<double>& x, const Outcome<double>& y) {
-  const BasicCollision<Wide> c = widened(collision);
-  const auto of_body = [](const BasicBody<Wide>& body, const BodyVelocity<Wide>& one, const BodyVelocity<Wide>& other) {
-    return body.immovable ? Wide{0}
-                          : body.mass * one.velocity.dot(other.velocity) +
-                                one.angular_velocity.dot(oracles::apply_inertia(body, other.angular_velocity));
+  const auto product = [&]<class S>(S) {
+    const auto of_body = [](const BasicBody<S>& body, const BodyVelocity<S>& one, const BodyVelocity<S>& other) {
+      return body.immovable ? S{0}
+                            : body.mass * one.velocity.dot(other.velocity) +
+                                  one.angular_velocity.dot(oracles::apply_inertia(body, other.angular_velocity));
+    };
+    const BasicCollision<S> c = widened<S>(collision);
+    const Outcome<S> one = widened<S>(x);
+    const Outcome<S> other = widened<S>(y);
+    return static_cast<double>(of_body(c.a, one.a, other.a) + of_body(c.b, one.b, other.b));
   };
-  const Outcome<Wide> one = widened(x);
-  const Outcome<Wide> other = widened(y);
-  return static_cast<double>(of_body(c.a, one.a, other.a) + of_body(c.b, one.b, other.b));
+  return in_wide(product, collision, x, y);
 }
 
 double energy_distance(const Collision& collision, const Outcome<double>& x, const Outcome<double>& y) {
-  const BasicCollision<Wide> c = widened(collision);
-  const Outcome<Wide> one = widened(x);
-  const Outcome<Wide> other = widened(y);
-  return static_cast<double>(
-      std::sqrt(twice_energy(c.a, difference(one.a, other.a)) + twice_energy(c.b, difference(one.b, other.b))));
+  const auto distance = [&]<class S>(S) {
+    const BasicCollision<S> c = widened<S>(collision);
+    const Outcome<S> one = widened<S>(x);
+    const Outcome<S> other = widened<S>(y);
+    return static_cast<double>(
+        std::sqrt(twice_energy(c.a, difference(one.a, other.a)) + twice_energy(c.b, difference(one.b, other.b))));
+  };
+  return in_wide(distance, collision, x, y);
 }
 
 bool is_explained_by(const Outcome<double>& outcome, const KnownCase& one) {
@@ -151,9 +204,13 @@ bool is_visibly_off(const KnownCase& one, double unit_roundoff) {
 }
 
 Outcome<double> pushed(const Collision& collision, const Vector3<double>& impulse) {
-  const BasicCollision<Wide> c = widened(collision);
-  const Vector3<Wide> f = impulse.cast<Wide>();
-  return narrowed({pushed_body(c.a, c.point, f), pushed_body(c.b, c.point, -f)});
+  const auto outcome = [&]<class S>(S) {
+    const BasicCollision<S> c = widened<S>(collision);
+    const Vector3<S> f = impulse.cast<S>();
+    const Outcome<S> after{pushed_body(c.a, c.point, f), pushed_body(c.b, c.point, Vector3<S>(-f))};
+    return map_outcome<double>(after, [](S x) { return static_cast<double>(x); });
+  };
+  return in_wide(outcome, collision, Outcome<double>{{impulse, {}}, {}});
 }
 
 }  // namespace carom::properties::diagnosis

@@ -42,8 +42,9 @@ std::uint64_t all_cases(const properties::GateOptions& options) {
   return all;
 }
 
-report::Run run_of(const Request& request, properties::GateReport report, bool is_shard) {
-  report::Run run = report::run_of(std::move(report), {true}, {}, request.environment, request.deviates, is_shard);
+report::Run run_of(const Request& request, properties::GateReport report, bool is_part) {
+  report::Run run =
+      report::run_of(std::move(report), {true}, {}, request.environment, request.deviates, is_part, !is_part);
   run.settings.without_case = request.without_case;
   return run;
 }
@@ -80,7 +81,7 @@ json part(const json& record) {
   request.options.shrinks = false;
   properties::GateReport report = properties::run_gate({request.subject}, request.options);
   report.results[0].witnesses.clear();  // the worst violations suffice to find them again
-  return {{"report", in_json(report::report_record(run_of(request, std::move(report), true)))}};
+  return {{"report", report::report_record(run_of(request, std::move(report), true)).dump()}};
 }
 
 json files_of(const report::Run& run, const std::string& out) {
@@ -129,7 +130,6 @@ json finish(const json& record) {
   sum.interrupted = record.value("interrupted", false);
   report::Run run = run_of(request, std::move(sum), false);
   return {{"status", run.exit_status()},
-          {"report", report::report_record(run)},
           {"text", report::run_text(run, request.out)},
           {"markdown", report::run_markdown(run, request.out)},
           {"files", files_of(run, request.out)}};

@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: BSL-1.0
-"""The judge in WebAssembly gives the verdicts of the native judge: same_verdicts_test.py NATIVE WASM_JS CASES
+"""The judge in WebAssembly gives the verdicts of the native judge: same_verdicts_test.py RECORD REPLAY_JS CASES
 
-Both programs judge the same solvers and all mutants on the same cases of every family (verdicts_main.cpp). Statuses,
-counts and witnesses must be equal, and figures must agree to three digits. The exit status is 77 if WASM_JS does not
-exist.
+RECORD judges the built-in solvers and all mutants on cases of every family, and records their answers. REPLAY_JS judges
+the recorded answers in WebAssembly. Both judges must ask the same questions. Statuses, counts and witnesses must be
+equal, and figures must agree to three digits. The exit status is 77 if REPLAY_JS does not exist.
 """
 import json
 import pathlib
 import subprocess
 import sys
+import tempfile
 
 FIGURES = {"worst", "residual", "allowed", "digits"}
 
@@ -38,12 +39,14 @@ def differences(native, wasm, place):
         yield f"{place}: {native} natively, {wasm} in WebAssembly"
 
 
-def main(native, wasm, cases):
-    if not pathlib.Path(wasm).exists():
-        print(f"{wasm} does not exist: bash src/bootstrap.sh wasm")
+def main(record, replay, cases):
+    if not pathlib.Path(replay).exists():
+        print(f"{replay} does not exist: bash src/bootstrap.sh wasm")
         return 77
-    natively = lines_of([native, cases])
-    in_wasm = lines_of(["node", wasm, cases])
+    with tempfile.TemporaryDirectory() as folder:
+        answers = f"{folder}/answers"
+        natively = lines_of([record, answers, cases])
+        in_wasm = lines_of(["node", "--no-experimental-fetch", replay, answers, cases])
     assert len(natively) > 100, f"only {len(natively)} subjects"
     assert any(not one["sound"] for one in natively) and any(one["sound"] for one in natively)
     wrong = [f"{len(natively)} subjects natively, {len(in_wasm)} in WebAssembly"] if len(natively) != len(in_wasm) else []

@@ -15,8 +15,8 @@ void add_report(properties::GateReport& sum, const properties::GateReport& part)
 /// were judged.
 void complete_sum(properties::GateReport& sum, const properties::Shard& shard);
 
-/// Completes the sum of all parts of the run that `options` describe, then finds its witnesses. Preconditions: `options`
-/// have no budget, and are not `fail_fast`; `subjects` are those of the parts, and open sessions.
+/// Completes the sum of all parts of the run that `options` describe, then finds its witnesses. Preconditions:
+/// `options` have no budget, and are not `fail_fast`; `subjects` are those of the parts, and open sessions.
 void complete_run(properties::GateReport& sum, const properties::GateOptions& options,
                   const std::vector<Subject>& subjects);
 

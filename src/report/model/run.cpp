@@ -76,8 +76,11 @@ JudgedSubject judged_subject(SubjectResult result, const GateOptions& options, b
 }  // namespace
 
 Run run_of(properties::GateReport report, const std::vector<bool>& counts, std::vector<Subject> absent,
-           Environment environment, std::vector<std::string> deviates, bool is_shard) {
-  const std::vector<properties::diagnosis::Diagnosis> diagnoses = properties::diagnosis::diagnose_all(report);
+           Environment environment, std::vector<std::string> deviates, bool is_shard, bool is_diagnosed) {
+  std::vector<properties::diagnosis::Diagnosis> diagnoses(report.results.size());
+  if (is_diagnosed) {
+    diagnoses = properties::diagnosis::diagnose_all(report);
+  }
   const GateOptions& options = report.options;
   Run run;
   run.carom = version;

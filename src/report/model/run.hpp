@@ -110,10 +110,11 @@ struct Run {
   [[nodiscard]] int exit_status() const;
 };
 
-/// Makes a Run from the gate's results, and diagnoses them. `counts` tells for each result if its subject decides the
-/// exit status. `is_shard` tells if the run will be merged with others.
+/// Makes a Run from the gate's results. `counts` tells for each result if its subject decides the exit status.
+/// `is_shard` tells if the run will be merged with others. `is_diagnosed` tells if it has diagnoses, which take time.
 [[nodiscard]] Run run_of(properties::GateReport report, const std::vector<bool>& counts, std::vector<Subject> absent,
-                         Environment environment, std::vector<std::string> deviates, bool is_shard);
+                         Environment environment, std::vector<std::string> deviates, bool is_shard,
+                         bool is_diagnosed = true);
 
 /// The invariants that a subject does not claim because it shows no collision matrix.
 [[nodiscard]] std::vector<std::string> not_claimed_by(const Subject& subject);

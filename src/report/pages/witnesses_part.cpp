@@ -177,9 +177,8 @@ Section witness_section(const Run& run, std::size_t s, const Witness& witness, c
   const auto judged_case = std::make_shared<const properties::JudgedCase>(witness.shrunk, true, result.subject.effects);
   add_outcome(numbers, witness, *judged_case, result.subject.law);
   add_sides(numbers, witness.verdict);
-  Picture picture{[&answer = witness.answer, judged_case, law = result.subject.law, anchor, title](pugi::xml_node node) {
-    add_case_drawing(node, *judged_case, answer, law, anchor, title);
-  }};
+  Picture picture{[&answer = witness.answer, judged_case, law = result.subject.law, anchor,
+                   title](pugi::xml_node node) { add_case_drawing(node, *judged_case, answer, law, anchor, title); }};
   Document content{Paragraph{fmt::format("{} The subject violates this in {}. This witness comes from the family {}.",
                                          invariant.statement, violated_of_judged_cases(result.count(witness.invariant)),
                                          witness.family)},

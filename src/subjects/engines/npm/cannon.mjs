@@ -3,10 +3,9 @@ import { createRequire } from 'node:module';
 
 import { Body, Quaternion, Sphere, Vec3, World } from 'cannon-es';
 
-import { serve, settings, subject_name } from './line_protocol.mjs';
+import { serve_if_program, subject_name } from './line_protocol.mjs';
 import { spheres, unit } from './posing.mjs';
 
-const { configured, model } = settings();
 const overlap = 64 * Number.EPSILON;  // exceeds the rounding error of the spheres' distance, about 10 roundings
 const step = 1 / 60;  // [s]; has no effect on the configured engine
 
@@ -39,7 +38,7 @@ function friction_gravity({ a, b, point, normal, restitution }) {
   return new Vec3((1 + restitution) * Math.max(0, approach), 0, 0);
 }
 
-function make_world(a, b, { friction, restitution }) {
+function make_world(a, b, { friction, restitution }, model) {
   const world = new World();  // has no gravity by default
   world.addBody(a);
   world.addBody(b);
@@ -48,7 +47,7 @@ function make_world(a, b, { friction, restitution }) {
   return world;
 }
 
-function configure(world, collision) {
+function configure(world, collision, model) {
   for (const body of world.bodies) {
     body.linearDamping = body.angularDamping = 0;
   }
@@ -71,23 +70,28 @@ function velocity_of(body) {
   return { velocity: body.velocity.toArray(), angular_velocity: body.angularVelocity.toArray() };
 }
 
-function solve(collision) {
+function solve(collision, { configured, model }) {
   const posed = spheres(collision, overlap);
   const a = make_body(collision.a, posed.a);
   const b = make_body(collision.b, posed.b);
-  const world = make_world(a, b, collision);
+  const world = make_world(a, b, collision, model);
   if (configured) {
-    configure(world, collision);
+    configure(world, collision, model);
   }
   world.step(step);
   return { a: velocity_of(a), b: velocity_of(b) };
 }
 
-const claims = {
-  name: subject_name('cannon', { configured, model }),
-  version: createRequire(import.meta.url)('cannon-es/package.json').version,
-  precision: 'binary64',
-  model,
-  claims: configured ? undefined : { linear_damping: 1 - 0.99 ** step, angular_damping: 1 - 0.99 ** step },
-};
-await serve(claims, solve);
+export function subject(setting) {
+  const damping = 1 - 0.99 ** step;
+  const claims = {
+    name: subject_name('cannon', setting),
+    version: createRequire(import.meta.url)('cannon-es/package.json').version,
+    precision: 'binary64',
+    model: setting.model,
+    claims: setting.configured ? undefined : { linear_damping: damping, angular_damping: damping },
+  };
+  return { claims, solve: (collision) => solve(collision, setting) };
+}
+
+await serve_if_program(import.meta.url, subject);

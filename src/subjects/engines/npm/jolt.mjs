@@ -3,15 +3,14 @@ import { createRequire } from 'node:module';
 
 import initialize from 'jolt-physics';
 
-import { limits, serve, settings, subject_name } from './line_protocol.mjs';
+import { limits, serve_if_program, subject_name } from './line_protocol.mjs';
 import { spheres, unit } from './posing.mjs';
 
 const Jolt = await initialize();
-const { configured, model } = settings();
 const overlap = 1e-5;  // about 80 roundings of binary32, so that rounding leaves no gap between the spheres
 const step = 1 / 60;  // [s]; has no effect on the configured engine
 
-function make_world() {
+function make_world({ configured, model }) {
   const layer_pairs = new Jolt.ObjectLayerPairFilterTable(1);
   layer_pairs.EnableCollision(0, 0);
   const broad_phase_layers = new Jolt.BroadPhaseLayerInterfaceTable(1, 1);
@@ -34,8 +33,6 @@ function make_world() {
   return world;
 }
 
-const world = make_world();
-const bodies = world.GetPhysicsSystem().GetBodyInterface();
 // These objects are in the engine's memory, which has no garbage collection, and are reused.
 const vector = new Jolt.Vec3();
 const position = new Jolt.RVec3();
@@ -54,7 +51,7 @@ function set_mass(properties, { mass, principal_inertia, orientation }) {
 
 // The engine's body has the world's axes, and its inertia has rotated principal axes. So the sphere's position is not
 // rounded.
-function make_body(body, sphere, { friction, restitution }) {
+function make_body(bodies, body, sphere, { friction, restitution }, { configured, model }) {
   const shape = new Jolt.OffsetCenterOfMassShape(
     new Jolt.SphereShape(sphere.radius), filled(vector, sphere.centre_of_mass_from_centre));
   const settings = new Jolt.BodyCreationSettings(
@@ -82,10 +79,11 @@ function velocity_of(body) {
   return { velocity: numbers(body.GetLinearVelocity()), angular_velocity: numbers(body.GetAngularVelocity()) };
 }
 
-function solve(collision) {
+function solve(world, collision, setting) {
+  const bodies = world.GetPhysicsSystem().GetBodyInterface();
   const posed = spheres(collision, overlap);
-  const a = make_body(collision.a, posed.a, collision);
-  const b = make_body(collision.b, posed.b, collision);
+  const a = make_body(bodies, collision.a, posed.a, collision, setting);
+  const b = make_body(bodies, collision.b, posed.b, collision, setting);
   world.Step(step, 1);
   const outcome = { a: velocity_of(a), b: velocity_of(b) };
   for (const body of [b, a]) {  // the engine reuses the ID freed last, so A keeps the lower ID and comes first
@@ -95,16 +93,22 @@ function solve(collision) {
   return outcome;
 }
 
-const claims = {
-  name: subject_name('jolt', { configured, model }),
-  version: createRequire(import.meta.url)('jolt-physics/package.json').version,
-  precision: 'binary32',
-  model,
-  claims: configured ? undefined : {
-    restitution_threshold: 1,
-    linear_damping: 0.05 * step,
-    angular_damping: 0.05 * step,
-    ...limits(model, { max_speed: 500, max_angular_velocity: Math.PI / 4 / step }),
-  },
-};
-await serve(claims, solve);
+export function subject(setting) {
+  const { configured, model } = setting;
+  const world = make_world(setting);
+  const claims = {
+    name: subject_name('jolt', setting),
+    version: createRequire(import.meta.url)('jolt-physics/package.json').version,
+    precision: 'binary32',
+    model,
+    claims: configured ? undefined : {
+      restitution_threshold: 1,
+      linear_damping: 0.05 * step,
+      angular_damping: 0.05 * step,
+      ...limits(model, { max_speed: 500, max_angular_velocity: Math.PI / 4 / step }),
+    },
+  };
+  return { claims, solve: (collision) => solve(world, collision, setting) };
+}
+
+await serve_if_program(import.meta.url, subject);

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 import { once } from 'node:events';
+import { realpathSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import { isMainThread } from 'node:worker_threads';
 
 const notNumbers = new Map([['nan', NaN], ['inf', Infinity], ['-inf', -Infinity]]);
 
@@ -27,7 +30,8 @@ function read_body(json) {
   return body;
 }
 
-function read_collision(json) {
+/** The collision of a record. A missing field has its default, and a malformed record becomes NaN. */
+export function read_collision(json) {
   return {
     a: read_body(json.a ?? {}),
     b: read_body(json.b ?? {}),
@@ -112,7 +116,7 @@ function reply(request, claims, solve) {
  * Answers the requests on standard input until `stop` or the end of the input. `claims` has the fields name, version,
  * precision and model of the introduction. `solve` takes a valid collision and returns the velocities {a, b}.
  */
-export async function serve(claims, solve) {
+async function serve(claims, solve) {
   let rest = '';
   process.stdin.setEncoding('utf8');
   for await (const chunk of process.stdin) {
@@ -132,7 +136,7 @@ export async function serve(claims, solve) {
 }
 
 /** The settings on the command line: `[configured|as-shipped] [frictionless|coulomb]`. The first of each is default. */
-export function settings() {
+function settings() {
   const [setting = 'configured', model = 'frictionless', ...rest] = process.argv.slice(2);
   const known = ['configured', 'as-shipped'].includes(setting) && ['frictionless', 'coulomb'].includes(model);
   if (!known || rest.length > 0) {
@@ -140,6 +144,25 @@ export function settings() {
     process.exit(2);
   }
   return { configured: setting === 'configured', model };
+}
+
+function is_program(url) {
+  try {
+    return isMainThread && realpathSync(process.argv[1]) === fileURLToPath(url);
+  } catch {
+    return false;  // node runs no file
+  }
+}
+
+/**
+ * Serves an engine's subject, with the settings on the command line, if the module at `url` is the program that node
+ * runs. `subject` returns {claims, solve} for the settings {configured, model}.
+ */
+export async function serve_if_program(url, subject) {
+  if (is_program(url)) {
+    const { claims, solve } = subject(settings());
+    await serve(claims, solve);
+  }
 }
 
 /** The limits of speeds that a subject of this model can declare: only if the model determines the outcome. */

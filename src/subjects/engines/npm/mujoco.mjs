@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSL-1.0
 import initialize from '@mujoco/mujoco';
 
-import { serve, settings, subject_name } from './line_protocol.mjs';
+import { serve_if_program, subject_name } from './line_protocol.mjs';
 import { spheres, unit } from './posing.mjs';
 
 const silent = () => {};  // warnings would go to standard output, which carries the protocol
 const mujoco = await initialize({ print: silent, printErr: silent });
-const { configured, model } = settings();
 const overlap = 64 * Number.EPSILON;  // exceeds the rounding error of the spheres' distance, about 10 roundings
-const step = configured ? 2 ** -100 : 0.002;  // [s]; as shipped, MuJoCo's default
+const step = 2 ** -100;  // [s]; so short that the gyroscopic torque vanishes. As shipped, a step has 0.002 s
 
 // A template whose numbers each collision replaces. An immovable body has no joint. The normal points from `geom1` to
 // `geom2`.
@@ -29,7 +28,7 @@ function xml({ a, b }) {
 
 function configure(option) {
   Object.assign(option, {
-    timestep: step,  // so short that the gyroscopic torque vanishes
+    timestep: step,
     disableflags: mujoco.mjtDisableBit.mjDSBL_AUTORESET.value,  // accelerations beyond 1e10 are valid here
     enableflags: mujoco.mjtEnableBit.mjENBL_DIAGEXACT.value,  // the softness follows N·K N instead of 1/m_A + 1/m_B
     cone: mujoco.mjtCone.mjCONE_ELLIPTIC.value,
@@ -37,7 +36,7 @@ function configure(option) {
   });
 }
 
-function make_world(collision) {
+function make_world(collision, configured) {
   const model = mujoco.MjModel.from_xml_string(xml(collision));
   if (configured) {
     configure(model.opt);
@@ -45,17 +44,15 @@ function make_world(collision) {
   return { model, data: new mujoco.MjData(model) };
 }
 
-const worlds = new Map();
-
-function world_for(collision) {
+function world_for(worlds, collision, configured) {
   const key = `${collision.a.immovable} ${collision.b.immovable}`;
   if (!worlds.has(key)) {
-    worlds.set(key, make_world(collision));
+    worlds.set(key, make_world(collision, configured));
   }
   return worlds.get(key);
 }
 
-function set_contact(world, { restitution, friction }) {
+function set_contact(world, { restitution, friction }, { configured, model }) {
   const without_friction = model === 'frictionless' || (configured && friction === 0);
   world.pair_dim[0] = without_friction ? 1 : 3;
   world.pair_friction.fill(friction, 0, 2);  // MuJoCo uses at least 1e-5
@@ -89,15 +86,15 @@ function velocity_of_wall({ velocity: v, angular_velocity: w }, { centre_of_mass
 
 // MuJoCo cannot prescribe a velocity. So a contact with a wall is posed in a frame that moves with the wall's material
 // point at P.
-function solve(collision) {
+function solve(worlds, collision, setting) {
   const { a, b } = collision;
   if (a.immovable && b.immovable) {
     return collision;
   }
   const posed = spheres(collision, overlap);
   const frame = a.immovable ? velocity_of_wall(a, posed.a) : b.immovable ? velocity_of_wall(b, posed.b) : [0, 0, 0];
-  const { model: world, data } = world_for(collision);
-  set_contact(world, collision);
+  const { model: world, data } = world_for(worlds, collision, setting.configured);
+  set_contact(world, collision, setting);
   set_body(world, 0, a, posed.a);
   set_body(world, 1, b, posed.b);
   mujoco.mj_setConst(world, data);
@@ -120,10 +117,15 @@ function solve(collision) {
   return { a: velocity_of(a), b: velocity_of(b) };
 }
 
-const claims = {
-  name: subject_name('mujoco', { configured, model }),
-  version: mujoco.mj_versionString(),
-  precision: 'binary64',
-  model,
-};
-await serve(claims, solve);
+export function subject(setting) {
+  const worlds = new Map();
+  const claims = {
+    name: subject_name('mujoco', setting),
+    version: mujoco.mj_versionString(),
+    precision: 'binary64',
+    model: setting.model,
+  };
+  return { claims, solve: (collision) => solve(worlds, collision, setting) };
+}
+
+await serve_if_program(import.meta.url, subject);

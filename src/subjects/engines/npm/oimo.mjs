@@ -3,18 +3,17 @@ import { createRequire } from 'node:module';
 
 import { oimo } from 'oimophysics';
 
-import { limits, serve, settings, subject_name } from './line_protocol.mjs';
+import { limits, serve_if_program, subject_name } from './line_protocol.mjs';
 import { components, spheres, unit } from './posing.mjs';
 
 const { Mat3, Quat, Setting, Vec3 } = oimo.common;
 const { MassData, RigidBody, RigidBodyConfig, RigidBodyType, Shape, ShapeConfig } = oimo.dynamics.rigidbody;
 const { PositionCorrectionAlgorithm } = oimo.dynamics.constraint;
 
-const { configured, model } = settings();
 const overlap = 64 * Number.EPSILON;  // exceeds the rounding error of the spheres' distance, about 10 roundings
 const step = 1 / 60;  // [s]; has no effect on the configured engine
 
-if (configured) {
+function configure() {
   Setting.contactEnableBounceThreshold = 0;  // [m/s]
   Setting.maxTranslationPerStep = Setting.maxRotationPerStep = Infinity;  // limits of the velocities
   // The overlap causes no velocity.
@@ -55,7 +54,7 @@ function velocity_of(body) {
   return { velocity: components(body.getLinearVelocity()), angular_velocity: components(body.getAngularVelocity()) };
 }
 
-function solve(collision) {
+function solve(collision, { configured, model }) {
   const contact = { friction: model === 'coulomb' ? collision.friction : 0, restitution: collision.restitution };
   const posed = spheres(collision, overlap);
   const a = make_body(collision.a, posed.a, contact);
@@ -70,14 +69,22 @@ function solve(collision) {
   return { a: velocity_of(a), b: velocity_of(b) };
 }
 
-const claims = {
-  name: subject_name('oimo', { configured, model }),
-  version: createRequire(import.meta.url)('oimophysics/package.json').version,
-  precision: 'binary64',
-  model,
-  claims: configured ? undefined : {
-    restitution_threshold: 0.5,
-    ...limits(model, { max_speed: 20 / step, max_angular_velocity: Math.PI / step }),
-  },
-};
-await serve(claims, solve);
+export function subject(setting) {
+  const { configured, model } = setting;
+  if (configured) {
+    configure();
+  }
+  const claims = {
+    name: subject_name('oimo', setting),
+    version: createRequire(import.meta.url)('oimophysics/package.json').version,
+    precision: 'binary64',
+    model,
+    claims: configured ? undefined : {
+      restitution_threshold: 0.5,
+      ...limits(model, { max_speed: 20 / step, max_angular_velocity: Math.PI / step }),
+    },
+  };
+  return { claims, solve: (collision) => solve(collision, setting) };
+}
+
+await serve_if_program(import.meta.url, subject);

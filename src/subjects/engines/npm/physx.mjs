@@ -4,7 +4,7 @@ import { createRequire } from 'node:module';
 
 import initialize from 'physx-js-webidl';
 
-import { limits, serve, settings, subject_name } from './line_protocol.mjs';
+import { limits, serve_if_program, subject_name } from './line_protocol.mjs';
 import { components, spheres, unit, xyz } from './posing.mjs';
 
 const require = createRequire(import.meta.url);
@@ -16,7 +16,6 @@ const wasmBinary = readFileSync(require.resolve('physx-js-webidl/physx-js-webidl
 const PhysX = await initialize({ wasmBinary, print: console.error });  // standard output carries the protocol
 Object.assign(globalThis, { process, window: undefined });
 
-const { configured, model } = settings();
 const overlap = 2e-6;  // about 16 roundings of binary32, so that rounding leaves no gap between the spheres
 
 const scale = new PhysX.PxTolerancesScale();
@@ -47,12 +46,9 @@ const description = new PhysX.PxSceneDesc(scale);
 description.gravity = filled([0, 0, 0]);
 description.cpuDispatcher = PhysX.DefaultCpuDispatcherCreate(0);
 description.filterShader = PhysX.DefaultFilterShader();
-if (configured) {
-  description.bounceThresholdVelocity = 1e-45;  // [m/s], the smallest positive binary32 number
-}
 
 // The engine's body has the world's axes. Only its centre of mass and its principal axes are posed.
-function make_body(scene, body, sphere) {
+function make_body(scene, body, sphere, configured) {
   const made = physics.createRigidDynamic(pose_at([0, 0, 0]));
   const { dominance, collides } = body.immovable ? immovable : movable;
   ball.radius = sphere.radius;
@@ -84,14 +80,14 @@ function velocity_of(body) {
   return { velocity: components(body.getLinearVelocity()), angular_velocity: components(body.getAngularVelocity()) };
 }
 
-function solve(collision) {
+function solve(collision, { configured, model }) {
   const posed = spheres(collision, overlap);
   const friction = model === 'coulomb' ? collision.friction : 0;
   material.setStaticFriction(friction);
   material.setDynamicFriction(friction);
   material.setRestitution(collision.restitution);
   const scene = physics.createScene(description);
-  const bodies = ['a', 'b'].map((name) => make_body(scene, collision[name], posed[name]));
+  const bodies = ['a', 'b'].map((name) => make_body(scene, collision[name], posed[name], configured));
   scene.simulate(1 / 60);  // [s]; has no effect on the configured engine
   scene.fetchResults(true);
   const [a, b] = bodies.map(velocity_of);
@@ -99,11 +95,19 @@ function solve(collision) {
   return { a, b };
 }
 
-const claims = {
-  name: subject_name('physx', { configured, model }),
-  version: [24, 16, 8].map((shift) => (version >> shift) & 255).join('.'),
-  precision: 'binary32',
-  model,
-  claims: configured ? undefined : { restitution_threshold: 2, ...limits(model, { max_angular_velocity: 100 }) },
-};
-await serve(claims, solve);
+export function subject(setting) {
+  const { configured, model } = setting;
+  if (configured) {
+    description.bounceThresholdVelocity = 1e-45;  // [m/s], the smallest positive binary32 number
+  }
+  const claims = {
+    name: subject_name('physx', setting),
+    version: [24, 16, 8].map((shift) => (version >> shift) & 255).join('.'),
+    precision: 'binary32',
+    model,
+    claims: configured ? undefined : { restitution_threshold: 2, ...limits(model, { max_angular_velocity: 100 }) },
+  };
+  return { claims, solve: (collision) => solve(collision, setting) };
+}
+
+await serve_if_program(import.meta.url, subject);

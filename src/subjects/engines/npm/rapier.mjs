@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSL-1.0
 import RAPIER from '@dimforge/rapier3d-compat';
 
-import { serve, settings, subject_name } from './line_protocol.mjs';
+import { serve_if_program, subject_name } from './line_protocol.mjs';
 import { components, spheres, unit, xyz } from './posing.mjs';
 
-const { configured, model } = settings();
 const overlap = 1e-5;  // about 80 roundings of binary32, so that rounding leaves no gap between the spheres
 await RAPIER.init();
 
-function configure(world) {
+function configure(world, model) {
   // Rapier cannot turn off the gyroscopic torque, or its limit of π/4 rad a step. A short step makes both negligible.
   world.timestep = 1e-16;  // [s]
   if (model === 'frictionless') {
@@ -20,7 +19,7 @@ function configure(world) {
 
 // The engine's body has the world's axes, and its inertia has rotated principal axes. So only the centre of mass is
 // rounded.
-function make_body(world, body, sphere, { friction, restitution }) {
+function make_body(world, body, sphere, { friction, restitution }, model) {
   const description = body.immovable ? RAPIER.RigidBodyDesc.kinematicVelocityBased() : RAPIER.RigidBodyDesc.dynamic();
   description.setTranslation(...sphere.centre).setLinvel(...body.velocity).setAngvel(xyz(body.angular_velocity));
   const made = world.createRigidBody(description);
@@ -39,15 +38,15 @@ function velocity_of(body) {
   return { velocity: components(body.linvel()), angular_velocity: components(body.angvel()) };
 }
 
-function solve(collision) {
+function solve(collision, { configured, model }) {
   const posed = spheres(collision, overlap);
   const world = new RAPIER.World(xyz([0, 0, 0]));
   try {
     if (configured) {
-      configure(world);
+      configure(world, model);
     }
-    const a = make_body(world, collision.a, posed.a, collision);
-    const b = make_body(world, collision.b, posed.b, collision);
+    const a = make_body(world, collision.a, posed.a, collision, model);
+    const b = make_body(world, collision.b, posed.b, collision, model);
     world.step();
     return { a: velocity_of(a), b: velocity_of(b) };
   } finally {
@@ -55,10 +54,14 @@ function solve(collision) {
   }
 }
 
-const claims = {
-  name: subject_name('rapier', { configured, model }),
-  version: RAPIER.version(),
-  precision: 'binary32',
-  model,
-};
-await serve(claims, solve);
+export function subject(setting) {
+  const claims = {
+    name: subject_name('rapier', setting),
+    version: RAPIER.version(),
+    precision: 'binary32',
+    model: setting.model,
+  };
+  return { claims, solve: (collision) => solve(collision, setting) };
+}
+
+await serve_if_program(import.meta.url, subject);

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSL-1.0
+import { AssertionError } from 'node:assert';
+
+import fc from 'fast-check';
+
+import { drawer } from './draw.mjs';
+import { validate } from './engines/line_protocol.mjs';
+import { judge_options, sorted_options } from './options.mjs';
+import { simpler_collisions } from './simpler.mjs';
+import { introduce } from './solver/introduction.mjs';
+import { UsageError } from './solver/judge.mjs';
+import { local_session } from './solver/local_session.mjs';
+import { did_you_mean } from './solver/nearest_name.mjs';
+import { this_judge } from './threads/node_judge.mjs';
+
+const judge = await this_judge();
+const draw = await drawer();
+const all_names = judge({ cmd: 'list', what: 'families' })
+  .filter(({ beyond_domain }) => !beyond_domain).map(({ name }) => name);
+const valid_names = all_names.filter((name) => name !== 'invalid');
+const greatest_seed = 2 ** 31 - 1;
+
+/** Draws collisions of one of the families, and shrinks them to simpler numbers. */
+class Collisions extends fc.Arbitrary {
+  constructor(names, within) {
+    super();
+    Object.assign(this, { names, within });
+  }
+
+  generate(random) {
+    const family = this.names[random.nextInt(0, this.names.length - 1)];
+    const seed = random.nextInt(0, greatest_seed);
+    return new fc.Value(draw({ family, seed, within: this.within })[0], undefined);
+  }
+
+  canShrinkWithoutContext() {
+    return false;
+  }
+
+  shrink(collision) {
+    // A collision beyond the domain, or an invalid one, cannot be told from a simpler one of another kind.
+    const can_shrink = this.within === undefined && validate(collision).length === 0;
+    const simpler = can_shrink ? simpler_collisions(collision, validate) : [][Symbol.iterator]();
+    return new fc.Stream(simpler).map((one) => new fc.Value(one, undefined));
+  }
+}
+
+/** Collisions of the family with this name. */
+export function family(name, { within } = {}) {
+  if (!all_names.includes(name)) {
+    throw new UsageError(`there is no family '${name}'${did_you_mean(name, all_names)}`);
+  }
+  return new Collisions([name], within);
+}
+
+/** Valid collisions of all families, or of those with these names. */
+export function collision({ families: names = valid_names, within } = {}) {
+  names.forEach((name) => family(name));
+  return new Collisions(names, within);
+}
+
+/** An arbitrary for each family: `families.head_on()`. */
+export const families = Object.fromEntries(all_names.map((name) => [name, (options) => family(name, options)]));
+
+/** The arbitraries whose collisions lie in the domain. */
+export function within(domain) {
+  return {
+    collision: (options) => collision({ ...options, within: domain }),
+    family: (name) => family(name, { within: domain }),
+    families: Object.fromEntries(all_names.map((name) => [name, () => family(name, { within: domain })])),
+  };
+}
+
+function normal_velocity({ a, b, point, normal }) {
+  const velocity_at_point = ({ position, velocity, angular_velocity: w }) => {
+    const r = point.map((x, i) => x - position[i]);
+    return velocity.map((x, i) => x + w[(i + 1) % 3] * r[(i + 2) % 3] - w[(i + 2) % 3] * r[(i + 1) % 3]);
+  };
+  const of_b = velocity_at_point(b);
+  return velocity_at_point(a).reduce((sum, x, i) => sum + normal[i] * (x - of_b[i]), 0);
+}
+
+function reversed(collision) {
+  const back = (body) => ({
+    ...body,
+    velocity: body.velocity.map((x) => -x),
+    angular_velocity: body.angular_velocity.map((x) => -x),
+  });
+  return { ...collision, a: back(collision.a), b: back(collision.b) };
+}
+
+/** The collisions of an arbitrary with approaching bodies. All velocities are reversed if the bodies separate. */
+export function approaching(collisions) {
+  return collisions.map((one) => (normal_velocity(one) > 0 ? reversed(one) : one))
+    .filter((one) => normal_velocity(one) < 0);
+}
+
+function relative_to_point({ a, point }) {
+  return { ...a, position: a.position.map((x, i) => x - point[i]) };
+}
+
+/** Movable bodies, at positions relative to the contact point. */
+export const body = () => family('generic').map(relative_to_point);
+
+/** Immovable bodies at rest, at positions relative to the contact point. */
+export const wall = () => family('generic').map((one) => ({
+  immovable: true, position: relative_to_point(one).position, velocity: [0, 0, 0], angular_velocity: [0, 0, 0],
+}));
+
+/** The collisions of an arbitrary with other bodies. */
+export function withBodies(collisions, a, b) {
+  return fc.tuple(collisions, a, b).map(([one, ...bodies]) => {
+    const [at_a, at_b] = bodies.map((made) => ({ ...made, position: made.position.map((x, i) => x + one.point[i]) }));
+    return { ...one, a: at_a, b: at_b };
+  });
+}
+
+/**
+ * A predicate for `fc.property`: whether a solver keeps all invariants that it claims on a collision. If it does not,
+ * the predicate throws an error with the violated invariants.
+ */
+export function holds(solve, options = {}) {
+  const { request, claimed } = sorted_options(options, judge_options);
+  const { introduction } = introduce({ ...claimed, solve }, solve.name || 'solve');
+  const session = local_session(solve, introduction);
+  return (one) => {
+    Object.assign(judge, { session, progress: undefined });
+    const asked = { subject: introduction, options: request, collision: one };
+    if (judge({ cmd: 'judge', ...asked }).violated) {
+      const { text } = judge({ cmd: 'replay', place: 'collision', ...asked });
+      throw new AssertionError({ message: text, stackStartFn: holds });
+    }
+    return true;
+  };
+}

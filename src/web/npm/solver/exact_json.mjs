@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSL-1.0
+
+function number_text(x) {
+  if (Number.isFinite(x)) {
+    return Object.is(x, -0) ? '-0.0' : String(x);
+  }
+  return Number.isNaN(x) ? '"nan"' : x > 0 ? '"inf"' : '"-inf"';
+}
+
+/** JSON that keeps −0, NaN and infinities, as the subject protocol writes them. `JSON.stringify` does not. */
+export function exact_json(value) {
+  if (typeof value === 'number') {
+    return number_text(value);
+  }
+  if (Array.isArray(value) || ArrayBuffer.isView(value)) {
+    return `[${Array.from(value, exact_json).join(',')}]`;
+  }
+  if (typeof value === 'object' && value !== null) {
+    const members = Object.entries(value).filter(([, member]) => member !== undefined);
+    return `{${members.map(([name, member]) => `${JSON.stringify(name)}:${exact_json(member)}`).join(',')}}`;
+  }
+  return JSON.stringify(value) ?? 'null';
+}

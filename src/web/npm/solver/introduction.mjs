@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSL-1.0
+import { shown } from './answer.mjs';
+
+/** The text "size=0.1:10,mass_ratio=:100" of a domain such as { size: [0.1, 10], mass_ratio: [null, 100] }. */
+export function domain_text(domain) {
+  if (typeof domain !== 'object' || domain === null) {
+    return domain;
+  }
+  return Object.entries(domain).map(([quantity, range]) => {
+    const is_range = Array.isArray(range) && range.length === 2 &&
+      range.every((end) => end === null || typeof end === 'number');
+    if (!is_range) {
+      throw new Error(`domain: ${quantity}: expected the least and the greatest value, null for no limit`);
+    }
+    return `${quantity}=${range.map((end) => end ?? '').join(':')}`;
+  }).join(',');
+}
+
+/**
+ * The function that solves, and what it claims, as the reply to `start` of the protocol. `exported` holds the exports
+ * of a solver's module, or the same fields. Throws an Error that names the field.
+ */
+export function introduce(exported, default_name) {
+  const { default: main, ...named } = exported;
+  const fields = typeof main === 'object' && main !== null ? { ...main, ...named } : named;
+  const solve = typeof main === 'function' ? main : fields.solve;
+  if (typeof solve !== 'function') {
+    throw new Error(`solve: expected a function, found ${shown(solve)}; ` +
+      'write `export default function solve(collision) { … }`');
+  }
+  const { law = 'any', precision = 'binary64', name = default_name, version = '' } = fields;
+  const { domain, claims, deviates, matrix } = fields;
+  const introduction = {
+    protocol: 1, name, version, precision, model: law, deviates, matrix, domain: domain_text(domain), claims,
+  };
+  return { solve, introduction: JSON.parse(JSON.stringify(introduction)) };  // without the fields that are undefined
+}

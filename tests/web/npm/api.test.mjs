@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSL-1.0
+import assert from 'node:assert';
+import { join } from 'node:path';
+import test from 'node:test';
+import { pathToFileURL } from 'node:url';
+
+import { has_installed, imported, installed, run, violated } from './installed.mjs';
+
+const folder = installed();
+const carom = await imported(folder, 'index.mjs');
+const { solve: sound } = await import(pathToFileURL(join(folder, 'sound.mjs')).href);
+const { default: wrong } = await import(pathToFileURL(join(folder, 'wrong.mjs')).href);
+const law = 'frictionless';
+
+test('a function is judged as its module is', async () => {
+  const options = { cases: 4, seed: 3n, families: ['generic', 'invalid'] };
+  const { status, report } = await carom.gate(wrong, { law, ...options });
+  const of_module = await carom.gate(join(folder, 'wrong.mjs'), options);
+  assert.deepStrictEqual([status, of_module.status], [1, 1]);
+  const compared = ({ subjects: [{ violations, families }] }) => ({
+    invariants: violations.map(({ invariant }) => invariant), families,
+  });
+  assert.deepStrictEqual(compared(report), compared(of_module.report));
+});
+
+test('options replace the claims of a module', async () => {
+  const { report } = await carom.gate(join(folder, 'sound.mjs'), { law: 'any', name: 'renamed', cases: 5 });
+  assert.deepStrictEqual([report.subjects[0].name, report.subjects[0].model], ['renamed', 'any']);
+});
+
+test('a function that returns a promise is told what to do', async () => {
+  const { status, report, files } = await carom.gate(async (c) => sound(c), { law, cases: 5, families: ['generic'] });
+  assert.notStrictEqual(status, 0);
+  assert.match(JSON.stringify([report, files]), /returned a promise; give the path of its module/);
+});
+
+test('assertSound', async () => {
+  await carom.assertSound(sound, { law });
+  await assert.rejects(carom.assertSound(wrong, { law, cases: 4, families: 'generic' }), (error) => {
+    assert.strictEqual(error.name, 'AssertionError');
+    assert.match(error.message, /^solve violates [a-z_, ]*restitution/);
+    assert.match(error.message, /contact point \(.*\), normal \(.*\), restitution/);
+    assert.match(error.message, /N·V⁺ and −ε N·V⁻/);
+    assert.ok(violated(error.report.subjects[0]).includes('restitution'));
+    return true;
+  });
+});
+
+test('mistakes are told', async () => {
+  await assert.rejects(carom.gate(sound, { law, case: 5 }), /there is no option 'case'; did you mean 'cases'\?/);
+  await assert.rejects(carom.gate(sound, { law: 'frictionles' }), /frictionles/);
+  await assert.rejects(carom.gate(sound, { law, cases: 0.5 }), /cases: expected an integer/);
+  await assert.rejects(carom.gate(sound, { law, families: ['generics'] }), { name: 'UsageError' });
+});
+
+test('a signal ends a run', async () => {
+  const signal = AbortSignal.abort();
+  const { status, report } = await carom.gate(sound, { law, signal });
+  assert.deepStrictEqual([status, report.interrupted], [2, true]);
+});
+
+test('the cases are drawn as the gate draws them', async () => {
+  const [first, second] = await carom.draw({ family: 'elastic', seed: 5, count: 2 });
+  assert.strictEqual(first.restitution, 1);
+  assert.deepStrictEqual(await carom.draw({ family: 'elastic', seed: 5, first: 1 }), [second]);
+  const invalid = await carom.draw({ family: 'invalid', count: 50 });
+  assert.ok(invalid.every((collision) => carom.validate(collision).length > 0));
+  assert.ok(invalid.some((collision) => JSON.stringify(collision).includes('null')));  // NaN or an infinity
+});
+
+test('one collision is judged, and worked step by step', async () => {
+  const [collision] = await carom.draw({ family: 'elastic', seed: 5 });
+  collision.restitution = 0.5;
+  const { violated: is_violated, verdicts } = await carom.judge(wrong, collision, { law });
+  assert.ok(is_violated);
+  assert.strictEqual(verdicts.restitution.status, 'violated');
+  assert.strictEqual((await carom.judge(sound, collision, { law })).violated, false);
+  const { text, drawing } = await carom.replay(collision, { solver: sound, law });
+  assert.match(text, /frictionless, exactly/);
+  assert.match(drawing, /<svg/);
+});
+
+test('−0 keeps its sign on the way to the judge', async () => {
+  const [collision] = await carom.draw({ family: 'generic' });
+  collision.a.velocity = [-0, 1, 2];
+  let seen;
+  await carom.judge((c) => { seen ??= c; return sound(c); }, collision, { law });
+  assert.ok(Object.is(seen.a.velocity[0], -0));
+});
+
+test('the examples pass', async () => {
+  const examples = join(folder, 'node_modules/carom/examples');
+  const { status, stdout } = await run(folder, process.execPath, '--test', join(examples, 'solver.test.mjs'));
+  assert.strictEqual(status, 0, stdout);
+  assert.match(stdout, /pass 3/);
+});
+
+test('the types fit', async (t) => {
+  if (!has_installed(folder, 'typescript', 'fast-check')) {
+    t.skip('typescript cannot be installed');
+    return;
+  }
+  const { status, stdout } = await run(folder, process.execPath, 'node_modules/typescript/bin/tsc', '--strict',
+    '--noEmit', '--module', 'nodenext', '--target', 'es2022', 'types.mts');
+  assert.strictEqual(status, 0, stdout);
+});

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: BSL-1.0
+import assert from 'node:assert';
+import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import test from 'node:test';
+
+import { carom, gated, installed, run, violated } from './installed.mjs';
+
+const folder = installed();
+const few = ['--cases', '4', '--families', 'generic,inelastic,immovable_b,invalid'];
+const bounces = ['backward_error', 'restitution'];
+
+function module(name, text) {
+  writeFileSync(join(folder, name), text);
+  return `./${name}`;
+}
+
+test('a sound solver passes', async () => {
+  const { status, subject, stderr } = await gated(folder, './sound.mjs', '--cases', '4');
+  assert.deepStrictEqual([status, stderr, violated(subject)], [0, '', []]);
+  assert.strictEqual(subject.name, 'sound');
+});
+
+test('a wrong solver fails, and the text shows a witness', async () => {
+  const { status, subject } = await gated(folder, './wrong.mjs', ...few);
+  assert.deepStrictEqual([status, violated(subject), subject.name, subject.version], [1, bounces, 'wrong', '7']);
+  const { status: of_text, stdout } = await carom(folder, 'gate', './wrong.mjs', ...few);
+  assert.strictEqual(of_text, 1);
+  assert.match(stdout, /It violates restitution[^]*N·V⁺ and −ε N·V⁻/);
+});
+
+test('npx runs the program', async () => {
+  const npx = await run(folder, process.platform === 'win32' ? 'npx.cmd' : 'npx',
+    'carom', 'gate', './wrong.mjs', '--cases', '2', '--families', 'elastic,generic');
+  assert.strictEqual(npx.status, 1);
+});
+
+test('the number of threads changes no result', async () => {
+  const of_jobs = async (jobs) => {
+    const { subject } = await gated(folder, './wrong.mjs', ...few, '--jobs', jobs, '--out', `jobs${jobs}`);
+    delete subject.nanoseconds_per_solve;
+    const names = readdirSync(join(folder, `jobs${jobs}`, 'witnesses')).sort();
+    const witnesses = names.map((name) => {
+      const { replay, ...witness } = JSON.parse(readFileSync(join(folder, `jobs${jobs}`, 'witnesses', name), 'utf8'));
+      return witness;
+    });
+    return { subject, names, witnesses };
+  };
+  const one = await of_jobs('1');
+  assert.strictEqual(one.witnesses.length, bounces.length);
+  assert.deepStrictEqual(await of_jobs('3'), one);
+});
+
+test('a seed of 64 bits gives its own cases', async () => {
+  const counts = async (seed) => {
+    const { stdout } = await gated(folder, './sound.mjs', ...few, '--seed', seed);
+    return stdout;
+  };
+  const big = await counts('18446744073709551615');
+  assert.match(big, /"seed": 18446744073709551615\b/);
+  assert.notDeepStrictEqual(JSON.parse(big).families, JSON.parse(await counts('1')).families);
+});
+
+test('--out replaces the report and the witnesses that it lists, and nothing else', async () => {
+  const out = join(folder, 'report');
+  mkdirSync(join(out, 'witnesses'), { recursive: true });
+  writeFileSync(join(out, 'witnesses', 'mine.energy.json'), 'mine');
+  writeFileSync(join(out, 'notes.txt'), 'mine');
+  await carom(folder, 'gate', './wrong.mjs', ...few, '--out', 'report');
+  const witness = join(out, 'witnesses', 'wrong.restitution.json');
+  assert.strictEqual(JSON.parse(readFileSync(witness, 'utf8')).invariant, 'restitution');
+  assert.match(readFileSync(join(out, 'report.html'), 'utf8'), /^<!DOCTYPE html>/i);
+  assert.match(readFileSync(join(out, 'junit.xml'), 'utf8'), /<testsuite/);
+  const { stdout } = await carom(folder, 'gate', './sound.mjs', ...few, '--out', 'report', '--format', 'json');
+  assert.strictEqual(readFileSync(join(out, 'report.json'), 'utf8'), stdout);
+  assert.deepStrictEqual(readdirSync(out).sort(),
+    ['junit.xml', 'notes.txt', 'report.html', 'report.json', 'witnesses']);
+  assert.deepStrictEqual(readdirSync(join(out, 'witnesses')), ['mine.energy.json']);
+});
+
+test('a report of others leads to no removal of files', async () => {
+  const out = join(folder, 'foreign');
+  mkdirSync(join(out, 'witnesses'), { recursive: true });
+  writeFileSync(join(folder, 'precious.json'), 'mine');
+  const violations = ['../precious.json', 'witnesses/../../precious.json'].map((witness) => ({ witness }));
+  writeFileSync(join(out, 'report.json'), JSON.stringify({ carom: '0', subjects: [{ violations }] }));
+  assert.strictEqual((await carom(folder, 'gate', './sound.mjs', ...few, '--out', 'foreign')).status, 0);
+  assert.ok(existsSync(join(folder, 'precious.json')));
+});
+
+test('a directory that cannot be written is an error before the run', async () => {
+  writeFileSync(join(folder, 'file'), '');
+  const { status, stderr } = await carom(folder, 'gate', './sound.mjs', '--out', 'file');
+  assert.strictEqual(status, 2);
+  assert.match(stderr, /^carom: --out: file/);
+});
+
+for (const [words, message] of [
+  [['gate', './sound.mjs', '--sed', '1'], /there is no option '--sed'; did you mean '--seed'\?/],
+  [['gate', './sound.mjs', '--cases', '0'], /--cases: expected an integer from 1 to 1000000000, found 0/],
+  [['gate', './sound.mjs', '--digits', '3', '--limit-ulps', '4'], /digits excludes limit_ulps/],
+  [['gate', './sound.mjs', '--families', 'generics'], /generics.*did you mean 'generic'\?/],
+  [['gate', './sound.mjs', '--within', 'size=10:1'], /--within|within/],
+  [['gate', './sound.mjs', '--deviates', 'enrgy'], /enrgy.*did you mean 'energy'\?/],
+  [['gate', './absent.mjs'], /\.\/absent\.mjs: there is no such file/],
+  [['gate'], /SOLVER is missing/],
+  [['gate', 'canon'], /there is no engine 'canon'; did you mean 'cannon'\?/],
+  [['gat'], /there is no command 'gat'; did you mean 'gate'\?/],
+  [['replay', './absent.json'], /absent\.json/],
+]) {
+  test(`an error: carom ${words.join(' ')}`, async () => {
+    const { status, stdout, stderr } = await carom(folder, ...words);
+    assert.deepStrictEqual([status, stdout], [2, '']);
+    assert.match(stderr, message);
+  });
+}
+
+for (const [text, message] of [
+  ["export const law = 'frictionles'; export const solve = () => 0;", /frictionles/],
+  ["export const precision = 'binary128'; export const solve = () => 0;", /binary128/],
+  ["export const claims = { slip: 1 }; export const solve = () => 0;", /slip/],
+  ["export const domain = { size: [1] }; export const solve = () => 0;", /domain: size: expected the least/],
+  ["export const law = 'rough';", /solve: expected a function, found undefined/],
+  ["export const solve = ;", /Unexpected token/],
+  ["import 'no-such-package'; export const solve = () => 0;", /no-such-package/],
+  ["process.exit(0);", /ended with status 0/],
+]) {
+  test(`an error: a module with ${text}`, async () => {
+    const { status, stdout, stderr } = await carom(folder, 'gate', module('module.mjs', text), ...few);
+    assert.deepStrictEqual([status, stdout], [2, '']);
+    assert.match(stderr, message);
+  });
+}
+
+test('a module in CommonJS is judged', async () => {
+  const name = module('solver.cjs', "module.exports = { law: 'any', name: 'old', solve: ({ a, b }) => ({ a, b }) };");
+  const { subject } = await gated(folder, name, '--cases', '4', '--families', 'separating');
+  assert.strictEqual(subject.name, 'old');
+  assert.deepStrictEqual(violated(subject), []);
+});
+
+test('a domain from a file is a domain', async () => {
+  writeFileSync(join(folder, 'ranges.json'), '{ "size": [0.5, 2], "mass_ratio": [null, 10] }');
+  const { stdout } = await gated(folder, './sound.mjs', ...few, '--within', 'ranges.json');
+  assert.match(stdout, /"size": \[\s*0\.5,\s*2/);
+});
+
+test('Ctrl-C reports what was judged', { skip: process.platform === 'win32' }, async () => {
+  const name = module('slow.mjs', `import { solve as sound } from './sound.mjs';
+    export const law = 'frictionless';
+    let count = 0;
+    export async function solve(collision) {
+      if (++count === 30000) console.log('now');
+      return sound(collision);
+    }`);
+  const { spawn } = await import('node:child_process');
+  const words = ['node_modules/carom/carom.mjs', 'gate', name, '--cases', '1000000', '--jobs', '1', '--format', 'json'];
+  const child = spawn(process.execPath, words, { cwd: folder });
+  let stdout = '';
+  child.stdout.on('data', (text) => { stdout += text; });
+  child.stderr.once('data', () => child.kill('SIGINT'));
+  const status = await new Promise((resolve) => child.on('close', resolve));
+  assert.strictEqual(status, 2);
+  assert.strictEqual(JSON.parse(stdout).interrupted, true);
+});
+
+test('the lists', async () => {
+  const { stdout } = await carom(folder, 'families', '--format', 'json');
+  assert.ok(JSON.parse(stdout).some(({ name }) => name === 'near_head_on'));
+  assert.match((await carom(folder, 'invariants')).stdout, /^restitution$/m);
+  assert.match((await carom(folder, 'domains')).stdout, /^games$/m);
+  assert.match((await carom(folder, 'features')).stdout, /a\.mass_one/);
+  assert.match((await carom(folder, '--version')).stdout, /^\d+\.\d+\.\d+\n$/);
+});
+
+test('a witness is replayed', async () => {
+  await carom(folder, 'gate', './wrong.mjs', ...few, '--out', 'replayed');
+  const witness = join('replayed', 'witnesses', 'wrong.restitution.json');
+  const alone = await carom(folder, 'replay', witness);
+  assert.strictEqual(alone.status, 0);
+  assert.match(alone.stdout, /frictionless, exactly/);
+  const judged = await carom(folder, 'replay', witness, '--subject', './wrong.mjs');
+  assert.strictEqual(judged.status, 1);
+  assert.match(judged.stdout, /restitution +VIOLATED/);
+  const sound = await carom(folder, 'replay', witness, '--subject', './sound.mjs', '--all-laws', '--drawn');
+  assert.strictEqual(sound.status, 0);
+  assert.match(sound.stdout, /rough, exactly/);
+});
