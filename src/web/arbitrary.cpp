@@ -3,11 +3,13 @@
 
 #include <optional>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <carom/collision/json/json.hpp>
+#include <carom/collision/validate.hpp>
 #include <carom/properties/domains/draw_within.hpp>
 #include <carom/properties/families/choices.hpp>
 #include <carom/properties/gate/posed_families.hpp>
@@ -20,25 +22,23 @@ namespace {
 
 using nlohmann::json;
 
-/// Draws cases of the family, or of any family if the request names none. A case that does not fit into the domain
-/// stays as it was drawn.
+properties::Domain domain_of(const json& request) {
+  return request.contains("within") ? domain_given(request.at("within").get<std::string>()) : properties::Domain();
+}
+
+/// Draws cases of the family. A case that does not fit into the domain stays as it was drawn.
 properties::Draw draw_of(const json& request) {
-  properties::Draw draw = properties::case_of_any_family;
-  std::optional<properties::LimitedQuantity> keeps;
-  if (request.contains("family")) {
-    const properties::Family& family = properties::require_family("family", request.at("family").get<std::string>());
-    draw = family.generate;
-    keeps = family.keeps;
-  }
-  if (!request.contains("within")) {
-    return draw;
-  }
-  return [draw = std::move(draw), keeps,
-          within = domain_given(request.at("within").get<std::string>())](properties::Stream& stream) {
-    properties::Case one = draw(stream);
+  const properties::Family& family = properties::require_family("family", request.at("family").get<std::string>());
+  return [&family, within = domain_of(request)](properties::Stream& stream) {
+    const properties::Case one = family.generate(stream);
     properties::Case fitted = one;
-    return fit_into(within, keeps, stream, fitted) ? fitted : one;
+    return fit_into(within, family.keeps, stream, fitted) ? fitted : one;
   };
+}
+
+/// Whether the domain contains the collision, or the collision is invalid, so that it lies in every domain.
+bool fits(const properties::Domain& within, const Collision& collision) {
+  return within.is_everything() || !validate(collision).empty() || contains(within, collision);
 }
 
 json choices_of(const std::vector<properties::Choice>& choices) {
@@ -67,25 +67,38 @@ json record_of(const properties::ChosenCase& chosen) {
 }  // namespace
 
 json chosen(const json& request) {
-  std::mt19937_64 words(count_from(request.at("seed"), "/seed"));
+  constexpr int most_draws = 64;
+  const properties::Draw draw = draw_of(request);
+  const properties::Domain within = domain_of(request);
   const auto size = static_cast<int>(count_from(request.at("size"), "/size"));
-  return record_of(properties::chosen_case(
-      draw_of(request), [&] { return words(); }, size));
+  std::mt19937_64 words(count_from(request.at("seed"), "/seed"));
+  for (int i = 0; i < most_draws; ++i) {
+    const properties::ChosenCase one = properties::chosen_case(
+        draw, [&] { return words(); }, size);
+    if (fits(within, one.one.collision)) {
+      return record_of(one);
+    }
+  }
+  throw std::invalid_argument("no case of " + request.at("family").get<std::string>() + " lies within " +
+                              to_text(within));
 }
 
 json simpler(const json& request) {
   const properties::Draw draw = draw_of(request);
+  const properties::Domain within = domain_of(request);
+  const std::uint64_t most = count_from(request.at("most"), "/most");
   properties::SimplerCases cases(draw, properties::replayed_case(draw, choices_from(request.at("choices"))),
                                  count_from(request.at("first"), "/first"));
   json records = json::array();
-  const std::uint64_t most = count_from(request.at("most"), "/most");
-  for (std::uint64_t i = 0; i < most; ++i) {
+  while (records.size() < most) {
     const std::optional<properties::ChosenCase> next = cases.next();
     if (!next) {
       break;
     }
-    records.push_back(record_of(*next));
-    records.back()["place"] = cases.place();
+    if (fits(within, next->one.collision)) {
+      records.push_back(record_of(*next));
+      records.back()["place"] = cases.place();
+    }
   }
   return {{"cases", records}};
 }

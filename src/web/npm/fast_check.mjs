@@ -3,45 +3,49 @@ import { AssertionError } from 'node:assert';
 
 import fc from 'fast-check';
 
-import { drawer } from './draw.mjs';
-import { validate } from './engines/line_protocol.mjs';
+import { read_collision } from './engines/line_protocol.mjs';
 import { judge_options, sorted_options } from './options.mjs';
-import { simpler_collisions } from './simpler.mjs';
-import { introduce } from './solver/introduction.mjs';
+import { domain_text, introduce } from './solver/introduction.mjs';
 import { UsageError } from './solver/judge.mjs';
 import { local_session } from './solver/local_session.mjs';
 import { did_you_mean } from './solver/nearest_name.mjs';
 import { this_judge } from './threads/node_judge.mjs';
 
 const judge = await this_judge();
-const draw = await drawer();
 const all_names = judge({ cmd: 'list', what: 'families' })
   .filter(({ beyond_domain }) => !beyond_domain).map(({ name }) => name);
 const valid_names = all_names.filter((name) => name !== 'invalid');
 const greatest_seed = 2 ** 31 - 1;
+const whole_size = 50;  // from this size on, the whole distribution of a family is drawn
+const most_simpler = 1000;
 
-/** Draws collisions of one of the families, and shrinks them to simpler numbers. */
+/** Draws collisions of one of the families, and shrinks them within their family and domain. */
 class Collisions extends fc.Arbitrary {
   constructor(names, within) {
     super();
-    Object.assign(this, { names, within });
+    Object.assign(this, { names, within: domain_text(within) });
   }
 
-  generate(random) {
+  generate(random, bias) {
     const family = this.names[random.nextInt(0, this.names.length - 1)];
-    const seed = random.nextInt(0, greatest_seed);
-    return new fc.Value(draw({ family, seed, within: this.within })[0], undefined);
+    const is_simple = bias !== undefined && random.nextInt(1, bias) === 1;
+    const size = is_simple ? random.nextInt(0, whole_size - 1) : whole_size;
+    const seed = String(random.nextInt(0, greatest_seed));
+    return this.value_of({ ...judge({ cmd: 'chosen', family, within: this.within, seed, size }), place: 0 }, family);
+  }
+
+  value_of({ collision: json, choices, place }, family) {
+    return new fc.Value(read_collision(json), { family, choices, place });
   }
 
   canShrinkWithoutContext() {
     return false;
   }
 
-  shrink(collision) {
-    // A collision beyond the domain, or an invalid one, cannot be told from a simpler one of another kind.
-    const can_shrink = this.within === undefined && validate(collision).length === 0;
-    const simpler = can_shrink ? simpler_collisions(collision, validate) : [][Symbol.iterator]();
-    return new fc.Stream(simpler).map((one) => new fc.Value(one, undefined));
+  /** Begins at the change that succeeded last, because the changes before it failed. */
+  shrink(_, { family, choices, place }) {
+    const request = { cmd: 'simpler', family, within: this.within, choices, first: place, most: most_simpler };
+    return new fc.Stream(judge(request).cases[Symbol.iterator]()).map((one) => this.value_of(one, family));
   }
 }
 

@@ -36,6 +36,15 @@ test('arbitraries for fast-check', async (t) => {
     assert.ok(found.restitution > 0);
   });
 
+  await t.test('a collision shrinks within its family and its domain', () => {
+    const collisions = within('mass=2:3').family('elastic');
+    const details = fc.check(fc.property(collisions, ({ a }) => a.mass < 2.5), { seed: 1 });
+    const [{ a, b, restitution }] = details.counterexample;
+    assert.ok(details.failed && details.numShrinks > 0);
+    assert.ok([a.mass, b.mass].every((mass) => mass >= 2 && mass <= 3));
+    assert.strictEqual(restitution, 1);
+  });
+
   await t.test('the same seed draws the same collisions', () => {
     const sample = () => fc.sample(collision(), { seed: 7, numRuns: 20 });
     assert.deepStrictEqual(sample(), sample());
