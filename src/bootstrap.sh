@@ -136,12 +136,15 @@ build_program() {
   cmake --build build --parallel "$jobs" --target carom_programs >&2
 }
 
-# build_web TARGET…: configures the judge in WebAssembly, with Debian's emscripten, and builds the targets
-build_web() {
+install_web() {
   local of_web
   mapfile -t of_web < <(packages_of web)
+  command -v npm >/dev/null || of_web+=(nodejs npm)
   install_packages "${of_web[@]}"
-  command -v npm >/dev/null || install_packages nodejs npm
+}
+
+# build_web TARGET…: configures the judge in WebAssembly, with Debian's emscripten, and builds the targets
+build_web() {
   npm ci --prefix src/web/page --no-audit --no-fund --loglevel=error >&2
   (
     # Emscripten finds Debian's acorn by NODE_PATH, and trips over `fetch` in later versions of node.
@@ -269,6 +272,7 @@ scenes)
   exit "$status"
   ;;
 wasm)
+  install_web
   build_web carom_web
   ls -l build-wasm/*.tgz build-wasm/page
   ;;
@@ -279,8 +283,15 @@ quick)
 test)
   if [ "${1:-}" = all ]; then
     install_all_test_programs
-    (build_web carom_web replay_answers) || echo "bootstrap: the tests Web.* will be skipped" >&2
+    install_web
+    mkdir -p build-wasm
+    build_web carom_web replay_answers 2>build-wasm/build.log & # its configure scripts need one processor only
+    web=$!
     build carom_all_tests everything
+    wait "$web" || {
+      tail -n 20 build-wasm/build.log >&2
+      echo "bootstrap: the tests Web.* will be skipped" >&2
+    }
     run_tests build "${@:2}"
   fi
   install_test_programs
