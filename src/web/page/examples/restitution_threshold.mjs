@@ -65,7 +65,7 @@ function refuseInvalid({ a, b, point, normal, restitution }) {
   const isDirection = (v) => v.every(Number.isFinite) && v.some((x) => x !== 0);
   const isPositive = (x) => x > 0 && x < Infinity;
   const isValid = (body) =>
-    [body.position, body.velocity, body.angular_velocity].flat().every(Number.isFinite)
+    [body.position, body.velocity, body.angular_velocity].every((v) => v.every(Number.isFinite))
     && (body.immovable || isDirection(body.orientation)
       && isPositive(body.mass) && body.principal_inertia.every(isPositive));
   if (!(isValid(a) && isValid(b) && point.every(Number.isFinite) && isDirection(normal)
