@@ -285,6 +285,7 @@ test)
     install_all_test_programs
     install_web
     mkdir -p build-wasm
+    rm -rf build-wasm/*.tgz build-wasm/page build-wasm/tests/web/replay_answers.js # the tests of Web need new ones
     build_web carom_web replay_answers 2>build-wasm/build.log & # its configure scripts need one processor only
     web=$!
     build carom_all_tests everything

@@ -210,7 +210,9 @@ Outcome<double> pushed(const Collision& collision, const Vector3<double>& impuls
     const Outcome<S> after{pushed_body(c.a, c.point, f), pushed_body(c.b, c.point, Vector3<S>(-f))};
     return map_outcome<double>(after, [](S x) { return static_cast<double>(x); });
   };
-  return in_wide(outcome, collision, Outcome<double>{{impulse, {}}, {}});
+  Outcome<double> sizes;  // whose numbers decide the scalar
+  sizes.a.velocity = impulse;
+  return in_wide(outcome, collision, sizes);
 }
 
 }  // namespace carom::properties::diagnosis

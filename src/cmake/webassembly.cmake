@@ -7,7 +7,8 @@ if(NOT EXISTS ${CAROM_WEB_LIBRARIES}/lib/libmpfr.a)
   message(FATAL_ERROR "${CAROM_WEB_LIBRARIES} has no lib/libmpfr.a: run bash src/bootstrap.sh wasm")
 endif()
 
-add_compile_options(-fwasm-exceptions -I${PROJECT_SOURCE_DIR}/src/web/old_library -include prelude.hpp)
+add_compile_options(-fwasm-exceptions -I${PROJECT_SOURCE_DIR}/src/web/old_library
+                    "SHELL:-include prelude.hpp" "SHELL:-include range_algorithms.hpp")
 # The memory of WebAssembly has 32-bit addresses, and the judge keeps far fewer than 2^32 cases.
 add_compile_options(-Wno-shorten-64-to-32)
 add_link_options(-fwasm-exceptions)

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSL-1.0
-#include "arbitrary.hpp"
-
 #include <optional>
 #include <random>
 #include <stdexcept>
@@ -14,8 +12,8 @@
 #include <carom/properties/families/choices.hpp>
 #include <carom/properties/gate/posed_families.hpp>
 #include <carom/properties/search/simpler_cases.hpp>
-
-#include "request.hpp"
+#include <carom/web/arbitrary.hpp>
+#include <carom/web/request.hpp>
 
 namespace carom::web {
 namespace {

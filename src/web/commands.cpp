@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSL-1.0
-#include "commands.hpp"
-
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -21,10 +19,10 @@
 #include <carom/report/model/run_json.hpp>
 #include <carom/report/model/version.hpp>
 #include <carom/report/pages/pages.hpp>
-
-#include "arbitrary.hpp"
-#include "replay.hpp"
-#include "request.hpp"
+#include <carom/web/arbitrary.hpp>
+#include <carom/web/commands.hpp>
+#include <carom/web/replay.hpp>
+#include <carom/web/request.hpp>
 
 namespace carom::web {
 namespace {
@@ -40,6 +38,17 @@ std::uint64_t all_cases(const properties::GateOptions& options) {
     all += cases_of(options, *family);
   }
   return all;
+}
+
+/// The package installs its program for one project, so a user starts it by npx.
+std::string with_npx(std::string text) {
+  constexpr std::string_view command = "carom replay ";
+  constexpr std::string_view starter = "npx ";
+  for (std::size_t at = text.find(command); at != std::string::npos; at = text.find(command, at + command.size())) {
+    text.insert(at, starter);
+    at += starter.size();
+  }
+  return text;
 }
 
 report::Run run_of(const Request& request, properties::GateReport report, bool is_part) {
@@ -81,13 +90,14 @@ json part(const json& record) {
   request.options.shrinks = false;
   properties::GateReport report = properties::run_gate({request.subject}, request.options);
   report.results[0].witnesses.clear();  // the worst violations suffice to find them again
-  return {{"report", report::report_record(run_of(request, std::move(report), true)).dump()}};
+  return {{"report", report::report_record(run_of(request, std::move(report), true))
+                         .dump(-1, ' ', false, json::error_handler_t::replace)}};
 }
 
 json files_of(const report::Run& run, const std::string& out) {
   json files = json::array();
   const auto add = [&](const std::string& file, std::string text) {
-    files.push_back({{"file", file}, {"text", std::move(text)}});
+    files.push_back({{"file", file}, {"text", with_npx(std::move(text))}});
   };
   for (const report::JudgedSubject& subject : run.subjects) {
     for (const properties::Witness& witness : subject.result.witnesses) {
@@ -130,8 +140,8 @@ json finish(const json& record) {
   sum.interrupted = record.value("interrupted", false);
   report::Run run = run_of(request, std::move(sum), false);
   return {{"status", run.exit_status()},
-          {"text", report::run_text(run, request.out)},
-          {"markdown", report::run_markdown(run, request.out)},
+          {"text", with_npx(report::run_text(run, request.out))},
+          {"markdown", with_npx(report::run_markdown(run, request.out))},
           {"files", files_of(run, request.out)}};
 }
 

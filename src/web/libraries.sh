@@ -32,7 +32,7 @@ source_of() {
 }
 
 apt() {
-  apt-get -qq -o APT::Sandbox::User="$(id -un)" -o Dir::Etc::sourcelist=/dev/null -o "Dir::Etc::sourceparts=$out/apt/parts" \
+  apt-get -qq -o APT::Update::Error-Mode=any -o APT::Sandbox::User="$(id -un)" -o Dir::Etc::sourcelist=/dev/null -o "Dir::Etc::sourceparts=$out/apt/parts" \
     -o "Dir::State::lists=$out/apt/lists" "$@"
 }
 
@@ -40,7 +40,7 @@ apt() {
 compiler="$(em-config LLVM_ROOT)/clang-$(em-config CLANG_ADD_VERSION) --target=wasm32-unknown-emscripten"
 compiler+=" --sysroot=$(em-config CACHE)/sysroot"
 
-# compile LIBRARY SOURCES MAKE_ARG… -- CONFIGURE_ARG…: builds lib/LIBRARY.a with its own configure script
+# compile LIBRARY SOURCES MAKE_ARG… -- CONFIGURE_ARG…: builds LIBRARY.a with its own configure script
 compile() {
   local library=$1 sources=$2 makes=()
   shift 2
@@ -58,7 +58,12 @@ compile() {
     tail -n 20 "$out/$library.log" >&2
     exit 2
   }
-  find "sources/$sources" -name "$library.a" -exec cp {} lib/ \;
+}
+
+# install_library LIBRARY SOURCES HEADER: puts the library in place last, because it stands for all
+install_library() {
+  cp "sources/$2/$3" include/
+  cp "$(find "sources/$2" -name "$1.a" | head -n 1)" lib/
 }
 
 if [ ! -e lib/libgmp.a ]; then
@@ -68,12 +73,12 @@ if [ ! -e lib/libgmp.a ]; then
   printf 'all:\ninstall:\n' >sources/gmp/doc/Makefile.in
   gmp_cv_c_double_format='IEEE little endian' compile libgmp gmp 'SUBDIRS=mpn mpz mpq mpf .' -- --disable-assembly
   grep -q 'define HAVE_DOUBLE_IEEE_LITTLE_ENDIAN 1' sources/gmp/config.h
-  cp sources/gmp/gmp.h include/
+  install_library libgmp gmp gmp.h
 fi
 if [ ! -e lib/libmpfr.a ]; then
   source_of mpfr4
   compile libmpfr mpfr4 -C src -- "--with-gmp-include=$out/include" "--with-gmp-lib=$out/lib" --disable-thread-safe
-  cp sources/mpfr4/src/mpfr.h include/
+  install_library libmpfr mpfr4 src/mpfr.h
 fi
 if [ ! -e include/pugixml.cpp ]; then
   source_of pugixml

@@ -6,8 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <carom/collision/json/json.hpp>
-
-#include "commands.hpp"
+#include <carom/web/commands.hpp>
 
 /// Answers one request. Both are JSON texts. The answer is valid until the next call. An error is {"error": "…"}.
 extern "C" EMSCRIPTEN_KEEPALIVE const char* carom_call(const char* request) {

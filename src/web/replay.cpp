@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSL-1.0
-#include "replay.hpp"
-
 #include <optional>
 #include <sstream>
 #include <string>
@@ -14,8 +12,8 @@
 #include <carom/report/model/answer_json.hpp>
 #include <carom/report/pages/case_drawing.hpp>
 #include <carom/report/pages/shown_case.hpp>
-
-#include "request.hpp"
+#include <carom/web/replay.hpp>
+#include <carom/web/request.hpp>
 
 namespace carom::web {
 namespace {

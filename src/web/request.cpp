@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSL-1.0
-#include "request.hpp"
-
 #include <charconv>
 #include <cmath>
 #include <stdexcept>
@@ -12,8 +10,8 @@
 #include <carom/properties/gate/posed_families.hpp>
 #include <carom/properties/trial/deviation.hpp>
 #include <carom/subjects/protocol/messages.hpp>
-
-#include "solver.hpp"
+#include <carom/web/request.hpp>
+#include <carom/web/solver.hpp>
 
 namespace carom::web {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSL-1.0
-#include "solver.hpp"
-
 #include <cstdlib>
 #include <memory>
 #include <stdexcept>
@@ -14,6 +12,7 @@
 #include <carom/collision/json/text.hpp>
 #include <carom/collision/validate.hpp>
 #include <carom/subjects/protocol/messages.hpp>
+#include <carom/web/solver.hpp>
 
 // Each function returns text in memory that the caller frees; empty for success.
 EM_JS(char*, carom_open, (), { return Module.newText(Module.caromOpen()); });

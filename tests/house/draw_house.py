@@ -10,7 +10,7 @@ import sys
 # The colour of each part, and the middle of its column.
 PARTS = {"src/collision": ("#dfe8f5", 450), "src/impulse": ("#d5ead7", 235), "src/scene": ("#fbe6c4", 80),
          "oracles": ("#f2d9e6", 450), "properties": ("#e2daf4", 680), "src/report": ("#cfe9ea", 900),
-         "src/subjects": ("#eae6cf", 1110), "src/tool": ("#e2e2e2", 680)}
+         "src/subjects": ("#eae6cf", 1110), "src/web": ("#f5dcd2", 960), "src/tool": ("#e2e2e2", 680)}
 WIDTH, BOX, HEIGHT, ROW = 1260, 140, 44, 76
 INCLUDE = re.compile(r'^#include (?:<carom/([\w/]+)\.hpp>|"([\w/]+)\.hpp")', re.M)
 

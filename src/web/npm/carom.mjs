@@ -39,7 +39,7 @@ function printable(text) {
   return text.replace(/[\0-\x08\x0b-\x1f\x7f-\x9f]/g, '?');
 }
 
-process.stdout.on('error', (error) => process.exit(error.code === 'EPIPE' ? 0 : usage));
+process.stdout.on('error', (error) => process.exit(error.code === 'EPIPE' ? process.exitCode : usage));
 try {
   const { text, status } = await run(process.argv.slice(2));
   process.exitCode = status;

@@ -37,6 +37,14 @@ export const judge_options = {
   },
 };
 
+/** The options of one case of a family. */
+export const case_options = {
+  family: { value: 'FAMILY', read: text, what: 'The family of a case, in place of FILE' },
+  case: { value: 'N', read: integer(0, 2 ** 53), what: 'The number of the case, from 0; needs --family' },
+  seed: { value: 'N', read: seed, what: 'The seed of the case (default: 1); needs --family' },
+  within: { value: 'DOMAIN', read: text, what: 'The domain into which the case was drawn; needs --family' },
+};
+
 /** The options of a gate, for the command line and for the API, which writes _ in place of -. */
 export const gate_options = {
   seed: { value: 'N', read: seed, what: 'Seed of the cases; the same seed gives the same cases (default: 1)' },

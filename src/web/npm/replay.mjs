@@ -27,9 +27,8 @@ export async function replay(record, { solver, all_laws = false, drawn = false, 
   const text = typeof record === 'string' ? record : exact_json(record);
   const law = sorted.claimed.law ?? JSON.parse(text)?.subject?.model;  // a witness names its subject
   return with_asker(solver, sorted, async ({ ask, subject }) => {
-    const { record_text, ...reply } =
-      await ask({ cmd: 'replay', text, place, law, subject, options: sorted.request, all_laws, drawn });
-    return { ...reply, record: JSON.parse(record_text) };
+    const reply = await ask({ cmd: 'replay', text, place, law, subject, options: sorted.request, all_laws, drawn });
+    return { ...reply, record: JSON.parse(reply.record_text) };
   });
 }
 

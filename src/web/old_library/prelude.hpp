@@ -3,6 +3,7 @@
 
 // The parts of C++20 that the judge uses and libc++ 13 lacks. Each file of the WebAssembly build includes them first.
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
@@ -26,10 +27,15 @@ requires(sizeof(To) == sizeof(From) && is_trivially_copyable_v<To> && is_trivial
   return to;
 }
 
-/// Reads what strtod reads. Precondition: the text begins neither with white space nor with '+'.
+/// Reads a decimal number, "inf" or "nan".
 inline from_chars_result from_chars(const char* first, const char* last, double& value,
                                     chars_format = chars_format::general) {
   const string text(first, last);
+  // strtod also reads white space, a plus sign and hexadecimal digits.
+  if (text.empty() || isspace(static_cast<unsigned char>(text[0])) != 0 || text[0] == '+' ||
+      text.find_first_of("xX") != string::npos) {
+    return {first, errc::invalid_argument};
+  }
   char* end = nullptr;
   errno = 0;
   const double number = strtod(text.c_str(), &end);
@@ -46,5 +52,4 @@ inline from_chars_result from_chars(const char* first, const char* last, double&
 
 }  // namespace std
 
-#include "range_algorithms.hpp"
 #endif

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#if defined(_LIBCPP_VERSION) && _LIBCPP_VERSION < 14000
 /// The algorithms of std::ranges that the judge uses, on whole ranges, for libc++ 13.
 namespace std::ranges {
 
@@ -99,3 +100,4 @@ void set_difference(R1&& range, R2&& subtracted, Out out) {
 }
 
 }  // namespace std::ranges
+#endif

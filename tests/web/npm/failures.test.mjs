@@ -22,8 +22,8 @@ async function judged(word) {
 }
 
 for (const [word, message] of [
-  ['hang', /solve did not end within 0\.3 s/],
-  ['promise', /solve did not end within 0\.3 s/],
+  ['hang', /did not return within 0\.3 s/],
+  ['promise', /did not return within 0\.3 s/],
   ['exit', /ended with status 3/],
   ['late', /was ended by an error outside of solve: planted/],
   ['strings', /returned an invalid answer: \/a\/velocity\/0: expected a number, found "0"/],

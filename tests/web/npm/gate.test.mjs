@@ -81,11 +81,14 @@ test('--out replaces the report and the witnesses that it lists, and nothing els
 test('a report of others leads to no removal of files', async () => {
   const out = join(folder, 'foreign');
   mkdirSync(join(out, 'witnesses'), { recursive: true });
-  writeFileSync(join(folder, 'precious.json'), 'mine');
-  const violations = ['../precious.json', 'witnesses/../../precious.json'].map((witness) => ({ witness }));
+  const kept = ['../precious.energy.json', 'witnesses/../../other.energy.json', 'witnesses/mine.none.json'];
+  kept.forEach((file) => writeFileSync(join(out, file), 'mine'));
+  const violations = [...kept, 'witnesses/old.energy.json'].map((witness) => ({ witness }));
+  writeFileSync(join(out, 'witnesses', 'old.energy.json'), '{}');
   writeFileSync(join(out, 'report.json'), JSON.stringify({ carom: '0', subjects: [{ violations }] }));
   assert.strictEqual((await carom(folder, 'gate', './sound.mjs', ...few, '--out', 'foreign')).status, 0);
-  assert.ok(existsSync(join(folder, 'precious.json')));
+  assert.ok(kept.every((file) => existsSync(join(out, file))));
+  assert.ok(!existsSync(join(out, 'witnesses', 'old.energy.json')));
 });
 
 test('a directory that cannot be written is an error before the run', async () => {
@@ -185,4 +188,27 @@ test('a witness is replayed', async () => {
   const sound = await carom(folder, 'replay', witness, '--subject', './sound.mjs', '--all-laws', '--drawn');
   assert.strictEqual(sound.status, 0);
   assert.match(sound.stdout, /rough, exactly/);
+});
+
+test('a case is replayed by its number', async () => {
+  const shown = await carom(folder, 'replay', '--family', 'generic', '--case', '0', '--subject', './wrong.mjs');
+  assert.strictEqual(shown.status, 1);
+  assert.match(shown.stdout, /^generic #0 of seed 1\n[^]*restitution +VIOLATED/);
+  for (const words of [[], ['--case', '2'], ['--family', 'elastic'], ['a.json', '--family', 'slow', '--case', '1']]) {
+    const { status, stderr } = await carom(folder, 'replay', ...words);
+    assert.strictEqual(status, 2);
+    assert.match(stderr, /expected FILE, or --family and --case/);
+  }
+});
+
+test('a late notification ends no other wait', async () => {
+  const slow = installed();
+  const channel = join(slow, 'node_modules/carom/threads/channel.mjs');
+  const notifies_at_once = readFileSync(channel, 'utf8');
+  const notifies_late = notifies_at_once.replace('  Atomics.notify(',
+    '  for (const start = performance.now(); performance.now() < start + 5;) {}\n  Atomics.notify(');
+  assert.notStrictEqual(notifies_late, notifies_at_once);
+  writeFileSync(channel, notifies_late);
+  const { status, subject } = await gated(slow, './sound.mjs', '--cases', '50', '--families', 'generic,slow,elastic');
+  assert.deepStrictEqual([status, violated(subject)], [0, []]);
 });

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
+import { exact_json } from '../solver/exact_json.mjs';
 import { this_judge } from '../threads/node_judge.mjs';
 import { help_on, one_of, read_command_line } from './command_line.mjs';
 
@@ -19,7 +20,7 @@ export function list_command(what) {
         return { text: `${summary}\nUsage: carom ${what} [OPTIONS]\n\n${help_on(options)}`, status: 0 };
       }
       const entries = (await this_judge())({ cmd: 'list', what });
-      return { text: format === 'json' ? `${JSON.stringify(entries, null, 2)}\n` : in_text(entries), status: 0 };
+      return { text: format === 'json' ? `${exact_json(entries)}\n` : in_text(entries), status: 0 };
     },
   };
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 import { readFileSync } from 'node:fs';
 
-import { judge_options } from '../options.mjs';
+import { draw } from '../draw.mjs';
+import { case_options, judge_options } from '../options.mjs';
 import { replay } from '../replay.mjs';
 import { exact_json } from '../solver/exact_json.mjs';
 import { UsageError } from '../solver/judge.mjs';
@@ -11,6 +12,7 @@ const options = {
   subject: { value: 'SOLVER', read: (text) => text, what: 'Solver to judge: a module, or the name of an engine' },
   drawn: flag('Use the collision of a witness as it was drawn, before shrinking'),
   'all-laws': flag('Show the outcome of every law, not only of the law that the solver claims'),
+  ...case_options,
   ...judge_options,
   format: one_of(['text', 'json'], 'Format of the output'),
 };
@@ -19,6 +21,7 @@ export const summary = 'Show each step of the exact outcome of collisions, and j
 
 const help = () => `${summary}
 Usage: carom replay FILE [OPTIONS]
+       carom replay --family FAMILY --case N [OPTIONS]
 
 FILE holds witnesses or collisions: JSON Lines, one object or an array.
 
@@ -65,18 +68,29 @@ function records_in(file) {
   return records;
 }
 
+/** The case that the gate draws from the family with this seed and number. */
+async function numbered_case(family, number, seed = '1', within) {
+  const [one] = await draw({ family, seed, first: number, within });
+  return { text: exact_json(one), place: `${family} #${number} of seed ${seed}` };
+}
+
 export async function run(words) {
   const { options: { format = 'text', help: is_help, ...given }, words: [file] } =
-    read_command_line(words, options, { positional: 'FILE', least: 1, most: 1 });
+    read_command_line(words, options, { positional: 'FILE', most: 1 });
   if (is_help) {
     return { text: help(), status: 0 };
   }
-  const { subject, drawn, 'all-laws': all_laws, 'limit-ulps': limit_ulps, ...judged } = given;
+  const { subject, drawn, 'all-laws': all_laws, 'limit-ulps': limit_ulps, family, case: number, seed, within,
+    ...judged } = given;
+  if ((file === undefined) === (family === undefined) || (family === undefined) !== (number === undefined)) {
+    throw new UsageError('expected FILE, or --family and --case; --help lists what is expected');
+  }
+  const records = file === undefined ? [await numbered_case(family, number, seed, within)] : records_in(file);
   let text = '';
   let status = 0;
-  for (const { text: record, place } of records_in(file)) {
+  for (const { text: record, place } of records) {
     const shown = await replay(record, { solver: subject, place, drawn, all_laws, limit_ulps, ...judged });
-    text += format === 'json' ? `${JSON.stringify(shown.record)}\n` : `${shown.text}\n`;
+    text += format === 'json' ? `${shown.record_text}\n` : `${shown.text}\n`;
     status = shown.violated ? 1 : status;
   }
   return { text, status };

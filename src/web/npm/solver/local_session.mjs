@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-import { InvalidAnswer, is_promise, write_refusal, write_result } from './answer.mjs';
+import { InvalidAnswer, is_promise, message_of, write_refusal, write_result } from './answer.mjs';
 import { answer_size, collision_at, collision_size } from './doubles.mjs';
 
 const no_promise = 'give the path of its module in place of the function';
@@ -12,12 +12,14 @@ export function local_session(solve, { matrix = false, promise = no_promise } = 
   const texts = new Map();
   function answer(collisions, answers, i) {
     let result;
+    let promises = false;
     try {
       result = solve(collision_at(collisions, i * collision_size));
+      promises = is_promise(result);
     } catch (thrown) {
       return write_refusal(answers, i * answer_size, thrown);
     }
-    if (is_promise(result)) {
+    if (promises) {
       result.then(undefined, () => {});
       throw new InvalidAnswer(`returned a promise; ${promise}`);
     }
@@ -31,7 +33,7 @@ export function local_session(solve, { matrix = false, promise = no_promise } = 
         try {
           texts.set(i, answer(collisions, answers, i));
         } catch (error) {
-          return { answered: i, failure: error.message };
+          return { answered: i, failure: message_of(error) };
         }
       }
       return undefined;

@@ -28,7 +28,8 @@ export class SolverThread {
     });
     this.#worker.on('error', () => {});  // the flags tell
     this.#worker.unref();
-    const { failure, messages } = this.#wait('loading the module', Math.max(timeout, shortest_start));
+    const start = Math.max(timeout, shortest_start);
+    const { failure, messages } = this.#wait(`loading the module did not end within ${start} s`, start);
     if (failure !== undefined) {
       this.end();
       throw new Error(failure);
@@ -64,8 +65,7 @@ export class SolverThread {
     Atomics.store(flags, flag.count, size);
     Atomics.store(flags, flag.done, 0);
     set_state(flags, state.asked);
-    const { failure, messages } = this.#wait('solve', this.#timeout);
-    const answered = Atomics.load(flags, flag.done);
+    const { failure, messages, done: answered } = this.#wait(`did not return within ${this.#timeout} s`, this.#timeout);
     for (const { i, text } of messages) {
       if (i < answered) {
         texts.set(first + i, text);
@@ -74,19 +74,22 @@ export class SolverThread {
     return { answered, failure };
   }
 
-  /** Waits until the solver has done what it was asked. Returns its messages, and why it failed, if it did. */
-  #wait(what, timeout) {
-    const in_time = this.#waits_in_time(timeout);
+  /**
+   * Waits until the solver has done what it was asked. Returns its messages, how many collisions it had done at the end
+   * of the wait, and why it failed, if it did.
+   */
+  #wait(too_late, timeout) {
+    const { in_time, done } = this.#waits_in_time(timeout);
     const messages = [];
     for (let next = receiveMessageOnPort(this.#port); next; next = receiveMessageOnPort(this.#port)) {
       messages.push(next.message);
     }
     if (!in_time) {
-      return { messages, failure: `${what} did not end within ${timeout} s` };
+      return { messages, done, failure: too_late };
     }
     const is_idle = Atomics.load(this.#views.flags, flag.state) === state.idle;
-    const told = messages.find((message) => message.failure !== undefined)?.failure ?? 'its thread ended';
-    return { messages, failure: is_idle ? undefined : told };
+    const told = messages.find((message) => message.failure !== undefined)?.failure ?? 'ended its thread';
+    return { messages, done, failure: is_idle ? undefined : told };
   }
 
   /** Whether the solver does what it was asked, and no collision takes longer than the timeout. */
@@ -94,15 +97,19 @@ export class SolverThread {
     const { flags } = this.#views;
     let done = 0;
     let since = performance.now();
-    while (Atomics.wait(flags, flag.state, state.asked, Math.min(50, 125 * timeout)) === 'timed-out') {
+    // A notification can come late, and then ends the wait of the next batch. So the state alone tells.
+    while (Atomics.load(flags, flag.state) === state.asked) {
+      if (Atomics.wait(flags, flag.state, state.asked, Math.min(50, 125 * timeout)) !== 'timed-out') {
+        continue;
+      }
       const now = performance.now();
       const done_now = Atomics.load(flags, flag.done);
       if (done_now !== done) {
         [done, since] = [done_now, now];
       } else if (now - since >= 1000 * timeout) {
-        return false;
+        return { in_time: false, done };
       }
     }
-    return true;
+    return { in_time: true, done: Atomics.load(flags, flag.done) };
   }
 }

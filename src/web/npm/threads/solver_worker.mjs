@@ -59,7 +59,9 @@ async function serve({ solve, introduction }) {
   port.postMessage({ introduction });
   for (;;) {
     set_state(flags, state.idle);
-    Atomics.wait(flags, flag.state, state.idle);
+    while (Atomics.load(flags, flag.state) === state.idle) {
+      Atomics.wait(flags, flag.state, state.idle);
+    }
     try {
       await answer_batch(solve, introduction.matrix === true);
     } catch (error) {
