@@ -20,10 +20,6 @@ namespace {
 
 using nlohmann::json;
 
-properties::Domain domain_of(const json& request) {
-  return request.contains("within") ? domain_given(request.at("within").get<std::string>()) : properties::Domain();
-}
-
 /// Draws cases of the family. A case that does not fit into the domain stays as it was drawn.
 properties::Draw draw_of(const json& request) {
   const properties::Family& family = properties::require_family("family", request.at("family").get<std::string>());

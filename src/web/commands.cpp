@@ -147,8 +147,7 @@ json finish(const json& record) {
 
 json draw(const json& record) {
   const properties::Family& family = properties::require_family("family", record.at("family").get<std::string>());
-  const properties::Domain within =
-      record.contains("within") ? domain_given(record.at("within").get<std::string>()) : properties::Domain();
+  const properties::Domain within = domain_of(record);
   const std::uint64_t seed = record.contains("seed") ? count_from(record.at("seed"), "/seed") : 1;
   const std::uint64_t first = record.contains("first") ? count_from(record.at("first"), "/first") : 0;
   json collisions = json::array();

@@ -36,7 +36,7 @@ apt() {
     -o "Dir::State::lists=$out/apt/lists" "$@"
 }
 
-# What emcc starts for each file, without its start-up time
+# emcc starts this compiler for each file. Without emcc, a file takes a fraction of the time.
 compiler="$(em-config LLVM_ROOT)/clang-$(em-config CLANG_ADD_VERSION) --target=wasm32-unknown-emscripten"
 compiler+=" --sysroot=$(em-config CACHE)/sysroot"
 

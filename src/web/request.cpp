@@ -142,6 +142,10 @@ properties::Domain domain_given(const std::string& text) {
   }
 }
 
+properties::Domain domain_of(const json& request) {
+  return request.contains("within") ? domain_given(request.at("within").get<std::string>()) : properties::Domain();
+}
+
 Request request_from(const json& record) {
   Request request;
   request.subject = subject_from(record.at("subject"));

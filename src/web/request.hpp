@@ -28,6 +28,9 @@ struct Request {
 /// The domain with this name, or with these ranges. Throws std::invalid_argument.
 [[nodiscard]] properties::Domain domain_given(const std::string& text);
 
+/// The domain of the field `within` of a request; everything if there is none. Throws std::invalid_argument.
+[[nodiscard]] properties::Domain domain_of(const nlohmann::json& request);
+
 /// A whole number, also as text, because JavaScript's numbers end at 2^53. Throws FormatError.
 [[nodiscard]] std::uint64_t count_from(const nlohmann::json& value, const std::string& place);
 
