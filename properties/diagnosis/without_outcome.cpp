@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <string_view>
+
 #include <fmt/format.h>
 
 #include <carom/collision/validate.hpp>
@@ -7,12 +9,15 @@
 namespace carom::properties::diagnosis {
 namespace {
 
+constexpr std::string_view mark = "standard error: ";
+
+bool printed(const Failed& failed) { return failed.said.find(mark) != std::string::npos; }
+
 std::string last_words(const Failed& failed) {
-  const std::string mark = "standard error: ";
-  const std::size_t begin = failed.said.find(mark);
-  if (begin == std::string::npos) {
+  if (!printed(failed)) {
     return {};
   }
+  const std::size_t begin = failed.said.find(mark);
   const std::size_t end = failed.said.find_last_not_of(" \n");
   const std::size_t line = failed.said.find_last_of('\n', end);
   const std::size_t from = line == std::string::npos || line < begin ? begin + mark.size() : line + 1;
@@ -27,11 +32,13 @@ std::vector<FaultOfKind> faults_without_outcome(std::span<const ViolatedCase> ex
   std::size_t failed = 0;
   std::size_t refused = 0;
   std::size_t not_finite = 0;
+  bool has_printed = false;
   std::string how;
   std::string why;
   for (const ViolatedCase& one : examples) {
     if (const auto* failure = std::get_if<Failed>(&one.answer)) {
       ++failed;
+      has_printed = has_printed || printed(*failure);
       how = how.empty() ? failure->why + last_words(*failure) : how;
     } else if (const auto* refusal = std::get_if<Refused>(&one.answer)) {
       ++refused;
@@ -45,7 +52,8 @@ std::vector<FaultOfKind> faults_without_outcome(std::span<const ViolatedCase> ex
     faults.push_back({AnswerKind::failed,
                       {fmt::format("It fails to answer in {} examined violated cases: it {}.",
                                    counted(failed, examples.size()), how),
-                       "its standard error output, below the witness"}});
+                       has_printed ? "its standard error output, below the witness"
+                                   : "its answer to the collision of the witness"}});
   }
   if (not_finite > 0) {
     faults.push_back({AnswerKind::not_finite,

@@ -76,7 +76,7 @@ json list(const json& record) {
 }
 
 json plan(const json& record) {
-  const Request request = request_from(record);
+  const Request request = run_request_from(record);
   json names = json::array();
   for (const properties::Family* family : request.options.families) {
     names.push_back(family->name);
@@ -85,7 +85,7 @@ json plan(const json& record) {
 }
 
 json part(const json& record) {
-  Request request = request_from(record);
+  Request request = run_request_from(record);
   request.options.shard = {count_from(record.at("part"), "/part"), count_from(record.at("of"), "/of")};
   request.options.shrinks = false;
   properties::GateReport report = properties::run_gate({request.subject}, request.options);
@@ -134,7 +134,7 @@ properties::GateReport sum_of(const json& parts, const Request& request) {
 }
 
 json finish(const json& record) {
-  const Request request = request_from(record);
+  const Request request = run_request_from(record);
   properties::GateReport sum = sum_of(record.at("reports"), request);
   report::complete_run(sum, request.options, {request.subject});
   sum.interrupted = record.value("interrupted", false);

@@ -9,6 +9,7 @@
 #include <carom/collision/json/object_reader.hpp>
 #include <carom/properties/gate/posed_families.hpp>
 #include <carom/properties/trial/deviation.hpp>
+#include <carom/properties/trial/nearest_name.hpp>
 #include <carom/subjects/protocol/messages.hpp>
 #include <carom/web/request.hpp>
 #include <carom/web/solver.hpp>
@@ -36,11 +37,30 @@ std::vector<std::string> texts_at(const json& value, const std::string& place) {
   return texts;
 }
 
+/// The domain with this name, or with these ranges. Throws std::invalid_argument that begins with `place`.
+properties::Domain domain_given(const std::string& place, const std::string& text) {
+  if (const std::optional<properties::Domain> named = properties::domain_named(text)) {
+    return *named;
+  }
+  std::vector<std::string> names;
+  for (const properties::NamedDomain& named : properties::named_domains()) {
+    names.emplace_back(named.name);
+  }
+  const bool is_name = text.find('=') == std::string::npos;
+  try {
+    return properties::domain_from(text);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(fmt::format(
+        "{}: {}{}", place, error.what(),
+        is_name ? fmt::format(", or {}{}", fmt::join(names, ", "), properties::did_you_mean(text, names)) : ""));
+  }
+}
+
 Subject subject_from(json record) {
   Subject subject;
   std::string domain;
   if (record.is_object() && record.contains("domain") && record.at("domain").is_string()) {
-    domain = properties::to_text(domain_given(record.at("domain").get<std::string>()));
+    domain = properties::to_text(domain_given("domain", record.at("domain").get<std::string>()));
     record.erase("domain");
   }
   const subjects::protocol::Introduction introduction = subjects::protocol::introduction_from(record.dump());
@@ -131,19 +151,9 @@ std::uint64_t count_from(const json& value, const std::string& place) {
   throw FormatError(place, "expected an integer from 0 to 2^64 - 1" + detail::found(value));
 }
 
-properties::Domain domain_given(const std::string& text) {
-  if (const std::optional<properties::Domain> named = properties::domain_named(text)) {
-    return *named;
-  }
-  try {
-    return properties::domain_from(text);
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(std::string("--within: ") + error.what());
-  }
-}
-
 properties::Domain domain_of(const json& request) {
-  return request.contains("within") ? domain_given(request.at("within").get<std::string>()) : properties::Domain();
+  return request.contains("within") ? domain_given("within", request.at("within").get<std::string>())
+                                    : properties::Domain();
 }
 
 Request request_from(const json& record) {
@@ -157,16 +167,12 @@ Request request_from(const json& record) {
   into.cases = count_at(options, "cases", 1, into.cases);
   into.relations_every = count_at(options, "relations_every", 1, 1);
   into.yardstick = yardstick_from(options);
-  into.within = options.has("within") ? domain_given(text_at(options.required("within"), options.at("within")))
-                                      : properties::domain_from(request.subject.domain);
-  std::vector<std::string> names;
+  into.within = options.has("within")
+                    ? domain_given("within", text_at(options.required("within"), options.at("within")))
+                    : properties::domain_from(request.subject.domain);
   if (options.has("families")) {
-    names = texts_at(options.required("families"), options.at("families"));
+    request.families = texts_at(options.required("families"), options.at("families"));
   }
-  properties::PosedFamilies posed = properties::posed_families(names, into.within, into.seed);
-  into.families = std::move(posed.families);
-  into.beyond_domain = std::move(posed.beyond_domain);
-  request.without_case = std::move(posed.without_case);
   if (options.has("deviates")) {
     request.deviates = texts_at(options.required("deviates"), options.at("deviates"));
   }
@@ -180,6 +186,16 @@ Request request_from(const json& record) {
   }
   options.reject_others();
   into.progress = report_progress;
+  return request;
+}
+
+Request run_request_from(const json& record) {
+  Request request = request_from(record);
+  properties::PosedFamilies posed =
+      properties::posed_families(request.families, request.options.within, request.options.seed);
+  request.options.families = std::move(posed.families);
+  request.options.beyond_domain = std::move(posed.beyond_domain);
+  request.without_case = std::move(posed.without_case);
   return request;
 }
 

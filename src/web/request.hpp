@@ -15,18 +15,19 @@ namespace carom::web {
 struct Request {
   Subject subject;
   properties::GateOptions options;
+  std::vector<std::string> families;      // names; empty for all
   std::vector<std::string> without_case;  // families that have no case within the domain
   std::vector<std::string> deviates;      // of the run
   report::Environment environment;
   std::string out;  // the directory of the witnesses, as the report shows it
 };
 
-/// Reads the fields `subject` and `options` of a request. src/web/README.md describes them. Throws FormatError or
-/// std::invalid_argument that names the field or the option.
+/// Reads the fields `subject` and `options` of a request about one collision. src/web/README.md describes them. Throws
+/// FormatError or std::invalid_argument that names the field or the option.
 [[nodiscard]] Request request_from(const nlohmann::json& record);
 
-/// The domain with this name, or with these ranges. Throws std::invalid_argument.
-[[nodiscard]] properties::Domain domain_given(const std::string& text);
+/// `request_from` for a run, with its families. Throws also if a family has no case within the domain.
+[[nodiscard]] Request run_request_from(const nlohmann::json& record);
 
 /// The domain of the field `within` of a request; everything if there is none. Throws std::invalid_argument.
 [[nodiscard]] properties::Domain domain_of(const nlohmann::json& request);

@@ -79,6 +79,7 @@ class Solver {
 
   [[nodiscard]] std::vector<Answer> solve(std::span<const Collision> collisions) {
     std::vector<double> requests;
+    requests.reserve(collisions.size() * doubles_of_a_collision);
     for (const Collision& collision : collisions) {
       const auto doubles = doubles_of(collision);
       requests.insert(requests.end(), doubles.begin(), doubles.end());

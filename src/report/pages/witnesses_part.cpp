@@ -102,7 +102,7 @@ void add_outcome(Document& document, const Witness& witness, const properties::J
     document.emplace_back(Code{refused->why});
   }
   if (const auto* failed = std::get_if<Failed>(&witness.answer); failed != nullptr && !failed->said.empty()) {
-    document.emplace_back(Paragraph{"The request, and the standard error output of the subject:"});
+    document.emplace_back(Paragraph{"More about the failure:"});
     document.emplace_back(Code{failed->said});
   }
   std::vector<Velocities> columns;

@@ -50,13 +50,21 @@ export function asker_of(solver, claimed, timeout) {
   return typeof solver === 'function' ? asker_of_function(solver, claimed) : asker_of_module(solver, claimed, timeout);
 }
 
-/** Counts the judged cases of all parts. */
+/** Counts the judged cases of all parts. It keeps what `progress` throws, since the judge may be at work. */
 function counter(cases, progress) {
   const done_in = new Map();
-  return (part, done) => {
-    done_in.set(part, done);
-    progress?.([...done_in.values()].reduce((sum, x) => sum + x, 0), cases);
+  const counts = {
+    thrown: undefined,
+    add(part, done) {
+      done_in.set(part, done);
+      try {
+        progress?.([...done_in.values()].reduce((sum, x) => sum + x, 0), cases);
+      } catch (error) {
+        counts.thrown ??= { error };
+      }
+    },
   };
+  return counts;
 }
 
 /**
@@ -64,13 +72,16 @@ function counter(cases, progress) {
  * unfinished parts.
  */
 async function reports_of_parts(askers, request, cases, { signal, progress }) {
-  const count = counter(cases, progress);
+  const counts = counter(cases, progress);
   const reports = [];
   let next = 1;
   const judge_in_turn = async (asker) => {
     while (next <= request.of && !signal?.aborted) {
       const part = next++;
-      const { report } = await asker.ask({ ...request, cmd: 'part', part }, (done) => count(part, done));
+      const { report } = await asker.ask({ ...request, cmd: 'part', part }, (done) => counts.add(part, done));
+      if (counts.thrown !== undefined) {
+        throw counts.thrown.error;
+      }
       reports[part - 1] = report;
     }
   };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-import { domain_text } from './solver/introduction.mjs';
+import { shown } from './solver/answer.mjs';
+import { claim_names, domain_text } from './solver/introduction.mjs';
 import { UsageError } from './solver/judge.mjs';
 import { did_you_mean } from './solver/nearest_name.mjs';
 
@@ -23,8 +24,10 @@ function seed(text) {
 }
 
 const names = (text) => text.split(',').filter((name) => name !== '');
+const some_names = (text) => (names(text).length > 0 ? names(text) : new Error('expected at least one name'));
 const text = (value) => value;
-const flag = (value) => value === 'true';
+const truths = { true: true, false: false };
+const flag = (text) => truths[text] ?? new Error('expected true or false');
 
 export const judge_options = {
   'limit-ulps': {
@@ -52,7 +55,7 @@ export const gate_options = {
     value: 'N', read: integer(1, 1e9),
     what: 'Number of cases of each family; the weight of a family multiplies it (default: 1000)',
   },
-  families: { value: 'NAMES', read: names, what: 'Families of cases, separated by commas (default: all)' },
+  families: { value: 'NAMES', read: some_names, what: 'Families of cases, separated by commas (default: all)' },
   within: {
     value: 'DOMAIN', read: text,
     what: 'Draw every case into this domain: a name that `carom domains` lists, a JSON file of ranges, or ranges ' +
@@ -74,9 +77,29 @@ export const gate_options = {
   jobs: { value: 'N', read: integer(1, 1024), what: 'Number of threads that judge (default: the number of cores)' },
 };
 
+/** The options of `draw`. */
+export const draw_options = {
+  ...case_options,
+  first: { read: integer(0, 2 ** 53) },
+  count: { read: integer(1, 1e6) },
+};
+delete draw_options.case;
+
 /** What a solver claims. A function has no exports, so the API takes these as options. */
-const claim_names = ['law', 'precision', 'name', 'version', 'domain', 'claims', 'matrix'];
-const hooks = ['signal', 'progress'];
+const claims = claim_names.filter((name) => name !== 'deviates');
+
+const hooks = {
+  signal: (value) => value instanceof AbortSignal || 'expected an AbortSignal',
+  progress: (value) => typeof value === 'function' || 'expected a function',
+};
+
+function read_hook(name, value) {
+  const reason = hooks[name](value);
+  if (reason !== true) {
+    throw new UsageError(`${name}: ${reason}, found ${shown(value)}`);
+  }
+  return value;
+}
 
 /** The value of an option. Throws UsageError. `shown_name` is the option as the user wrote it. */
 export function read_option(option, shown_name, value) {
@@ -94,13 +117,16 @@ export function read_option(option, shown_name, value) {
  */
 export function sorted_options(given, options = gate_options) {
   const sorted = { request: {}, claimed: {}, jobs: undefined, timeout: 5 };
-  const known = [...Object.keys(options).map((name) => name.replaceAll('-', '_')), ...claim_names, ...hooks];
+  const own = Object.keys(options).map((name) => name.replaceAll('-', '_'));
+  const of_solver = options === draw_options ? [] : claims;
+  const of_run = options === gate_options ? Object.keys(hooks) : [];
+  const known = [...own, ...of_solver, ...of_run];
   for (const [name, value] of Object.entries(given).filter(([, value]) => value !== undefined)) {
     const option = options[name.replaceAll('_', '-')];
-    if (claim_names.includes(name)) {
+    if (of_solver.includes(name)) {
       sorted.claimed[name] = value;
-    } else if (hooks.includes(name)) {
-      sorted[name] = value;
+    } else if (of_run.includes(name)) {
+      sorted[name] = read_hook(name, value);
     } else if (option === undefined || !known.includes(name)) {
       throw new UsageError(`there is no option '${name}'${did_you_mean(name, known)}`);
     } else {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 import { asker_of } from './gate.mjs';
 import { judge_options, sorted_options } from './options.mjs';
+import { shown } from './solver/answer.mjs';
 import { exact_json } from './solver/exact_json.mjs';
+import { UsageError } from './solver/judge.mjs';
 import { this_judge } from './threads/node_judge.mjs';
 
 /** Runs `action` with an asker of the solver, and ends the asker. Without a solver, the asker only knows the truth. */
@@ -18,6 +20,15 @@ async function with_asker(solver, { claimed, timeout }, action) {
   }
 }
 
+/** The law that a witness names. Throws UsageError if the text is no JSON. */
+function law_in(text) {
+  try {
+    return JSON.parse(text)?.subject?.model;
+  } catch (error) {
+    throw new UsageError(`the record: ${error.message}`);
+  }
+}
+
 /**
  * Works a witness or a collision step by step in exact numbers. With a solver, also judges it on the collision.
  * `record` may be text in JSON. `place` names it in the text.
@@ -25,7 +36,7 @@ async function with_asker(solver, { claimed, timeout }, action) {
 export async function replay(record, { solver, all_laws = false, drawn = false, place, ...options } = {}) {
   const sorted = sorted_options(options, judge_options);
   const text = typeof record === 'string' ? record : exact_json(record);
-  const law = sorted.claimed.law ?? JSON.parse(text)?.subject?.model;  // a witness names its subject
+  const law = sorted.claimed.law ?? law_in(text);
   return with_asker(solver, sorted, async ({ ask, subject }) => {
     const reply = await ask({ cmd: 'replay', text, place, law, subject, options: sorted.request, all_laws, drawn });
     return { ...reply, record: JSON.parse(reply.record_text) };
@@ -34,6 +45,9 @@ export async function replay(record, { solver, all_laws = false, drawn = false, 
 
 /** Judges a solver on one collision, with all relations. */
 export async function judge(solver, collision, options = {}) {
+  if (typeof collision !== 'object' || collision === null) {
+    throw new UsageError(`the collision: expected an object, found ${shown(collision)}`);
+  }
   const sorted = sorted_options(options, judge_options);
   return with_asker(solver, sorted, ({ ask, subject }) =>
     ask({ cmd: 'judge', subject, options: sorted.request, collision }));

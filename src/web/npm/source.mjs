@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
-import { existsSync } from 'node:fs';
+import { statSync } from 'node:fs';
 import { basename, extname, resolve } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 
+import { shown } from './solver/answer.mjs';
 import { UsageError } from './solver/judge.mjs';
 import { did_you_mean } from './solver/nearest_name.mjs';
 import { engine_subjects } from './threads/engine_solver.mjs';
@@ -10,8 +11,10 @@ import { SolverThread } from './threads/solver_thread.mjs';
 
 const prefix = 'engine:';
 
+const is_file = (path) => statSync(path, { throwIfNoEntry: false })?.isFile() === true;
+
 function module_source(path, specification) {
-  if (!existsSync(path)) {
+  if (!is_file(path)) {
     throw new UsageError(`${specification}: there is no such file`);
   }
   return { url: pathToFileURL(path).href, name: basename(path, extname(path)), specification };
@@ -22,15 +25,19 @@ function module_source(path, specification) {
  * exports of the module. Throws UsageError.
  */
 export function source_of(solver, claimed = {}) {
-  if (solver instanceof URL) {
+  if (solver instanceof URL && solver.protocol === 'file:') {
     return { ...module_source(fileURLToPath(solver), solver.href), claimed };
+  }
+  if (typeof solver !== 'string') {
+    throw new UsageError('expected a function, the path or the file URL of a module, or the name of an engine, '
+      + `found ${solver instanceof URL ? solver.href : shown(solver)}`);
   }
   const name = solver.startsWith(prefix) ? solver.slice(prefix.length) : solver;
   const engine = engine_subjects.get(name);
-  if (engine !== undefined && !(name === solver && existsSync(solver))) {
+  if (engine !== undefined && !(name === solver && is_file(solver))) {
     return { engine, name, specification: name, claimed };
   }
-  const is_path = name === solver && (/[/\\.]/.test(solver) || existsSync(solver));
+  const is_path = name === solver && (/[/\\.]/.test(solver) || is_file(solver));
   if (!is_path) {
     throw new UsageError(`there is no engine '${name}'${did_you_mean(name, engine_subjects.keys()) || '.'}` +
       ` The engines are ${[...engine_subjects.keys()].join(', ')}. A module is a path such as ./solver.mjs`);

@@ -5,8 +5,13 @@ import { bytes_of, packed, unpacked } from './packed.mjs';
 const longest = 200_000;  // bytes of a link's contents, so that a small link cannot fill the memory
 const form = '1.';        // the version of this form
 
+/** The link, or undefined if the contents are too long for one. */
 export async function link_of(contents) {
-  const bytes = await packed(new TextEncoder().encode(JSON.stringify(contents)));
+  const text = new TextEncoder().encode(JSON.stringify(contents));
+  if (text.length > longest) {
+    return undefined;
+  }
+  const bytes = await packed(text);
   const base64 = btoa(String.fromCharCode(...bytes));
   return `#${form}${base64.replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '')}`;
 }

@@ -70,7 +70,12 @@ async function show_link() {
 }
 
 async function copy_link() {
-  history.replaceState(null, '', await link_of({ text: editor.value, ...settings_shown() }));
+  const link = await link_of({ text: editor.value, ...settings_shown() });
+  if (link === undefined) {
+    by_id('copied').textContent = 'The solver is too long for a link.';
+    return;
+  }
+  history.replaceState(null, '', link);
   const copied = await navigator.clipboard?.writeText(location.href).then(() => true, () => false);
   by_id('copied').textContent = copied ? 'The link is copied.' : 'The address bar holds the link.';
 }

@@ -53,6 +53,56 @@ test('mistakes are told', async () => {
   await assert.rejects(carom.gate(sound, { law, families: ['generics'] }), { name: 'UsageError' });
 });
 
+for (const [mistake, message] of [
+  [() => carom.gate(undefined), /expected a function, .* of a module, or the name of an engine, found undefined/],
+  [() => carom.gate(new URL('https://example.org/solver.mjs')), /found https:\/\/example\.org\/solver\.mjs/],
+  [() => carom.gate(sound, { law, families: [] }), /families: expected at least one name/],
+  [() => carom.gate(sound, { law, exact: 'yes' }), /exact: expected true or false, found yes/],
+  [() => carom.gate(sound, { law, signal: 5 }), /signal: expected an AbortSignal, found 5/],
+  [() => carom.gate(sound, { law, progress: 'line' }), /progress: expected a function, found "line"/],
+  [() => carom.gate(sound, { law, domain: 'gamess' }), /^domain: .*games.*; did you mean 'games'\?/],
+  [() => carom.gate(sound, { law, within: '0x1=2' }), /^within: .*names no quantity/],
+  [() => carom.gate(sound, { law, within: 'size=0x1p-2:1' }), /^within: .*0x1p-2/],
+  [() => carom.judge(sound, undefined, { law }), /the collision: expected an object, found undefined/],
+  [() => carom.judge(sound, {}, { law, cases: 5 }), /there is no option 'cases'/],
+  [() => carom.replay('{'), /the record: /],
+  [() => carom.draw({ family: 5 }), /family: there is no family '5'/],
+  [() => carom.draw({ count: -1 }), /count: expected an integer from 1/],
+  [() => carom.draw({ famly: 'generic' }), /there is no option 'famly'; did you mean 'family'\?/],
+]) {
+  test(`a mistake is told: ${message}`, () => assert.rejects(mistake, (error) => {
+    assert.strictEqual(error.name, 'UsageError');
+    assert.match(error.message, message);
+    return true;
+  }));
+}
+
+test('what is no collision has defects', () => {
+  for (const value of [undefined, null, 5, {}, { a: null, b: 5 }, { a: { velocity: 'fast' } }]) {
+    assert.ok(carom.validate(value).includes('restitution: expected a finite number from 0 to 1'));
+  }
+});
+
+test('an error of progress ends the run, and belongs to the caller', async () => {
+  const progress = () => { throw new RangeError('planted'); };
+  for (const solver of [sound, join(folder, 'sound.mjs')]) {
+    await assert.rejects(carom.gate(solver, { law, progress, cases: 20 }), { name: 'RangeError', message: 'planted' });
+  }
+});
+
+test('one collision is judged within a domain that no family fits', async () => {
+  const [collision] = await carom.draw();
+  const { violated: is_violated } = await carom.judge(sound, collision, { law, domain: 'mass=1:1,mass_ratio=2:3' });
+  assert.strictEqual(is_violated, false);
+});
+
+test('a half of a letter in a name or a reason is replaced', async () => {
+  const refusing = () => { throw new Error('half \ud800 a letter'); };
+  const { report, files } = await carom.gate(refusing, { law, name: 'half \udc00', cases: 2, families: 'generic' });
+  assert.strictEqual(report.subjects[0].name, 'half \ufffd');
+  assert.match(JSON.stringify(files), /half \ufffd a letter/);
+});
+
 test('a signal ends a run', async () => {
   const signal = AbortSignal.abort();
   const { status, report } = await carom.gate(sound, { law, signal });

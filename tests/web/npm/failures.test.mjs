@@ -31,10 +31,11 @@ for (const [word, message] of [
   ['nothing', /returned an invalid answer: expected an object \{ a, b \}, found undefined/],
 ]) {
   test(`a failure belongs to its collision: ${word}`, async () => {
-    const { status, witnesses, texts } = await judged(word);
+    const { status, stdout, witnesses, texts } = await judged(word);
     assert.strictEqual(status, 1);
     assert.ok(texts.length > 0);
     texts.forEach((text) => assert.match(text, message));
+    assert.doesNotMatch(stdout, /standard error/);
     for (const { drawn, collision } of witnesses) {
       assert.ok((drawn.friction ?? 0) > 0.5 && (collision.friction ?? 0) > 0.5);
     }

@@ -100,6 +100,8 @@ test('a directory that cannot be written is an error before the run', async () =
 
 for (const [words, message] of [
   [['gate', './sound.mjs', '--sed', '1'], /there is no option '--sed'; did you mean '--seed'\?/],
+  [['gate', './sound.mjs', '--cases', '-1'], /--cases: a value is missing; write --cases=VALUE/],
+  [['gate', './sound.mjs', '--cases'], /--cases: a value is missing/],
   [['gate', './sound.mjs', '--cases', '0'], /--cases: expected an integer from 1 to 1000000000, found 0/],
   [['gate', './sound.mjs', '--digits', '3', '--limit-ulps', '4'], /digits excludes limit_ulps/],
   [['gate', './sound.mjs', '--families', 'generics'], /generics.*did you mean 'generic'\?/],
@@ -122,6 +124,8 @@ for (const [text, message] of [
   ["export const law = 'frictionles'; export const solve = () => 0;", /frictionles/],
   ["export const precision = 'binary128'; export const solve = () => 0;", /binary128/],
   ["export const claims = { slip: 1 }; export const solve = () => 0;", /slip/],
+  ["export const Law = 'rough'; export const solve = () => 0;", /there is no claim 'Law'; did you mean 'law'\?/],
+  ["export const domain = 'gamess'; export const solve = () => 0;", /domain: .*did you mean 'games'\?/],
   ["export const domain = { size: [1] }; export const solve = () => 0;", /domain: size: expected the least/],
   ["export const law = 'rough';", /solve: expected a function, found undefined/],
   ["export const solve = ;", /Unexpected token/],
@@ -134,6 +138,19 @@ for (const [text, message] of [
     assert.match(stderr, message);
   });
 }
+
+test('a folder with the name of an engine hides no engine', async () => {
+  mkdirSync(join(folder, 'cannon'));
+  const { status, stderr } = await carom(folder, 'gate', 'cannon', ...few);
+  assert.strictEqual(status, 2);
+  assert.match(stderr, /cannon-es is not installed/);
+});
+
+test('a reader that closes the pipe keeps the exit status', { skip: process.platform === 'win32' }, async () => {
+  const program = `${process.execPath} node_modules/carom/carom.mjs gate ./wrong.mjs ${few.join(' ')} --format json`;
+  const { stdout } = await run(folder, 'bash', '-c', `${program} | head -c 1; echo " \${PIPESTATUS[0]}"`);
+  assert.strictEqual(stdout, '{ 1\n');
+});
 
 test('a module in CommonJS is judged', async () => {
   const name = module('solver.cjs', "module.exports = { law: 'any', name: 'old', solve: ({ a, b }) => ({ a, b }) };");
@@ -188,6 +205,16 @@ test('a witness is replayed', async () => {
   const sound = await carom(folder, 'replay', witness, '--subject', './sound.mjs', '--all-laws', '--drawn');
   assert.strictEqual(sound.status, 0);
   assert.match(sound.stdout, /rough, exactly/);
+});
+
+test('−0 is printed as it is', async () => {
+  const witness = JSON.parse(readFileSync(join(folder, 'replayed', 'witnesses', 'wrong.restitution.json'), 'utf8'));
+  const text = JSON.stringify({ ...witness.collision, friction: 0 }).replace('"friction":0', '"friction":-0.0');
+  for (const [file, contents] of [['one.json', text], ['array.json', `[${text}]`], ['lines.jsonl', `${text}\n${text}`]]) {
+    writeFileSync(join(folder, file), contents);
+    const { stdout } = await carom(folder, 'replay', file, '--format', 'json', '--subject', './sound.mjs');
+    assert.match(stdout, /"friction":-0\.0\b/, file);
+  }
 });
 
 test('a case is replayed by its number', async () => {

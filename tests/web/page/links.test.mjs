@@ -46,6 +46,15 @@ for (const fragment of ['#1.abc', '#2.abc', '#nonsense']) {
   });
 }
 
+test('a solver that is too long for a link is told so', async () => {
+  await browser.open(page);
+  await browser.set('text', `// ${'x'.repeat(200_000)}`);
+  await browser.click('copy');
+  await browser.until('document.getElementById("copied").innerText !== ""');
+  assert.match(await browser.text('#copied'), /too long for a link/);
+  assert.equal(await browser.value('location.hash'), '');
+});
+
 test('the link to the editor changes nothing', async () => {
   await browser.open(page);
   await browser.set('text', 'mine');

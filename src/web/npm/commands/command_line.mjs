@@ -25,7 +25,9 @@ function parsed(words, options) {
   } catch (error) {
     const name = /'-*([^'\s=]*)/.exec(error.message)?.[1] ?? '';
     if (error.code !== 'ERR_PARSE_ARGS_UNKNOWN_OPTION') {
-      throw new UsageError(error.message.split('\n')[0]);
+      throw new UsageError(options[name]?.value === undefined
+        ? error.message.split('\n')[0]
+        : `--${name}: a value is missing; write --${name}=VALUE if it begins with -`);
     }
     const known = Object.keys(options).map((option) => `--${option}`);
     throw new UsageError(`there is no option '--${name}'${did_you_mean(`--${name}`, known)}`);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-import { status, write_outcome, write_status } from './doubles.mjs';
+import { place_of_matrix, place_of_outcome, status, write_status } from './doubles.mjs';
+import { well_formed } from './exact_json.mjs';
 
 const longest_text = 2000;
 
@@ -28,35 +29,44 @@ function expect(holds, place, expected, value) {
   }
 }
 
-function object(value, place) {
-  expect(typeof value === 'object' && value !== null, place, 'expected an object', value);
-  return value;
-}
-
-function three_numbers(value, place) {
+/** Writes three numbers. `place` names the vector. */
+function write_vector(numbers, at, value, place) {
   const is_array = Array.isArray(value) || value instanceof Float64Array || value instanceof Float32Array;
-  expect(is_array && value.length === 3, place, 'expected an array of 3 numbers', value);
+  expect(is_array && value.length === 3, place, ': expected an array of 3 numbers', value);
   for (let i = 0; i < 3; ++i) {
-    expect(typeof value[i] === 'number', `${place.slice(0, -2)}/${i}: `, 'expected a number', value[i]);
+    const x = value[i];
+    if (typeof x !== 'number') {
+      expect(false, `${place}/${i}`, ': expected a number', x);
+    }
+    numbers[at + i] = x;
   }
-  return value;
 }
 
-function motion(result, name) {
-  const body = object(result[name], `/${name}: `);
-  return {
-    velocity: three_numbers(body.velocity, `/${name}/velocity: `),
-    angular_velocity: three_numbers(body.angular_velocity, `/${name}/angular_velocity: `),
-  };
+const motions = ['a', 'b'].map((name) => ({
+  name, place: `/${name}`, velocity: `/${name}/velocity`, angular_velocity: `/${name}/angular_velocity`,
+}));
+
+function write_outcome(numbers, at, result) {
+  numbers[at] = status.outcome;
+  let to = at + place_of_outcome;
+  for (const { name, place, velocity, angular_velocity } of motions) {
+    const body = result[name];
+    expect(typeof body === 'object' && body !== null, place, ': expected an object', body);
+    write_vector(numbers, to, body.velocity, velocity);
+    write_vector(numbers, to + 3, body.angular_velocity, angular_velocity);
+    to += 6;
+  }
 }
 
-function matrix(C) {
-  expect(Array.isArray(C) && C.length === 3, '/C: ', 'expected an array of 3 rows', C);
-  return C.map((row, i) => three_numbers(row, `/C/${i}: `));
+function write_matrix(numbers, at, C) {
+  expect(Array.isArray(C) && C.length === 3, '/C', ': expected an array of 3 rows', C);
+  for (let i = 0; i < 3; ++i) {
+    write_vector(numbers, at + 3 * i, C[i], `/C/${i}`);
+  }
 }
 
 function printable(text) {
-  return text.length > longest_text ? `${text.slice(0, longest_text)}…` : text;
+  return well_formed(text.length > longest_text ? `${text.slice(0, longest_text)}…` : text);
 }
 
 /** The message of anything that was thrown. */
@@ -71,16 +81,17 @@ export function message_of(thrown) {
 function write_checked(numbers, at, result, has_matrix) {
   expect(typeof result === 'object' && result !== null, '', 'expected an object { a, b }', result);
   if ('skipped' in result) {
-    expect(typeof result.skipped === 'string', '/skipped: ', 'expected a string', result.skipped);
+    expect(typeof result.skipped === 'string', '/skipped', ': expected a string', result.skipped);
     expect(!('a' in result || 'b' in result), '', 'expected either the outcome a and b, or skipped', result);
     write_status(numbers, at, status.skipped);
     return printable(result.skipped);
   }
-  const outcome = { a: motion(result, 'a'), b: motion(result, 'b') };
-  if (has_matrix && result.C !== undefined) {
-    outcome.C = matrix(result.C);
+  write_outcome(numbers, at, result);
+  const shows_matrix = has_matrix && result.C !== undefined;
+  numbers[at + place_of_matrix] = shows_matrix ? 1 : 0;
+  if (shows_matrix) {
+    write_matrix(numbers, at + place_of_matrix + 1, result.C);
   }
-  write_outcome(numbers, at, outcome);
   return '';
 }
 

@@ -4,7 +4,10 @@
 export const collision_size = 45;
 export const answer_size = 23;
 const body_size = 18;
-const matrix_at = 13;
+
+/** Where an answer has its outcome, and 1 if a matrix follows. */
+export const place_of_outcome = 1;
+export const place_of_matrix = 13;
 
 export const status = { outcome: 0, refused: 1, skipped: 2 };
 
@@ -36,14 +39,6 @@ export function collision_at(numbers, at) {
     friction: numbers[at + 43],
     tangential_restitution: numbers[at + 44],
   };
-}
-
-/** Writes an outcome, with its collision matrix if `C` is given, to the 23 doubles that begin at `at`. */
-export function write_outcome(numbers, at, { a, b, C }) {
-  numbers[at] = status.outcome;
-  [a.velocity, a.angular_velocity, b.velocity, b.angular_velocity].forEach((v, i) => numbers.set(v, at + 1 + 3 * i));
-  numbers[at + matrix_at] = C === undefined ? 0 : 1;
-  C?.forEach((row, i) => numbers.set(row, at + matrix_at + 1 + 3 * i));
 }
 
 /** Writes an answer without an outcome. */

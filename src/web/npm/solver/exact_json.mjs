@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 
+/** The text with U+FFFD in place of each surrogate that has no partner. Others cannot read such a text. */
+export const well_formed = (text) => text.replace(/\p{Surrogate}/gu, '\ufffd');
+
 function number_text(x) {
   if (Number.isFinite(x)) {
     return Object.is(x, -0) ? '-0.0' : String(x);
@@ -17,7 +20,7 @@ export function exact_json(value) {
   }
   if (typeof value === 'object' && value !== null) {
     const members = Object.entries(value).filter(([, member]) => member !== undefined);
-    return `{${members.map(([name, member]) => `${JSON.stringify(name)}:${exact_json(member)}`).join(',')}}`;
+    return `{${members.map(([name, member]) => `${JSON.stringify(well_formed(name))}:${exact_json(member)}`).join(',')}}`;
   }
-  return JSON.stringify(value) ?? 'null';
+  return JSON.stringify(typeof value === 'string' ? well_formed(value) : value) ?? 'null';
 }

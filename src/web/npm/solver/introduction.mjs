@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 import { shown } from './answer.mjs';
+import { did_you_mean } from './nearest_name.mjs';
+
+/** What a solver may claim: the exports of a module besides `solve`. */
+export const claim_names = ['law', 'precision', 'name', 'version', 'domain', 'claims', 'matrix', 'deviates'];
 
 /** The text "size=0.1:10,mass_ratio=:100" of a domain such as { size: [0.1, 10], mass_ratio: [null, 100] }. */
 export function domain_text(domain) {
@@ -16,6 +20,16 @@ export function domain_text(domain) {
   }).join(',');
 }
 
+/** Throws an Error if a field looks like a misspelt claim. A function is no claim. */
+function refuse_misspelt(fields) {
+  for (const [name, value] of Object.entries(fields)) {
+    const nearest = did_you_mean(name, claim_names);
+    if (!claim_names.includes(name) && typeof value !== 'function' && nearest !== '') {
+      throw new Error(`there is no claim '${name}'${nearest}`);
+    }
+  }
+}
+
 /**
  * The function that solves, and what it claims, as the reply to `start` of the protocol. `exported` holds the exports
  * of a solver's module, or the same fields. Throws an Error that names the field.
@@ -28,6 +42,7 @@ export function introduce(exported, default_name) {
     throw new Error(`solve: expected a function, found ${shown(solve)}; ` +
       'write `export default function solve(collision) { … }`');
   }
+  refuse_misspelt(fields);
   const { law = 'any', precision = 'binary64', name = default_name, version = '' } = fields;
   const { domain, claims, deviates, matrix } = fields;
   const introduction = {

@@ -31,23 +31,27 @@ function end_with(failure, end) {
   set_state(flags, end);
 }
 
-async function answer(solve, has_matrix, i) {
+/** The text of the answer, or a promise of it: only a solver that waits pays for a promise. */
+function answer(solve, has_matrix, i) {
+  const refuse = (thrown) => write_refusal(answers, i * answer_size, thrown);
+  const take = (result) => write_result(answers, i * answer_size, result, has_matrix);
   let result;
   try {
     result = solve(collision_at(collisions, i * collision_size));
     if (is_promise(result)) {
-      result = await result;
+      return Promise.resolve(result).then(take, refuse);
     }
   } catch (thrown) {
-    return write_refusal(answers, i * answer_size, thrown);
+    return refuse(thrown);
   }
-  return write_result(answers, i * answer_size, result, has_matrix);
+  return take(result);
 }
 
 async function answer_batch(solve, has_matrix) {
   const count = Atomics.load(flags, flag.count);
   for (let i = 0; i < count; ++i) {
-    const text = await answer(solve, has_matrix, i);
+    const answered = answer(solve, has_matrix, i);
+    const text = typeof answered === 'string' ? answered : await answered;
     if (text !== '') {
       port.postMessage({ i, text });
     }
