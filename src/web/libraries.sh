@@ -19,12 +19,12 @@ source_of() {
     mkdir -p apt/lists/partial apt/parts
     local file
     for file in /etc/apt/sources.list /etc/apt/sources.list.d/*.list /etc/apt/sources.list.d/*.sources; do
-      [ -e "$file" ] && sed -E 's/^deb( |\t|$)/deb-src\1/; s/^Types:.*/Types: deb-src/' "$file" >"apt/parts/$(basename "$file")"
+      [ -e "$file" ] && sed -E '/cdrom:/d; s/^deb( |\t|$)/deb-src\1/; s/^Types:.*/Types: deb-src/I' "$file" >"apt/parts/$(basename "$file")"
     done
     apt "update" >/dev/null
     touch apt/.updated
   fi
-  rm -rf "sources/$package"
+  rm -rf "sources/$package" "sources/${package}"_*
   mkdir -p "sources/$package"
   (cd sources && apt source --download-only "$package" >/dev/null)
   tar -xf sources/"${package}"_*.orig.tar.* -C "sources/$package" --strip-components=1

@@ -6,13 +6,15 @@ import { bytes_of, unpacked } from './packed.mjs';
 import { Remote } from './remote.mjs';
 import { judge_solver } from './run.mjs';
 import { offer, settings_shown, show_ranges, show_settings } from './settings.mjs';
-import { make_view } from './view.mjs';
+import { make_view, more_cases } from './view.mjs';
 
 const examples = JSON.parse(by_id('examples').textContent);
 const editor = by_id('text');
 let remote;
 let view;
 let is_judging = false;
+let is_changed = false;  // since the last run began
+let own = '';            // the text of the reader, or of a link
 
 function set_judging(value) {
   is_judging = value;
@@ -21,14 +23,15 @@ function set_judging(value) {
   by_id('results').setAttribute('aria-busy', value);
 }
 
-async function judge() {
+async function judge(more = {}) {
   if (is_judging || !remote || !by_id('form').reportValidity()) {
     return;
   }
   set_judging(true);
+  is_changed = false;
   view.start();
   by_id('results').scrollIntoView({ block: 'nearest' });
-  const settings = settings_shown();
+  const settings = { ...settings_shown(), ...more };
   try {
     await view.show(await judge_solver(remote, editor.value, settings, view), settings);
     by_id('verdict').scrollIntoView({ block: 'nearest' });
@@ -36,18 +39,50 @@ async function judge() {
     view.fail(error);
   } finally {
     set_judging(false);
+    if (is_changed) {
+      view.is_old();
+    }
+  }
+}
+
+function changed() {
+  is_changed = true;
+  by_id('copied').textContent = '';
+  if (!is_judging) {
+    view.is_old();
   }
 }
 
 function stop() {
-  if (is_judging) {
+  if (!by_id('stop').disabled) {
     remote.stop();
   }
 }
 
 function show_example() {
-  const { text } = examples[Number(by_id('example').value)] ?? examples[0];
-  editor.value = text;
+  const { value } = by_id('example');
+  editor.value = value === '' ? own : examples[Number(value)].text;
+}
+
+/** Keeps a text as the reader's own, so that it can be chosen after an example, or after the page is loaded again. */
+function keep_own(text) {
+  own = text;
+  by_id('own').hidden = false;
+  by_id('example').value = '';
+  try {
+    sessionStorage.setItem('carom', text);
+  } catch {
+    // The browser keeps nothing for this page.
+  }
+}
+
+function recall_own() {
+  try {
+    own = sessionStorage.getItem('carom') ?? '';
+  } catch {
+    own = '';
+  }
+  by_id('own').hidden = own === '';
 }
 
 /** Whether the address names a part of the page, as the link to the editor does. */
@@ -58,11 +93,15 @@ async function show_link() {
   stop();
   try {
     const contents = await contents_of(names_a_part() ? '' : location.hash);
-    by_id('example').value = contents ? '' : '0';
-    contents ? (editor.value = contents.text) : show_example();
+    by_id('example').value = '0';
+    if (contents) {
+      keep_own(contents.text);
+    }
+    show_example();
     show_settings(contents);
     view.idle(contents ? 'The link holds this solver. It runs if you press Judge.' : 'Press Judge, or Ctrl and Enter.');
   } catch (error) {
+    by_id('example').value = '0';
     show_example();
     show_settings();
     view.idle(error.message);
@@ -94,18 +133,17 @@ function listen() {
     judge();
   });
   by_id('stop').addEventListener('click', stop);
-  by_id('more').addEventListener('click', () => {
-    by_id('cases').value = '1000';
-    judge();
-  });
+  by_id('more').addEventListener('click', () => judge({ cases: String(more_cases) }));
   by_id('copy').addEventListener('click', copy_link);
   by_id('example').addEventListener('change', () => {
     show_example();
     show_settings({ ...settings_shown(), law: '', precision: '', domain: '' });
   });
   by_id('domain').addEventListener('change', show_ranges);
-  editor.addEventListener('input', () => { by_id('example').value = ''; });
-  by_id('form').addEventListener('input', () => { by_id('copied').textContent = ''; });
+  editor.addEventListener('input', () => keep_own(editor.value));
+  for (const kind of ['input', 'change']) {
+    by_id('form').addEventListener(kind, changed);
+  }
   document.addEventListener('keydown', (event) => {
     if (event.key === 'Escape') {
       stop();
@@ -138,8 +176,9 @@ async function open_judge() {
 }
 
 async function begin() {
-  by_id('example').append(element('option', { value: '', hidden: true }, 'your own'),
-    ...examples.map(({ title }, i) => element('option', { value: String(i) }, title)));
+  by_id('example').append(...examples.map(({ title }, i) => element('option', { value: String(i) }, title)),
+    element('option', { id: 'own', value: '', hidden: true }, 'your own'));
+  recall_own();
   link_docs();
   make_editor(editor);
   show_example();

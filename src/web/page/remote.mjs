@@ -56,9 +56,9 @@ export class Remote {
     }
   }
 
-  /** The worker is gone. */
+  /** The worker is gone. What it told of its progress may still arrive. */
   forget() {
-    this.opened = undefined;
+    this.opened = this.progress = undefined;
     this.is_used = this.has_solver = false;
   }
 

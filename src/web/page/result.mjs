@@ -68,13 +68,16 @@ export function sum_of(subjects) {
   };
 }
 
+const without_law = ({ model }) => (model === 'any'
+  ? ' Without a law, Carom judges only what holds under every law. Choose a law, or export it.' : '');
+
 /** The parts of a result: the verdict in one sentence, its look, what is wrong, and the invariants. */
 export function result_of(subject, invariants) {
   const rows = counts_of(subject, invariants);
   return {
     subject,
     verdict: verdict_of(subject, rows),
-    facts: `${subject.name}: law ${subject.model}, precision ${subject.precision}.`,
+    facts: `${subject.name}: law ${subject.model}, precision ${subject.precision}.${without_law(subject)}`,
     class: { sound: 'exit-0', violated: 'exit-1' }[subject.status] ?? 'exit-2',
     wrong: diagnosis_of(subject),
     table: [table_of(rows), ...unclaimed(subject, invariants, rows)],

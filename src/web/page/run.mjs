@@ -56,6 +56,7 @@ export async function judge_solver(remote, text, settings, view) {
       throw ended_by;
     }
     const { thrown } = remote;
+    view.sums_up();
     return { asked, thrown, ended_by, result: await sum_up(remote, asked, reports, reports.length < parts) };
   }
 }

@@ -18,6 +18,9 @@ function box(look, text, line) {
   return made;
 }
 
+/** The cases of each family that the button `more` asks for. They suffice for most diagnoses. */
+export const more_cases = 100;
+
 const say = (text) => { by_id('state').textContent = text; };
 
 /** The view of what the judge finds. */
@@ -28,6 +31,7 @@ export function make_view(remote, { invariants }) {
   by_id('save-report').addEventListener('click', () => save('report.html', 'text/html', without_scripts(html)));
 
   function clear() {
+    by_id('results').classList.remove('old');
     by_id('verdict').replaceChildren();
     by_id('details').hidden = true;
     panel.hide();
@@ -35,6 +39,9 @@ export function make_view(remote, { invariants }) {
 
   function show_boxes({ result, ended_by, thrown }, verdict) {
     const boxes = [];
+    if (thrown && verdict?.subject.status !== 'sound') {
+      boxes.push(box('exit-2', `solve threw an error: ${thrown.message}.`, thrown.line));
+    }
     if (ended_by instanceof Hang) {
       boxes.push(box('exit-1', hang_in_words(ended_by)));
     }
@@ -47,9 +54,6 @@ export function make_view(remote, { invariants }) {
     if (verdict) {
       boxes.push(element('p', { class: 'faint' }, verdict.facts));
     }
-    if (thrown && verdict?.subject.status !== 'sound') {
-      boxes.push(box('exit-2', `solve threw an error: ${thrown.message}.`, thrown.line));
-    }
     by_id('verdict').replaceChildren(...boxes);
     say(ended_by instanceof Stopped && !result ? 'Stopped before anything was judged.' : '');
   }
@@ -60,7 +64,7 @@ export function make_view(remote, { invariants }) {
     by_id('wrong').lastElementChild.replaceChildren(...verdict.wrong);
     by_id('invariants').lastElementChild.replaceChildren(...verdict.table);
     by_id('shell').textContent = command_of(asked, settings);
-    by_id('more').hidden = asked.options.cases >= 1000;
+    by_id('more').hidden = asked.options.cases >= more_cases;
   }
 
   return {
@@ -79,6 +83,20 @@ export function make_view(remote, { invariants }) {
     progress(part) {
       by_id('progress').value = part;
       say(part < 1 ? `Judging: ${Math.round(100 * part)} %` : 'Looking for simple witnesses');
+    },
+
+    /** The run ended early, and the finished parts are summed up. */
+    sums_up() {
+      by_id('stop').disabled = true;
+      say('Summing up what was judged');
+    },
+
+    /** Marks what is shown as older than the solver's text or the settings. */
+    is_old() {
+      if (by_id('verdict').hasChildNodes()) {
+        by_id('results').classList.add('old');
+        say('The solver or a setting has changed since this verdict. Press Judge.');
+      }
     },
 
     /** Shows what the finished parts found. */

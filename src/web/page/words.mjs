@@ -3,10 +3,13 @@
 
 /** The sentence for an error that ended a run, and the line of the solver's text if it is known. */
 export function error_in_words({ action, kind, message, line }) {
+  if (/^within: /.test(message)) {
+    return { text: `The domain is wrong: ${message.slice('within: '.length)}` };
+  }
   if (action !== 'load') {
     return { text: `The judge cannot judge this solver: ${message}` };
   }
-  if (/dynamically imported module|importing a module/i.test(message)) {
+  if (/dynamically imported module|importing a module|module specifier/i.test(message)) {
     return { text: 'The solver does not load. A solver on this page cannot import other modules.' };
   }
   if (kind === 'SyntaxError') {

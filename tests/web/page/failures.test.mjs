@@ -53,6 +53,27 @@ test('Stop keeps the findings of the finished parts', async () => {
   await browser.click('stop');
   await browser.idle();
   assert.match(await browser.text('#verdict'), /^So far: /);
+  await new Promise((go) => setTimeout(go, 300));  // what the ended worker told arrives
+  assert.equal(await browser.text('#state'), '');
+});
+
+test('an error of the solver is told first, with its line', async () => {
+  await browser.open(page);
+  const said = await browser.judge_text('export function solve({ a, b }) {\n  return { a: dott(a), b };\n}');
+  assert.match(said, /^solve threw an error: ReferenceError: dott is not defined\. Show line 2/);
+});
+
+test('a solver without a law is told what is not judged', async () => {
+  await browser.open(page);
+  assert.match(await browser.judge_text('export const solve = ({ a, b }) => ({ a, b });'), /Without a law/);
+});
+
+test('a wrong domain is told as such', async () => {
+  await browser.open(page);
+  await browser.set('domain', 'ranges');
+  await browser.set('ranges', 'weight=1:2');
+  await browser.judge();
+  assert.match(await browser.text('#verdict'), /^The domain is wrong: 'weight=1:2' names no quantity/);
 });
 
 test('a solver that returns strings is told so', async () => {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
+import { gzipSync } from 'node:zlib';
 
 import { PageInBrowser, page } from './page_in_browser.mjs';
 
@@ -66,6 +67,18 @@ test('the link to the editor changes nothing', async () => {
   assert.match(await browser.text('#state'), /Press Judge/);
 });
 
+test('an example does not lose the text of the reader', async () => {
+  await browser.open(page);
+  await browser.set('text', 'mine');
+  await browser.choose('Sound');
+  assert.match(await browser.field('text'), /export function solve/);
+  await browser.choose('your own');
+  assert.equal(await browser.field('text'), 'mine');
+  await browser.open(page);
+  await browser.choose('your own');
+  assert.equal(await browser.field('text'), 'mine');
+});
+
 test('another link on the open page is shown', async () => {
   const link = await link_of({ text: 'other' });
   await browser.open(page);
@@ -74,7 +87,9 @@ test('another link on the open page is shown', async () => {
 });
 
 test('a link that unpacks to very much is damaged', async () => {
-  const link = await link_of({ text: `${' '.repeat(250_000)}` });
-  await browser.open(link);
+  const link_to = (length) => `${page}#1.${gzipSync(JSON.stringify({ text: ' '.repeat(length) })).toString('base64url')}`;
+  await browser.open(link_to(1000));
+  assert.match(await browser.text('#state'), /It runs if you press Judge/);
+  await browser.open(link_to(250_000));
   assert.match(await browser.text('#state'), /damaged/);
 });

@@ -97,6 +97,22 @@ function too_wide() {
     ...(document.documentElement.scrollWidth > innerWidth ? ['the page'] : [])];
 }
 
+test('a verdict is marked as old after an edit', async () => {
+  await browser.open(page);
+  const is_old = () => browser.call(() => document.getElementById('results').classList.contains('old'));
+  await browser.set('seed', '2');
+  assert.equal(await is_old(), false, 'nothing is judged');
+  await browser.judge();
+  assert.equal(await is_old(), false);
+  for (const [field, value] of [['law', 'rough'], ['text', 'changed']]) {
+    await browser.set(field, value);
+    assert.equal(await is_old(), true, field);
+    assert.match(await browser.text('#state'), /changed since this verdict/);
+    await browser.judge();
+    assert.equal(await is_old(), false);
+  }
+});
+
 for (const [width, height] of [[360, 740], [820, 1000], [1280, 900], [1920, 1080]]) {
   test(`nothing is wider than the page at ${width} px`, async () => {
     await browser.resize(width, height);

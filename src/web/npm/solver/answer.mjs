@@ -69,10 +69,13 @@ function printable(text) {
   return well_formed(text.length > longest_text ? `${text.slice(0, longest_text)}…` : text);
 }
 
+/** The message of an Error, after its kind if that tells something. */
+const words_of = ({ name, message }) => [name, message].filter((text) => text && text !== 'Error').join(': ') || 'Error';
+
 /** The message of anything that was thrown. */
 export function message_of(thrown) {
   try {
-    return printable(thrown instanceof Error ? thrown.message || thrown.name : String(thrown));
+    return printable(thrown instanceof Error ? words_of(thrown) : String(thrown));
   } catch {
     return 'threw a value that cannot be shown';
   }

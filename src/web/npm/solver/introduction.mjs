@@ -40,7 +40,7 @@ export function introduce(exported, default_name) {
   const solve = typeof main === 'function' ? main : fields.solve;
   if (typeof solve !== 'function') {
     throw new Error(`solve: expected a function, found ${shown(solve)}; ` +
-      'write `export default function solve(collision) { … }`');
+      'write `export function solve(collision) { … }`');
   }
   refuse_misspelt(fields);
   const { law = 'any', precision = 'binary64', name = default_name, version = '' } = fields;
