@@ -318,14 +318,15 @@ class FaultSearch {
       add({fmt::format("It keeps state from earlier collisions: {} of {} witnesses get another answer if they are "
                        "asked alone.",
                        lost, result_.witnesses.size()),
-           "caches and their keys, warm starts, state that is not reset between contacts"},
+           "caches and their keys, warm starts, random numbers, state that is not reset between contacts"},
           cases, {}, {}, every);
       return true;
     }
     if (violates(&Invariant::is_of_session) && (!is_explained || size_of(rest) >= least_violated)) {
       add({"It gives another answer if it is asked again: it keeps state from earlier collisions, or its answer "
            "depends on the spelling of the request.",
-           "caches, warm starts, state that is not reset; the parser of numbers and of optional fields"},
+           "caches, warm starts, random numbers, state that is not reset; the parser of numbers and of optional "
+           "fields"},
           cases, {}, {}, every);
       return true;
     }

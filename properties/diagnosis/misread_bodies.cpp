@@ -25,7 +25,9 @@ Vector3<double> turned_by(const Quaternion<double>& q, const Vector3<double>& v)
 }
 
 const char* const arms = "the lever arm r = P − X";
-const char* const frames = "the frame of the inertia tensor: J⁻¹ = R diag(1/I) Rᵀ, R from body to world";
+const char* const frames =
+    "the frame of the inertia tensor: turn the lever arm and the impulse into the body's axes, divide each component "
+    "of r × F by its moment, and turn the result back";
 const char* const moments = "the code that reads the moments of inertia, and their order";
 const char* const spin_terms = "the term w × r in the velocity of the contact point";
 

@@ -65,7 +65,7 @@ std::vector<FaultOfKind> faults_without_outcome(std::span<const ViolatedCase> ex
     faults.push_back({AnswerKind::refused,
                       {fmt::format("It refuses valid collisions in {} examined violated cases: {}",
                                    counted(refused, examples.size()), why),
-                       "the check of the input"}});
+                       "the check of the input, or an error that the solver throws by mistake"}});
   }
   return faults;
 }

@@ -25,6 +25,28 @@ void for_each_feasible_pair(const Visit& visit) {
   }
 }
 
+/// One feature, or the magnitudes of one quantity. A collision has at most one of these, so it is measured once.
+struct Group {
+  std::size_t first;            // place in all_features()
+  std::vector<double> decades;  // the limits of the magnitudes, ascending; empty for another feature
+};
+
+std::vector<Group> feature_groups() {
+  const std::span<const Feature> all = all_features();
+  std::vector<Group> groups;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const bool is_magnitude = all[i].kind == FeatureKind::magnitude;
+    if (!is_magnitude || i == 0 || all[i].quantity != all[i - 1].quantity) {
+      groups.push_back({i, is_magnitude ? std::vector{power_of_ten(all[i].decade)} : std::vector<double>{}});
+    }
+    if (is_magnitude) {
+      CAROM_EXPECTS(groups.back().decades.back() == power_of_ten(all[i].decade), all[i].name);
+      groups.back().decades.push_back(power_of_ten(all[i].decade + 1));
+    }
+  }
+  return groups;
+}
+
 }  // namespace
 
 FeatureCoverage::FeatureCoverage()
@@ -78,10 +100,19 @@ std::vector<FeatureCoverage::Pair> FeatureCoverage::missing_pairs() const {
 }
 
 std::vector<std::uint16_t> feature_places_of(const Collision& collision) {
+  static const std::vector<Group> groups = feature_groups();
+  const std::span<const Feature> all = all_features();
   std::vector<std::uint16_t> present;
-  for (std::size_t i = 0; i < all_features().size(); ++i) {
-    if (all_features()[i].is_present(collision)) {
-      present.push_back(static_cast<std::uint16_t>(i));
+  for (const auto& [first, decades] : groups) {
+    if (decades.empty()) {
+      if (all[first].is_present(collision)) {
+        present.push_back(static_cast<std::uint16_t>(first));
+      }
+      continue;
+    }
+    const auto above = std::upper_bound(decades.begin(), decades.end(), all[first].measure(collision));
+    if (above != decades.begin() && above != decades.end()) {
+      present.push_back(static_cast<std::uint16_t>(first + static_cast<std::size_t>(above - decades.begin()) - 1));
     }
   }
   return present;

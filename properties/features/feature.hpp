@@ -67,6 +67,7 @@ struct Feature {
   char body = 0;                 // 'a' or 'b' for a feature of one body, whose name starts with the letter
   bool makes_immovable = false;  // `sprinkle` leaves such features out, because the family decides which body can move
   // For a magnitude:
+  std::function<double(const Collision&)> measure = {};  // the quantity; 0 if the collision does not have it
   /// `structured_collision` sets the quantity with the probability 1 / set_once_in. Otherwise other draws determine the
   /// quantity.
   int set_once_in = 1;

@@ -252,6 +252,7 @@ Feature decade_of(const Quantity& quantity, int k) {
           {},
           quantity.body,
           false,
+          quantity.measure,
           quantity.set_once_in,
           quantity.is_seldom_with_others,
           quantity.drawn_by};

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -68,9 +69,11 @@ void add_report(properties::GateReport& sum, const properties::GateReport& part)
 
 void complete_sum(properties::GateReport& sum, const properties::Shard& shard) {
   sum.options.shard = shard;
-  sum.sampled.clear();
-  for (const properties::Family* family : sum.options.families) {
-    sum.sampled.push_back(sample_of(sum.options, *family));
+  sum.sampled.assign(sum.options.families.size(), {});
+  const auto is_violated = [](const SubjectResult& result) { return !result.violated_invariants().empty(); };
+  if (std::any_of(sum.results.begin(), sum.results.end(), is_violated)) {  // only a diagnosis reads the sample
+    std::transform(sum.options.families.begin(), sum.options.families.end(), sum.sampled.begin(),
+                   [&](const properties::Family* family) { return sample_of(sum.options, *family); });
   }
   for (SubjectResult& result : sum.results) {
     result.not_judged = properties::why_not_judged(result, sum.options.families, sum.coverage);

@@ -64,6 +64,25 @@ TEST(Features, AreNotInEveryCollision) {
   }
 }
 
+TEST(Features, AreFoundAsTheirPredicatesSay) {
+  const std::span<const Feature> all = all_features();
+  for (const Family& family : all_families()) {
+    for (std::uint64_t i = 0; i < 40; ++i) {
+      const Collision collision = drawn_case(family, 1, i).collision;
+      if (!validate(collision).empty()) {
+        continue;
+      }
+      std::vector<std::uint16_t> expected;
+      for (std::size_t k = 0; k < all.size(); ++k) {
+        if (all[k].is_present(collision)) {
+          expected.push_back(static_cast<std::uint16_t>(k));
+        }
+      }
+      EXPECT_EQ(feature_places_of(collision), expected) << family.name << " #" << i;
+    }
+  }
+}
+
 /// `make_both` makes no infeasible pair. The test omits pairs that the domain excludes by choice, and pairs of two
 /// decades of one quantity.
 TEST(Features, AreNotTogetherWherePairsAreInfeasible) {
