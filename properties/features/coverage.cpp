@@ -26,25 +26,25 @@ void for_each_feasible_pair(const Visit& visit) {
 }
 
 /// One feature, or the magnitudes of one quantity. A collision has at most one of these, so it is measured once.
-struct Group {
+struct FeatureRun {
   std::size_t first;            // place in all_features()
   std::vector<double> decades;  // the limits of the magnitudes, ascending; empty for another feature
 };
 
-std::vector<Group> feature_groups() {
+std::vector<FeatureRun> feature_runs() {
   const std::span<const Feature> all = all_features();
-  std::vector<Group> groups;
+  std::vector<FeatureRun> runs;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const bool is_magnitude = all[i].kind == FeatureKind::magnitude;
     if (!is_magnitude || i == 0 || all[i].quantity != all[i - 1].quantity) {
-      groups.push_back({i, is_magnitude ? std::vector{power_of_ten(all[i].decade)} : std::vector<double>{}});
+      runs.push_back({i, is_magnitude ? std::vector{power_of_ten(all[i].decade)} : std::vector<double>{}});
     }
     if (is_magnitude) {
-      CAROM_EXPECTS(groups.back().decades.back() == power_of_ten(all[i].decade), all[i].name);
-      groups.back().decades.push_back(power_of_ten(all[i].decade + 1));
+      CAROM_EXPECTS(runs.back().decades.back() == power_of_ten(all[i].decade), all[i].name);
+      runs.back().decades.push_back(power_of_ten(all[i].decade + 1));
     }
   }
-  return groups;
+  return runs;
 }
 
 }  // namespace
@@ -100,10 +100,10 @@ std::vector<FeatureCoverage::Pair> FeatureCoverage::missing_pairs() const {
 }
 
 std::vector<std::uint16_t> feature_places_of(const Collision& collision) {
-  static const std::vector<Group> groups = feature_groups();
+  static const std::vector<FeatureRun> runs = feature_runs();
   const std::span<const Feature> all = all_features();
   std::vector<std::uint16_t> present;
-  for (const auto& [first, decades] : groups) {
+  for (const auto& [first, decades] : runs) {
     if (decades.empty()) {
       if (all[first].is_present(collision)) {
         present.push_back(static_cast<std::uint16_t>(first));

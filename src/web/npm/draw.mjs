@@ -5,7 +5,7 @@ import { this_judge } from './threads/node_judge.mjs';
 
 /** The collisions that the gate draws of a family with this seed. */
 export async function draw(options = {}) {
-  const { request } = sorted_options({ family: 'generic', count: 1, ...options }, draw_options);
+  const { request } = sorted_options(options, draw_options);
   const judge = await this_judge();
-  return judge({ cmd: 'draw', ...request }).collisions.map(read_collision);
+  return judge({ cmd: 'draw', family: 'generic', count: 1, ...request }).collisions.map(read_collision);
 }

@@ -50,17 +50,21 @@ export function asker_of(solver, claimed, timeout) {
   return typeof solver === 'function' ? asker_of_function(solver, claimed) : asker_of_module(solver, claimed, timeout);
 }
 
-/** Counts the judged cases of all parts. It keeps what `progress` throws, since the judge may be at work. */
-function counter(cases, progress) {
+/** Counts the judged cases of all parts. If `progress` throws, keeps the error, since the judge may be at work. */
+function counter(cases, progress, failed) {
   const done_in = new Map();
   const counts = {
     thrown: undefined,
     add(part, done) {
       done_in.set(part, done);
+      if (counts.thrown !== undefined) {
+        return;
+      }
       try {
         progress?.([...done_in.values()].reduce((sum, x) => sum + x, 0), cases);
       } catch (error) {
-        counts.thrown ??= { error };
+        counts.thrown = { error };
+        failed();
       }
     },
   };
@@ -72,29 +76,29 @@ function counter(cases, progress) {
  * unfinished parts.
  */
 async function reports_of_parts(askers, request, cases, { signal, progress }) {
-  const counts = counter(cases, progress);
+  const end_all = () => askers.forEach((asker) => asker.end());
+  const counts = counter(cases, progress, end_all);
   const reports = [];
   let next = 1;
   const judge_in_turn = async (asker) => {
-    while (next <= request.of && !signal?.aborted) {
+    while (next <= request.of && !signal?.aborted && counts.thrown === undefined) {
       const part = next++;
       const { report } = await asker.ask({ ...request, cmd: 'part', part }, (done) => counts.add(part, done));
-      if (counts.thrown !== undefined) {
-        throw counts.thrown.error;
-      }
       reports[part - 1] = report;
     }
   };
-  const end_all = () => askers.forEach((asker) => asker.end());
   signal?.addEventListener('abort', end_all);
   try {
     await Promise.all(askers.map(judge_in_turn));
   } catch (error) {
-    if (!signal?.aborted) {
+    if (!signal?.aborted && counts.thrown === undefined) {
       throw error;
     }
   } finally {
     signal?.removeEventListener('abort', end_all);
+  }
+  if (counts.thrown !== undefined) {
+    throw counts.thrown.error;
   }
   return reports.filter((report) => report !== undefined);
 }

@@ -159,7 +159,10 @@ export function draw(options?: {
   within?: Domain;
 }): Promise<Collision[]>;
 
-/** The defects of an invalid collision, which a solver must refuse. Empty if it is valid. */
+/**
+ * The defects of an invalid collision, which a solver must refuse. Empty if it is valid. An absent friction or
+ * tangential restitution counts as 0.
+ */
 export function validate(collision: Collision): string[];
 
 export function families(): Promise<Listed[]>;

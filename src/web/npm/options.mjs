@@ -26,8 +26,8 @@ function seed(text) {
 const names = (text) => text.split(',').filter((name) => name !== '');
 const some_names = (text) => (names(text).length > 0 ? names(text) : new Error('expected at least one name'));
 const text = (value) => value;
-const truths = { true: true, false: false };
-const flag = (text) => truths[text] ?? new Error('expected true or false');
+const truths = new Map([['true', true], ['false', false]]);
+const flag = (text) => truths.get(text) ?? new Error('expected true or false');
 
 export const judge_options = {
   'limit-ulps': {
@@ -89,16 +89,24 @@ delete draw_options.case;
 const claims = claim_names.filter((name) => name !== 'deviates');
 
 const hooks = {
-  signal: (value) => value instanceof AbortSignal || 'expected an AbortSignal',
+  signal: (value) => typeof value.addEventListener === 'function' || 'expected an AbortSignal',
   progress: (value) => typeof value === 'function' || 'expected a function',
 };
 
 function read_hook(name, value) {
-  const reason = hooks[name](value);
+  const reason = value === null || hooks[name](value);
   if (reason !== true) {
     throw new UsageError(`${name}: ${reason}, found ${shown(value)}`);
   }
-  return value;
+  return value ?? undefined;
+}
+
+function read_domain(name, value) {
+  try {
+    return domain_text(value, name);
+  } catch (error) {
+    throw new UsageError(error.message);
+  }
 }
 
 /** The value of an option. Throws UsageError. `shown_name` is the option as the user wrote it. */
@@ -131,7 +139,7 @@ export function sorted_options(given, options = gate_options) {
       throw new UsageError(`there is no option '${name}'${did_you_mean(name, known)}`);
     } else {
       const target = ['jobs', 'timeout'].includes(name) ? sorted : sorted.request;
-      target[name] = read_option(option, name, name === 'within' ? domain_text(value) : value);
+      target[name] = read_option(option, name, name === 'within' ? read_domain(name, value) : value);
     }
   }
   if (sorted.request.digits !== undefined && sorted.request.limit_ulps !== undefined) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-import { statSync } from 'node:fs';
+import { existsSync, statSync } from 'node:fs';
 import { basename, extname, resolve } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 
@@ -11,7 +11,7 @@ import { SolverThread } from './threads/solver_thread.mjs';
 
 const prefix = 'engine:';
 
-const is_file = (path) => statSync(path, { throwIfNoEntry: false })?.isFile() === true;
+const is_file = (path) => existsSync(path) && statSync(path).isFile();
 
 function module_source(path, specification) {
   if (!is_file(path)) {

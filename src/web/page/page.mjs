@@ -14,7 +14,8 @@ let remote;
 let view;
 let is_judging = false;
 let is_changed = false;  // since the last run began
-let own = '';            // the text of the reader, or of a link
+let own = '';            // the text that the reader typed
+let linked = '';         // the text of the link
 
 function set_judging(value) {
   is_judging = value;
@@ -61,16 +62,16 @@ function stop() {
 
 function show_example() {
   const { value } = by_id('example');
-  editor.value = value === '' ? own : examples[Number(value)].text;
+  editor.value = { own, linked }[value] ?? examples[Number(value)].text;
 }
 
-/** Keeps a text as the reader's own, so that it can be chosen after an example, or after the page is loaded again. */
-function keep_own(text) {
-  own = text;
+/** Keeps the reader's text, so that it can be chosen after an example, or after the page is loaded again. */
+function keep_own() {
+  own = editor.value;
   by_id('own').hidden = false;
-  by_id('example').value = '';
+  by_id('example').value = 'own';
   try {
-    sessionStorage.setItem('carom', text);
+    sessionStorage.setItem('carom', own);
   } catch {
     // The browser keeps nothing for this page.
   }
@@ -91,12 +92,12 @@ const names_a_part = () => by_id(location.hash.slice(1)) !== null;
 /** Shows the contents of the link, or the first example. It runs nothing. */
 async function show_link() {
   stop();
+  is_changed = true;
   try {
     const contents = await contents_of(names_a_part() ? '' : location.hash);
-    by_id('example').value = '0';
-    if (contents) {
-      keep_own(contents.text);
-    }
+    linked = contents?.text ?? '';
+    by_id('linked').hidden = !contents;
+    by_id('example').value = contents ? 'linked' : '0';
     show_example();
     show_settings(contents);
     view.idle(contents ? 'The link holds this solver. It runs if you press Judge.' : 'Press Judge, or Ctrl and Enter.');
@@ -140,10 +141,8 @@ function listen() {
     show_settings({ ...settings_shown(), law: '', precision: '', domain: '' });
   });
   by_id('domain').addEventListener('change', show_ranges);
-  editor.addEventListener('input', () => keep_own(editor.value));
-  for (const kind of ['input', 'change']) {
-    by_id('form').addEventListener(kind, changed);
-  }
+  editor.addEventListener('input', keep_own);
+  by_id('form').addEventListener('input', changed);
   document.addEventListener('keydown', (event) => {
     if (event.key === 'Escape') {
       stop();
@@ -177,7 +176,8 @@ async function open_judge() {
 
 async function begin() {
   by_id('example').append(...examples.map(({ title }, i) => element('option', { value: String(i) }, title)),
-    element('option', { id: 'own', value: '', hidden: true }, 'your own'));
+    element('option', { id: 'linked', value: 'linked', hidden: true }, 'from the link'),
+    element('option', { id: 'own', value: 'own', hidden: true }, 'your own'));
   recall_own();
   link_docs();
   make_editor(editor);

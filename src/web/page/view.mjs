@@ -18,6 +18,9 @@ function box(look, text, line) {
   return made;
 }
 
+/** The invariant that a solver violates if it throws an error on a valid collision. */
+const refuses_no_valid_collision = 'finite';
+
 /** The cases of each family that the button `more` asks for. They suffice for most diagnoses. */
 export const more_cases = 100;
 
@@ -39,9 +42,9 @@ export function make_view(remote, { invariants }) {
 
   function show_boxes({ result, ended_by, thrown }, verdict) {
     const boxes = [];
-    if (thrown && verdict?.subject.status !== 'sound') {
-      boxes.push(box('exit-2', `solve threw an error: ${thrown.message}.`, thrown.line));
-    }
+    const error = thrown && verdict?.subject.status !== 'sound'
+      ? [box('exit-2', `solve threw an error: ${thrown.message.replace(/\.$/, '')}.`, thrown.line)] : [];
+    const is_cause = verdict?.subject.violations?.some(({ invariant }) => invariant === refuses_no_valid_collision);
     if (ended_by instanceof Hang) {
       boxes.push(box('exit-1', hang_in_words(ended_by)));
     }
@@ -54,7 +57,7 @@ export function make_view(remote, { invariants }) {
     if (verdict) {
       boxes.push(element('p', { class: 'faint' }, verdict.facts));
     }
-    by_id('verdict').replaceChildren(...boxes);
+    by_id('verdict').replaceChildren(...(is_cause ? [...error, ...boxes] : [...boxes, ...error]));
     say(ended_by instanceof Stopped && !result ? 'Stopped before anything was judged.' : '');
   }
 

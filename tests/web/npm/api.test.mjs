@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 import assert from 'node:assert';
+import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import test from 'node:test';
 import { pathToFileURL } from 'node:url';
@@ -57,6 +58,11 @@ for (const [mistake, message] of [
   [() => carom.gate(undefined), /expected a function, .* of a module, or the name of an engine, found undefined/],
   [() => carom.gate(new URL('https://example.org/solver.mjs')), /found https:\/\/example\.org\/solver\.mjs/],
   [() => carom.gate(sound, { law, families: [] }), /families: expected at least one name/],
+  [() => carom.gate(sound, { law, exact: 'toString' }), /exact: expected true or false/],
+  [() => carom.gate(sound, { law, within: { size: [1] } }), /^within: size: expected the least/],
+  [() => carom.gate(sound, { law, within: 'mass=1:1,mass_ratio=2:3' }), /^within: no case of generic lies/],
+  [() => carom.gate('./a\0b'), /there is no such file/],
+  [() => carom.gate(`./${'x'.repeat(5000)}`), /there is no such file/],
   [() => carom.gate(sound, { law, exact: 'yes' }), /exact: expected true or false, found yes/],
   [() => carom.gate(sound, { law, signal: 5 }), /signal: expected an AbortSignal, found 5/],
   [() => carom.gate(sound, { law, progress: 'line' }), /progress: expected a function, found "line"/],
@@ -77,6 +83,17 @@ for (const [mistake, message] of [
   }));
 }
 
+test('an option that is undefined or null counts as absent', async () => {
+  assert.strictEqual((await carom.draw({ family: undefined, count: undefined })).length, 1);
+  const { status } = await carom.gate(sound, { law, cases: 1, families: 'generic', signal: null, progress: null });
+  assert.strictEqual(status, 0);
+});
+
+test('vectors may be typed arrays', async () => {
+  const [collision] = await carom.draw();
+  assert.deepStrictEqual(carom.validate({ ...collision, normal: Float64Array.from(collision.normal) }), []);
+});
+
 test('what is no collision has defects', () => {
   for (const value of [undefined, null, 5, {}, { a: null, b: 5 }, { a: { velocity: 'fast' } }]) {
     assert.ok(carom.validate(value).includes('restitution: expected a finite number from 0 to 1'));
@@ -84,9 +101,17 @@ test('what is no collision has defects', () => {
 });
 
 test('an error of progress ends the run, and belongs to the caller', async () => {
-  const progress = () => { throw new RangeError('planted'); };
   for (const solver of [sound, join(folder, 'sound.mjs')]) {
-    await assert.rejects(carom.gate(solver, { law, progress, cases: 20 }), { name: 'RangeError', message: 'planted' });
+    let calls = 0;
+    const controller = new AbortController();
+    const progress = () => {
+      ++calls;
+      controller.abort();
+      throw new RangeError('planted');
+    };
+    const { signal } = controller;
+    await assert.rejects(carom.gate(solver, { law, progress, signal, cases: 20 }), { message: 'planted' });
+    assert.strictEqual(calls, 1);
   }
 });
 
@@ -94,6 +119,14 @@ test('one collision is judged within a domain that no family fits', async () => 
   const [collision] = await carom.draw();
   const { violated: is_violated } = await carom.judge(sound, collision, { law, domain: 'mass=1:1,mass_ratio=2:3' });
   assert.strictEqual(is_violated, false);
+});
+
+test('names that are near to a claim are not refused', async () => {
+  for (const name of ['low', 'raw', 'laws', 'names', 'same', 'clamps']) {
+    const text = `export { solve } from './sound.mjs'; export const law = 'frictionless', ${name} = [];`;
+    writeFileSync(join(folder, `${name}.mjs`), text);
+    assert.strictEqual((await carom.gate(join(folder, `${name}.mjs`), { cases: 1, families: 'generic' })).status, 0);
+  }
 });
 
 test('a half of a letter in a name or a reason is replaced', async () => {

@@ -210,7 +210,8 @@ test('a witness is replayed', async () => {
 test('−0 is printed as it is', async () => {
   const witness = JSON.parse(readFileSync(join(folder, 'replayed', 'witnesses', 'wrong.restitution.json'), 'utf8'));
   const text = JSON.stringify({ ...witness.collision, friction: 0 }).replace('"friction":0', '"friction":-0.0');
-  for (const [file, contents] of [['one.json', text], ['array.json', `[${text}]`], ['lines.jsonl', `${text}\n${text}`]]) {
+  const files = { 'one.json': text, 'array.json': `[${text}]`, 'lines.jsonl': `${text}\n${text}` };
+  for (const [file, contents] of Object.entries(files)) {
     writeFileSync(join(folder, file), contents);
     const { stdout } = await carom(folder, 'replay', file, '--format', 'json', '--subject', './sound.mjs');
     assert.match(stdout, /"friction":-0\.0\b/, file);

@@ -74,9 +74,14 @@ test('an example does not lose the text of the reader', async () => {
   assert.match(await browser.field('text'), /export function solve/);
   await browser.choose('your own');
   assert.equal(await browser.field('text'), 'mine');
-  await browser.open(page);
+  await browser.open(await link_of({ text: 'linked' }));
+  assert.equal(await browser.field('text'), 'linked');
+  await browser.set('text', 'mine again');
+  await browser.open(await browser.value('location.href'));
   await browser.choose('your own');
-  assert.equal(await browser.field('text'), 'mine');
+  assert.equal(await browser.field('text'), 'mine again');
+  await browser.choose('from the link');
+  assert.equal(await browser.field('text'), 'linked');
 });
 
 test('another link on the open page is shown', async () => {
@@ -87,7 +92,8 @@ test('another link on the open page is shown', async () => {
 });
 
 test('a link that unpacks to very much is damaged', async () => {
-  const link_to = (length) => `${page}#1.${gzipSync(JSON.stringify({ text: ' '.repeat(length) })).toString('base64url')}`;
+  const packed = (length) => gzipSync(JSON.stringify({ text: ' '.repeat(length) })).toString('base64url');
+  const link_to = (length) => `${page}#1.${packed(length)}`;
   await browser.open(link_to(1000));
   assert.match(await browser.text('#state'), /It runs if you press Judge/);
   await browser.open(link_to(250_000));

@@ -44,7 +44,9 @@ export class PageInBrowser extends Browser {
     return this.call((of, to) => {
       const field = document.getElementById(of);
       field.value = to;
-      field.dispatchEvent(new Event(field.tagName === 'SELECT' ? 'change' : 'input', { bubbles: true }));
+      for (const kind of field.tagName === 'SELECT' ? ['input', 'change'] : ['input']) {
+        field.dispatchEvent(new Event(kind, { bubbles: true }));
+      }
     }, id, value);
   }
 
@@ -92,7 +94,12 @@ export class PageInBrowser extends Browser {
   }
 
   async choose(title) {
-    await this.set('example', String((await this.examples()).indexOf(title)));
+    const value = await this.call((wanted) => [...document.querySelectorAll('#example option:not([hidden])')]
+      .find(({ text }) => text === wanted)?.value, title);
+    if (value === undefined) {
+      throw new Error(`the page offers no example ${title}`);
+    }
+    await this.set('example', value);
   }
 
   /** The text of the sound example. */

@@ -102,7 +102,10 @@ test('a verdict is marked as old after an edit', async () => {
   const is_old = () => browser.call(() => document.getElementById('results').classList.contains('old'));
   await browser.set('seed', '2');
   assert.equal(await is_old(), false, 'nothing is judged');
+  await browser.call(() => document.getElementById('seed').focus());
+  await browser.ask('Input.insertText', { text: '3' });
   await browser.judge();
+  await browser.call(() => document.getElementById('seed').blur());
   assert.equal(await is_old(), false);
   for (const [field, value] of [['law', 'rough'], ['text', 'changed']]) {
     await browser.set(field, value);

@@ -67,7 +67,8 @@ test('the law of the form comes before the law of the solver', async () => {
   assert.match(await browser.text('#shell'), /law = 'reflection'/);
 });
 
-for (const [domain, ranges, within] of [['games', '', 'games'], ['ranges', 'size=0.1:10,speed=:5', 'size=0.1:10,speed=:5']]) {
+const some_ranges = 'size=0.1:10,speed=:5';
+for (const [domain, ranges, within] of [['games', '', 'games'], ['ranges', some_ranges, some_ranges]]) {
   test(`the solver is judged within the domain ${within}`, async () => {
     await browser.open(page);
     await browser.set('domain', domain);

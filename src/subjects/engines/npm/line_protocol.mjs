@@ -12,7 +12,8 @@ function number(json) {
 
 // A malformed record becomes NaN, which validate() reports.
 function numbers(json, count) {
-  return Array.isArray(json) && json.length === count ? json.map(number) : new Array(count).fill(NaN);
+  const is_list = Array.isArray(json) || ArrayBuffer.isView(json);
+  return is_list && json.length === count ? Array.from(json, number) : new Array(count).fill(NaN);
 }
 
 function read_body(json) {

@@ -70,7 +70,9 @@ function printable(text) {
 }
 
 /** The message of an Error, after its kind if that tells something. */
-const words_of = ({ name, message }) => [name, message].filter((text) => text && text !== 'Error').join(': ') || 'Error';
+function words_of({ name, message }) {
+  return [name, message].filter((text) => text && text !== 'Error').join(': ') || 'Error';
+}
 
 /** The message of anything that was thrown. */
 export function message_of(thrown) {

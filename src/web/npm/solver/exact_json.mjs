@@ -20,7 +20,7 @@ export function exact_json(value) {
   }
   if (typeof value === 'object' && value !== null) {
     const members = Object.entries(value).filter(([, member]) => member !== undefined);
-    return `{${members.map(([name, member]) => `${JSON.stringify(well_formed(name))}:${exact_json(member)}`).join(',')}}`;
+    return `{${members.map(([name, member]) => `${exact_json(name)}:${exact_json(member)}`).join(',')}}`;
   }
   return JSON.stringify(typeof value === 'string' ? well_formed(value) : value) ?? 'null';
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
 import { shown } from './answer.mjs';
-import { did_you_mean } from './nearest_name.mjs';
+import { edits_between } from './nearest_name.mjs';
 
 /** What a solver may claim: the exports of a module besides `solve`. */
 export const claim_names = ['law', 'precision', 'name', 'version', 'domain', 'claims', 'matrix', 'deviates'];
 
 /** The text "size=0.1:10,mass_ratio=:100" of a domain such as { size: [0.1, 10], mass_ratio: [null, 100] }. */
-export function domain_text(domain) {
+export function domain_text(domain, place = 'domain') {
   if (typeof domain !== 'object' || domain === null) {
     return domain;
   }
@@ -14,18 +14,24 @@ export function domain_text(domain) {
     const is_range = Array.isArray(range) && range.length === 2 &&
       range.every((end) => end === null || typeof end === 'number');
     if (!is_range) {
-      throw new Error(`domain: ${quantity}: expected the least and the greatest value, null for no limit`);
+      throw new Error(`${place}: ${quantity}: expected the least and the greatest value, null for no limit`);
     }
     return `${quantity}=${range.map((end) => end ?? '').join(':')}`;
   }).join(',');
 }
 
-/** Throws an Error if a field looks like a misspelt claim. A function is no claim. */
+/** Whether the name can hardly be meant otherwise: it differs in case, or in one letter of a long claim. */
+function is_misspelling(name, claim) {
+  const least_letters = 6;
+  return name.toLowerCase() === claim || (claim.length >= least_letters && edits_between(name, claim) === 1);
+}
+
+/** Throws an Error if a field is a misspelt claim. A function is no claim. */
 function refuse_misspelt(fields) {
   for (const [name, value] of Object.entries(fields)) {
-    const nearest = did_you_mean(name, claim_names);
-    if (!claim_names.includes(name) && typeof value !== 'function' && nearest !== '') {
-      throw new Error(`there is no claim '${name}'${nearest}`);
+    const meant = claim_names.find((claim) => is_misspelling(name, claim));
+    if (!claim_names.includes(name) && typeof value !== 'function' && meant !== undefined) {
+      throw new Error(`there is no claim '${name}'; did you mean '${meant}'?`);
     }
   }
 }

@@ -32,7 +32,7 @@ export async function make_judge(create, settings) {
   function judge(request) {
     const reply = JSON.parse(module.caromCall(exact_json(request)));
     if (typeof reply.error === 'string') {
-      throw new UsageError(reply.error.replace(/^\/model\b/, 'law').replace(/^\//, ''));
+      throw new UsageError(reply.error.replace(/^\/model\b/, 'law').replace(/^(\/|--)/, ''));
     }
     return reply;
   }

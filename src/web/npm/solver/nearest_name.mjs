@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 
 /** The number of letters to add, to remove, to change, or to swap with a neighbour. */
-function edits_between(x, y) {
+export function edits_between(x, y) {
   const edits = Array.from({ length: x.length + 1 }, (_, i) => [i]);
   for (let j = 1; j <= y.length; ++j) {
     edits[0][j] = j;

@@ -31,27 +31,23 @@ function end_with(failure, end) {
   set_state(flags, end);
 }
 
-/** The text of the answer, or a promise of it: only a solver that waits pays for a promise. */
-function answer(solve, has_matrix, i) {
-  const refuse = (thrown) => write_refusal(answers, i * answer_size, thrown);
-  const take = (result) => write_result(answers, i * answer_size, result, has_matrix);
+async function answer(solve, has_matrix, i) {
   let result;
   try {
     result = solve(collision_at(collisions, i * collision_size));
     if (is_promise(result)) {
-      return Promise.resolve(result).then(take, refuse);
+      result = await result;
     }
   } catch (thrown) {
-    return refuse(thrown);
+    return write_refusal(answers, i * answer_size, thrown);
   }
-  return take(result);
+  return write_result(answers, i * answer_size, result, has_matrix);
 }
 
 async function answer_batch(solve, has_matrix) {
   const count = Atomics.load(flags, flag.count);
   for (let i = 0; i < count; ++i) {
-    const answered = answer(solve, has_matrix, i);
-    const text = typeof answered === 'string' ? answered : await answered;
+    const text = await answer(solve, has_matrix, i);  // what the solver leaves to be done belongs to its collision
     if (text !== '') {
       port.postMessage({ i, text });
     }

@@ -6,6 +6,10 @@ const failures = {
   hang() { for (;;); },
   promise: () => new Promise(() => {}),
   exit: () => process.exit(3),
+  exit_later(collision) {
+    Promise.reject(new Error('planted')).catch(() => process.exit(4));
+    return sound(collision);
+  },
   late: () => new Promise(() => setTimeout(() => { throw new TypeError('planted'); }, 0)),
   strings: ({ a, b }) => ({ a: { velocity: ['0', 0, 0], angular_velocity: a.angular_velocity }, b }),
   short: ({ a, b }) => ({ a: { velocity: [0, 0], angular_velocity: a.angular_velocity }, b }),
