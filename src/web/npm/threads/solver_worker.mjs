@@ -31,17 +31,29 @@ function end_with(failure, end) {
   set_state(flags, end);
 }
 
-async function answer(solve, has_matrix, i) {
+async function awaited(promise, has_matrix, at) {
+  let result;
+  try {
+    result = await promise;
+  } catch (thrown) {
+    return write_refusal(answers, at, thrown);
+  }
+  return write_result(answers, at, result, has_matrix);
+}
+
+/** The text of the answer, or a promise of it. An async function would take longer for a solver that does not wait. */
+function answer(solve, has_matrix, i) {
+  const at = i * answer_size;
   let result;
   try {
     result = solve(collision_at(collisions, i * collision_size));
     if (is_promise(result)) {
-      result = await result;
+      return awaited(result, has_matrix, at);
     }
   } catch (thrown) {
-    return write_refusal(answers, i * answer_size, thrown);
+    return write_refusal(answers, at, thrown);
   }
-  return write_result(answers, i * answer_size, result, has_matrix);
+  return write_result(answers, at, result, has_matrix);
 }
 
 async function answer_batch(solve, has_matrix) {
