@@ -70,8 +70,9 @@ void add_report(properties::GateReport& sum, const properties::GateReport& part)
 void complete_sum(properties::GateReport& sum, const properties::Shard& shard) {
   sum.options.shard = shard;
   sum.sampled.assign(sum.options.families.size(), {});
+  // Only a report of violations reads the sample.
   const auto is_violated = [](const SubjectResult& result) { return !result.violated_invariants().empty(); };
-  if (std::any_of(sum.results.begin(), sum.results.end(), is_violated)) {  // only a report of violations reads the sample
+  if (std::any_of(sum.results.begin(), sum.results.end(), is_violated)) {
     std::transform(sum.options.families.begin(), sum.options.families.end(), sum.sampled.begin(),
                    [&](const properties::Family* family) { return sample_of(sum.options, *family); });
   }
