@@ -206,7 +206,7 @@ bool is_visibly_off(const KnownCase& one, double unit_roundoff) {
 Outcome<double> pushed(const Collision& collision, const Vector3<double>& impulse) {
   const auto outcome = [&]<class S>(S) {
     const BasicCollision<S> c = widened<S>(collision);
-    const Vector3<S> f = impulse.cast<S>();
+    const Vector3<S>& f = impulse.cast<S>();
     const Outcome<S> after{pushed_body(c.a, c.point, f), pushed_body(c.b, c.point, Vector3<S>(-f))};
     return map_outcome<double>(after, [](S x) { return static_cast<double>(x); });
   };

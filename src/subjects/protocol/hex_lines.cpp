@@ -35,10 +35,10 @@ constexpr auto digits_of_byte = [] {
 constexpr auto value_of_digit = [] {
   std::array<unsigned char, 256> table{};
   table.fill(no_digit);
-  for (unsigned char value = 0; value < digits.size(); ++value) {
+  for (std::size_t value = 0; value < digits.size(); ++value) {
     const auto digit = static_cast<unsigned char>(digits[value]);
-    table[digit] = value;
-    table[value < 10 ? digit : digit - 'a' + 'A'] = value;
+    table[digit] = static_cast<unsigned char>(value);
+    table[value < 10 ? digit : digit - 'a' + 'A'] = static_cast<unsigned char>(value);
   }
   return table;
 }();
