@@ -61,6 +61,12 @@ Proof.
   unfold square; lra.
 Qed.
 
+Lemma semidefinite (c : contact R) : is_valid c -> positive_semidefinite (collision_matrix c).
+Proof.
+  intros valid v; pose proof (definite c valid v); pose proof (square_nonnegative v).
+  pose proof (one_moves c valid); nra.
+Qed.
+
 Lemma positive_form (c : contact R) (v : vector R) :
   is_valid c -> v <> null -> 0 < dot v (applied (collision_matrix c) v).
 Proof.

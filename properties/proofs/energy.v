@@ -24,6 +24,7 @@ Definition total_energy (mass_a mass_b : R) (inertia_a inertia_b : matrix R) (c 
 
 Lemma dot_null (v : vector R) : dot v null = 0. Proof. by_ring. Qed.
 Lemma cross_null_left (v : vector R) : cross null v = null. Proof. by_ring. Qed.
+Lemma cross_null (v : vector R) : cross v null = null. Proof. by_ring. Qed.
 
 Lemma work_on_movable (mass : R) (inertia : matrix R) (b : body R) (p f : vector R) :
   has_inertia mass inertia b ->
@@ -148,6 +149,14 @@ Section Energy.
   Lemma stops_approach_is_conjugate : dot (stops_approach c) (applied K (from_one_to_other c)) = 0.
   Proof. unfold stops_approach at 1; rewrite dot_scaled_left, tangential by auto; reals; ring. Qed.
 
+  (** V⁻ = -K P_II = -(K P_I + K D). *)
+  Lemma velocity_in_parts : V = negated (sum (applied K (stops_approach c)) (applied K (from_one_to_other c))).
+  Proof.
+    rewrite <- applied_sum; replace (sum _ _) with (stops_point c)
+      by (unfold from_one_to_other; generalize (stops_point c) (stops_approach c); clear; by_ring).
+    rewrite stops_point_stops by auto; generalize V; clear; by_ring.
+  Qed.
+
   (** ΔE = -½ (1-ε²) P_I·K P_I - ½ κ (2-κ) D·K D. *)
   Lemma work_of_rough_is (kappa : R) :
     let first := stops_approach c in
@@ -158,12 +167,7 @@ Section Energy.
   Proof.
     intros first d; pose proof stops_approach_is_conjugate as conjugate.
     pose proof (collision_matrix_symmetric c valid) as is_symmetric.
-    (* V = -K P_II, with P_II = P_I + D. *)
-    assert (V = negated (sum (applied K first) (applied K d))) as velocity_is.
-    { rewrite <- applied_sum; replace (sum first d) with (stops_point c)
-        by (unfold first, d, from_one_to_other; generalize (stops_point c) (stops_approach c); clear; by_ring).
-      rewrite stops_point_stops by auto; generalize V; clear; by_ring. }
-    unfold rough_with; fold first d; fold first d in conjugate.
+    pose proof velocity_in_parts as velocity_is; unfold rough_with; fold first d in conjugate, velocity_is |- *.
     rewrite velocity_is, !applied_sum, !applied_scaled, !dot_negated, !dot_sum, !dot_sum_left, !dot_scaled,
       !dot_scaled_left, (is_symmetric d first), conjugate; reals; field.
   Qed.
@@ -179,10 +183,8 @@ Section Energy.
   Lemma work_of_rough (kappa : R) : 0 <= kappa <= 2 -> work (rough_with c kappa) <= 0.
   Proof.
     intros in_range; rewrite work_of_rough_is; pose proof (restitution_in_range c valid).
-    assert (forall v, 0 <= dot v (applied K v)) as semidefinite.
-    { intros v; pose proof (definite c valid v); pose proof (one_moves c valid).
-      pose proof (square_nonnegative v); nra. }
-    pose proof (semidefinite (stops_approach c)) as of_first; pose proof (semidefinite (from_one_to_other c)) as of_d.
+    pose proof (semidefinite c valid (stops_approach c)) as of_first.
+    pose proof (semidefinite c valid (from_one_to_other c)) as of_d.
     revert of_first of_d; generalize (dot (stops_approach c) (applied K (stops_approach c)))
       (dot (from_one_to_other c) (applied K (from_one_to_other c))); intros first d of_first of_d.
     assert (0 <= (1 - restitution c * restitution c) * first) by (apply Rmult_le_pos; nra).

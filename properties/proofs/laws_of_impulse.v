@@ -101,6 +101,14 @@ Section Laws.
     approach c < 0 -> approach (after c f) = - restitution c * approach c -> 0 <= approach (after c f).
   Proof. intros colliding ->; pose proof (restitution_in_range c valid); nra. Qed.
 
+  (** |N·V⁺| ≤ |N·V⁻| for every impulse that obeys the restitution. *)
+  Theorem parts_no_faster (f : vector R) :
+    approach (after c f) = - restitution c * approach c -> Rabs (approach (after c f)) <= Rabs (approach c).
+  Proof.
+    intros ->; pose proof (restitution_in_range c valid); pose proof (Rabs_pos (approach c)).
+    rewrite Rabs_mult, Rabs_Ropp, (Rabs_pos_eq (restitution c)) by lra; nra.
+  Qed.
+
   (** N × F = 0. *)
   Theorem frictionless_direction : cross N (frictionless_impulse c) = null.
   Proof. unfold frictionless_impulse; rewrite cross_scaled, cross_self; apply scaled_null. Qed.

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSL-1.0
-"""A false law makes the proof of the theorem about this law fail.
+"""A false law makes the proof of the theorem about this law fail. So does a false statement.
 
 usage: false_laws_test.py PROOFS BUILD
 """
@@ -42,10 +42,19 @@ FALSE_LAWS = [
      "kappa_is_textbook"),
     ("contacts that part are pushed as well", "laws", "less 0 (inverse_masses c) && less (approach c) 0",
      "less 0 (inverse_masses c)", "reals", "is_colliding_true"),
+    ("ε above 1", "reals", "0 <= restitution c <= 1", "0 <= restitution c", "laws_of_impulse", "parts_no_faster"),
     ("of rough's root, B goes where A does", "answers", "(scaled (inverse_mass (body_b c)) (negated f))",
      "(scaled (inverse_mass (body_b c)) f)", "answers_compute", "response_adds"),
     ("an orientation that shears", "described_bodies", "two * (x * y - w * z)", "two * (x * y + w * z)",
      "described_bodies", "rotation_applied"),
+    ("friction along the slip", "every_law", "scaled (- (friction c * dot (normal c) f)) slip",
+     "scaled (friction c * dot (normal c) f) slip", "impulse_bound", "impulse_bound_of_coulomb"),
+    ("a bound that forgets the rebound", "impulse_bound",
+     "square (frictionless_impulse c) * square N <= squared ((1 + epsilon) * approach c)",
+     "square (frictionless_impulse c) * square N <= squared (approach c)", "impulse_bound",
+     "impulse_bound_of_frictionless"),
+    ("a bound that forgets e_t", "impulse_bound", "1 + Rmax (restitution c) (tangential_restitution c)",
+     "1 + restitution c", "impulse_bound", "at_most_largest_factor"),
 ]
 # The same law, written differently.
 TRUE_LAW = ("laws", "inverse_mass (body_a c) + inverse_mass (body_b c)", "inverse_mass (body_b c) + inverse_mass (body_a c)")
