@@ -164,8 +164,8 @@ bool BoundedCase::is_well_conditioned() const {
   return condition_bound(collision_matrix()) < well_conditioned;
 }
 
-const Enclosure& BoundedCase::enclosed_inverse_mass() const {
-  return enclosed_inverse_mass_.get([this] { return inverse_mass(enclosed()); });
+const Matrix3<Enclosure>& BoundedCase::enclosed_collision_matrix() const {
+  return enclosed_collision_matrix_.get([this] { return response_matrix(enclosed()); });
 }
 
 double BoundedCase::collision_matrix_sensitivity_below() const {

@@ -88,9 +88,9 @@ class BoundedCase {
   [[nodiscard]] bool is_well_conditioned() const;
 
   [[nodiscard]] const Matrix3<Approximation>& collision_matrix() const { return approximate_response().matrix; }
+  [[nodiscard]] const Matrix3<Enclosure>& enclosed_collision_matrix() const;
   /// λ = 1/m_A + 1/m_B.
   [[nodiscard]] Approximation approximate_inverse_mass() const { return inverse_mass(approximate()); }
-  [[nodiscard]] const Enclosure& enclosed_inverse_mass() const;
 
   /// A lower bound of Σ_q ‖∂K/∂q‖ ‖q‖ (bounded_case_bounds.hpp): λ/2, or ‖K‖_F/2 if this is larger and ‖K‖_F exceeds
   /// its rounding errors. Precondition: is_moderate().
@@ -131,7 +131,7 @@ class BoundedCase {
   Lazy<StopImpulses> stop_impulses_;
   PerAffineEquation<Lazy<PerVector<double>>> slopes_;
   Lazy<double> collision_matrix_sensitivity_below_;
-  Lazy<Enclosure> enclosed_inverse_mass_;
+  Lazy<Matrix3<Enclosure>> enclosed_collision_matrix_;
   Lazy<InertiaTensors> inertia_tensors_;
 };
 

@@ -10,6 +10,7 @@
 #include <carom/collision/expects.hpp>
 #include <carom/oracles/exact/rational.hpp>
 #include <carom/oracles/filters/lazy.hpp>
+#include <carom/oracles/filters/moderate.hpp>
 #include <carom/oracles/numbers/approximation.hpp>
 #include <carom/oracles/numbers/enclosure.hpp>
 
@@ -29,6 +30,12 @@ class LiftedMatrix {
   [[nodiscard]] bool is_finite() const {
     return !reported_ || std::all_of(reported_->data(), reported_->data() + reported_->size(),
                                      [](long double x) { return std::isfinite(x); });
+  }
+
+  /// Whether `reported` is not nullptr and no number in it exceeds `largest_moderate_outcome`, so that products stay in
+  /// the range of binary64.
+  [[nodiscard]] bool is_moderate() const {
+    return reported_ && reported_->cwiseAbs().maxCoeff() <= largest_moderate_outcome;
   }
 
   [[nodiscard]] const Matrix3<Rational>& exact() const {

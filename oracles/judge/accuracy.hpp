@@ -25,7 +25,7 @@ struct Accuracy {
 
   [[nodiscard]] bool is_allowed() const { return allowed == PerVector<bool>{true, true, true, true}; }
 
-  /// η = max_k error_k / (u · sensitivity_k): the number of ulps that the inputs must move to make the outcome exact.
+  /// η = max_k error_k / (u · sensitivity_k): the least number of ulps that the inputs must move to explain the errors.
   [[nodiscard]] double backward_error(double unit_roundoff) const;
 
   /// Correct decimal digits of the change of the velocities. The maximum, 40, means exact.

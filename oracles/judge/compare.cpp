@@ -152,6 +152,29 @@ double part_by_curvature(const equation::FrictionCone& cone, const ExactCase& ex
   return allowance * impulse * impulse * (1 + c.friction * c.friction);
 }
 
+/// λ F has an error of α λ m (‖v̂‖ + ‖v⁻‖), as in the friction cone, and V⁻ has one of α times the sizes of its terms.
+/// If the slopes vanish, as for bodies at rest, the squares of these errors remain. The bound is c ‖V⁻‖ or c |N·V⁻|.
+double part_by_curvature(const equation::ImpulseBound& bound, const ExactCase& exact_case, const LiftedOutcome& outcome,
+                         double allowance) {
+  const Collision& c = exact_case.collision();
+  const OutcomeVector k = bound.read_off_a ? OutcomeVector::velocity_of_a : OutcomeVector::velocity_of_b;
+  const double size = outcome.norms()[k] + exact_case.bounds().norms_before()[k];
+  double of_impulse = inverse_mass(c) * (bound.read_off_a ? c.a.mass : c.b.mass) * size;
+  double of_bound = 0;
+  if (bound.of == ImpulseBoundOf::approach) {
+    of_impulse *= norm_of(c.normal);
+    of_bound = (1 + c.restitution) * exact_case.normal_velocity_sensitivity();
+  } else {
+    const bool by_tangential = bound.of == ImpulseBoundOf::velocity_by_tangential_restitution;
+    for (const Body* body : {&c.a, &c.b}) {
+      const double arm = norm_of(lever_arm<double>(*body, c.point)) + norm_of(c.point) + length_of_position(*body);
+      of_bound += norm_of(body->velocity) + norm_of(body->angular_velocity) * arm;
+    }
+    of_bound *= 1 + (by_tangential ? c.tangential_restitution : c.restitution);
+  }
+  return allowance * (of_impulse * of_impulse + of_bound * of_bound);
+}
+
 /// N × F and N × V⁺ have errors of α times the sizes of the terms from which they are computed. If the slopes vanish,
 /// the product of N × F and N × V⁺ has the product of these errors.
 double curvature_of_friction_and_slip(bool read_off_a, const ExactCase& exact_case, const LiftedOutcome& outcome,
@@ -210,10 +233,6 @@ bool has_part_by_matrix(const ByShownMatrix& by_matrix, const ExactCase& exact_c
          std::isnormal(part_by_curvature(by_matrix, exact_case, outcome, allowance));
 }
 
-bool is_moderate(const LiftedMatrix& shown) {
-  return shown.reported() != nullptr && shown.reported()->cwiseAbs().maxCoeff() <= largest_moderate_outcome;
-}
-
 /// The scale of an equation. No value if the scale leaves the range of binary64.
 template <class OneEquation>
 std::optional<double> scale_of(const OneEquation& equation, const ExactCase& exact_case, const LiftedOutcome& outcome,
@@ -249,7 +268,7 @@ double part_of_scale(const OneEquation& equation, const ExactCase& exact_case, c
 
 double part_of_scale(const ByShownMatrix& by_matrix, const ExactCase& exact_case, const LiftedOutcome& outcome,
                      const PerVector<double>& sizes) {
-  CAROM_EXPECTS(exact_case.bounds().is_moderate() && outcome.is_moderate() && is_moderate(by_matrix.shown));
+  CAROM_EXPECTS(exact_case.bounds().is_moderate() && outcome.is_moderate() && by_matrix.shown.is_moderate());
   const double part = part_by_outputs(
       slopes_of_change(by_matrix.shown.in<double>(), by_matrix.read_off_a, exact_case.collision()), sizes);
   return is_in_range(part) ? part : 0;
@@ -353,7 +372,7 @@ Comparison compare_change_by(const LiftedMatrix& shown, const ExactCase& exact_c
     return undecided;
   }
   Yardstick judged_by = yardstick;
-  judged_by.filtered = yardstick.filtered && is_moderate(shown);  // products then stay in the range of numbers
+  judged_by.filtered = yardstick.filtered && shown.is_moderate();  // products then stay in the range of numbers
   return compare_one(equation, Relation::equal, exact_case, outcome, judged_by);
 }
 

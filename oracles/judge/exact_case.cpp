@@ -29,14 +29,63 @@ Vector3<T> torque_arm(const BasicBody<T>& body, const BasicCollision<T>& c) {
   return lever_arm(body, c.point).cross(c.normal);
 }
 
-/// τ_k of ExactCase::sensitivity, or zero if τ_k is beyond the range of numbers.
+/// The length by which rounding moves a lever arm, divided by the allowance. A lever arm moves with both positions, so
+/// both lengths count, not the length of the difference.
+double reach(const Body& body, const Collision& c) { return norm_of(c.point) + length_of_position(body); }
+
+/// Beyond the range of numbers, a part of second order is left out.
+void drop_infinite(Sensitivity& scale) {
+  for (const OutcomeVector k : all_outcome_vectors) {
+    scale[k] = std::isfinite(scale[k]) ? scale[k] : 0;
+  }
+}
+
+/// ‖J⁻¹ (I − f fᵀ)‖_F for the unit vector f: the largest spin that a torque of length 1 across f may cause.
+double response_across(const Body& body, const Vector3<double>& f) {
+  const Vector3<double> in_body = turned<double>(conjugate(body.orientation), f);
+  return root_of_squares(3, [&](std::size_t i) {
+    const double y = in_body[static_cast<Eigen::Index>((i + 1) % 3)];
+    const double z = in_body[static_cast<Eigen::Index>((i + 2) % 3)];
+    return std::sqrt(y * y + z * z) / body.principal_inertia[static_cast<Eigen::Index>(i)];
+  });
+}
+
+/// Adds the changes of the velocities if K changes by at most `change_of(body)` ‖J⁻¹ (I − f fᵀ)‖ for each movable body,
+/// with f along the impulse F. F then changes by at most the sum of these changes times ‖F‖ / λ, because K ⪰ λI.
+template <class ChangeOf>
+void add_change_of_matrix(const Collision& c, const Vector3<double>& impulse, const ChangeOf& change_of,
+                          Sensitivity& scale) {
+  const double length = norm_of(impulse);
+  if (length == 0) {
+    return;
+  }
+  double sum = 0;
+  for (const Body* body : {&c.a, &c.b}) {
+    sum += body->immovable ? 0 : change_of(*body) * response_across(*body, impulse / length);
+  }
+  const double change = sum / inverse_mass(c) * length;
+  const auto add_body = [&](const Body& body, OutcomeVector velocity, OutcomeVector spin) {
+    if (!body.immovable) {
+      scale[velocity] += change / body.mass;
+      scale[spin] += change * norm_of(lever_arm(body, c.point)) / body.principal_inertia.minCoeff();
+    }
+  };
+  add_body(c.a, OutcomeVector::velocity_of_a, OutcomeVector::angular_velocity_of_a);
+  add_body(c.b, OutcomeVector::velocity_of_b, OutcomeVector::angular_velocity_of_b);
+}
+
+/// [δr]ᵀ J⁻¹ [δr], the change of K of second order, changes F. The first order vanishes if r × N = 0.
+void add_second_order_of_arms(const Collision& c, const Vector3<double>& impulse, Sensitivity& scale) {
+  const auto squared = [&](const Body& body) { return reach(body, c) * reach(body, c); };
+  add_change_of_matrix(c, impulse, squared, scale);
+}
+
+/// τ_k of ExactCase::sensitivity without the part by K, or zero if τ_k is beyond the range of numbers.
 Sensitivity second_order_scale(const Collision& c) {
-  // A lever arm moves with both positions, so both lengths count, not the length of the difference.
-  const auto reach = [&](const Body& body) { return norm_of(c.point) + length_of_position(body); };
   double speed = 0;
   double lambda = 0;
   for (const Body* body : {&c.a, &c.b}) {
-    speed += norm_of(body->velocity) + norm_of(body->angular_velocity) * reach(*body);
+    speed += norm_of(body->velocity) + norm_of(body->angular_velocity) * reach(*body, c);
     lambda += body->immovable ? 0 : 1 / body->mass;
   }
   const double impulse = 2 * speed / lambda;  // not used if both bodies are immovable
@@ -45,16 +94,14 @@ Sensitivity second_order_scale(const Collision& c) {
   };
   const auto of_spin = [&](const Body& body) {
     return norm_of(body.angular_velocity) +
-           (body.immovable ? 0 : impulse * reach(body) / body.principal_inertia.minCoeff());
+           (body.immovable ? 0 : impulse * reach(body, c) / body.principal_inertia.minCoeff());
   };
   Sensitivity scale{};
   scale[OutcomeVector::velocity_of_a] = of_velocity(c.a);
   scale[OutcomeVector::angular_velocity_of_a] = of_spin(c.a);
   scale[OutcomeVector::velocity_of_b] = of_velocity(c.b);
   scale[OutcomeVector::angular_velocity_of_b] = of_spin(c.b);
-  for (const OutcomeVector k : all_outcome_vectors) {
-    scale[k] = std::isfinite(scale[k]) ? scale[k] : 0;
-  }
+  drop_infinite(scale);
   return scale;
 }
 
@@ -264,8 +311,12 @@ Sensitivity ExactCase::sensitivity_as(Law law, Approach as, double allowance) co
       sum[k] = std::max(sum[k], beyond[k]);
     }
   }
+  const bool grazes = collides && is_grazing(allowance);
   for (const OutcomeVector k : all_outcome_vectors) {
     sum[k] += allowance * second_order()[k];
+    if (collides) {
+      sum[k] += allowance * (second_order_of_arms(law)[k] + (grazes ? second_order_from_rest()[k] : 0));
+    }
   }
   if (const PermittedInputs* permitted = collides ? permitted_inputs(allowance) : nullptr) {
     const Branch side = branch(law);
@@ -282,6 +333,40 @@ Sensitivity ExactCase::sensitivity_as(Law law, Approach as, double allowance) co
 
 const Sensitivity& ExactCase::second_order() const {
   return second_order_.get([this] { return second_order_scale(collision()); });
+}
+
+const Sensitivity& ExactCase::second_order_of_arms(Law law) const {
+  return of(law).second_order_of_arms.get([&] {
+    const Collision& c = collision();
+    Sensitivity scale{};
+    if (branch(law) != Branch::only) {
+      // F = (1 + ε) P_I + κ (P_II − P_I) with κ ≤ 1 + e_t.
+      const double share = 1 + c.tangential_restitution;
+      add_second_order_of_arms(c, (1 + c.restitution + share) * bounds_.stop_impulses().of_approach, scale);
+      add_second_order_of_arms(c, share * bounds_.stop_impulses().of_point, scale);
+    } else {
+      add_second_order_of_arms(
+          c, bounds_.colliding_truth(law, branch(law)).impulse.unaryExpr([](const Enclosure& x) { return x.middle(); }),
+          scale);
+    }
+    drop_infinite(scale);
+    return scale;
+  });
+}
+
+const Sensitivity& ExactCase::second_order_from_rest() const {
+  return second_order_from_rest_.get([this] {
+    const Collision& c = collision();
+    const double normal = norm_of(c.normal);
+    // |N·V⁻| and its rounding are at most the allowance times the sensitivity each, and λ ‖F‖ ≤ (1 + ε) |N·V⁻| / ‖N‖.
+    const double impulse =
+        (1 + c.restitution) * 2 * normal_velocity_sensitivity() / (normal * oracles::inverse_mass(c));
+    const auto crossed = [&](const Body& body) { return 2 * reach(body, c) * norm_of(lever_arm(body, c.point)); };
+    Sensitivity scale{};
+    add_change_of_matrix(c, c.normal * (impulse / normal), crossed, scale);
+    drop_infinite(scale);
+    return scale;
+  });
 }
 
 bool ExactCase::has_two_answers(Law law, double allowance) const {
@@ -343,9 +428,8 @@ bool ExactCase::is_bounded_by(const Rational& bound) const {
   if (!filtered_) {
     return is_at_most(collision_matrix(), bound);
   }
-  const Matrix3<Enclosure> matrix = response_matrix(bounds_.enclosed());
-  const std::optional<bool> decided =
-      is_positive_semidefinite(less_multiple_of_identity<Enclosure>(-matrix, Enclosure(Rational(-bound))));
+  const std::optional<bool> decided = is_positive_semidefinite(
+      less_multiple_of_identity<Enclosure>(-bounds_.enclosed_collision_matrix(), Enclosure(Rational(-bound))));
   return decided ? *decided : is_at_most_by_enclosures(collision_matrix(), bound);
 }
 

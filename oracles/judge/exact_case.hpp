@@ -38,7 +38,7 @@ class ExactCase {
   /// of `laws_with_truth`.
   [[nodiscard]] Branch branch(Law law) const;
 
-  /// The law's answer. Throws std::logic_error if the answer does not satisfy the defining equations exactly.
+  /// The law's answer. Throws JudgeError if the answer does not satisfy the defining equations exactly.
   /// Preconditions: the law is one of `laws_with_truth`; the contact does not collide, or `branch` is not `on_cone`, so
   /// that the answer is rational.
   [[nodiscard]] const Truth<Rational>& truth(Law law) const { return truth(law, approach()); }
@@ -72,8 +72,9 @@ class ExactCase {
 
   /// The sensitivity of the law's answer y: σ_k + α τ_k for each vector k, with the allowance α. The term σ_k is
   /// Σ_q ‖∂y_k/∂q‖ ‖q‖ + ‖y_k⁻‖ (sensitivity.hpp). The term τ_k is of second order: ‖y_k⁻‖ plus the largest change of
-  /// vector k by an impulse of length 2 s / λ, with s ≥ ‖V⁻‖. It matters if the derivatives vanish, as for a central
-  /// contact that grazes.
+  /// vector k by an impulse of length 2 s / λ, with s ≥ ‖V⁻‖. If the contact collides, τ_k also has the change of
+  /// vector k by a change of K that is quadratic in the lever arms. It matters if the derivatives vanish: for a central
+  /// contact that grazes, and for one far from the origin.
   ///
   /// If the contact grazes (`is_grazing`), the function returns the sensitivity of the colliding answer, unless the law
   /// has two answers (`has_two_answers`). Near the surface of the friction cone, the larger of two sensitivities
@@ -127,6 +128,7 @@ class ExactCase {
     Lazy<Truth<Rational>> truth;
     Lazy<Truth<Radical>> truth_on_cone;
     PerBranch<Lazy<Sensitivity>> colliding_sensitivity;
+    Lazy<Sensitivity> second_order_of_arms;
   };
 
   [[nodiscard]] const BoundedCase::NormalVelocity& normal_velocity() const;
@@ -143,6 +145,11 @@ class ExactCase {
   /// Then the contact's own approach counts.
   [[nodiscard]] Approach answered_as(Law law, Approach as) const;
   [[nodiscard]] const Sensitivity& second_order() const;
+  /// The part of τ_k by the change of K. Precondition: a body is movable.
+  [[nodiscard]] const Sensitivity& second_order_of_arms(Law law) const;
+  /// The part of τ_k by an impulse that rounding alone causes, and the first-order change of K. It matters if the
+  /// contact grazes. Precondition: a body is movable.
+  [[nodiscard]] const Sensitivity& second_order_from_rest() const;
 
   [[nodiscard]] const OfLaw& of(Law law) const {
     return of_law_.get(law, [] { return OfLaw(); });
@@ -163,6 +170,7 @@ class ExactCase {
   Lazy<Truth<Enclosure>> enclosed_unchanged_;
   Lazy<Sensitivity> unchanged_sensitivity_;
   Lazy<Sensitivity> second_order_;
+  Lazy<Sensitivity> second_order_from_rest_;
   Lazy<Matrix3<Rational>> collision_matrix_;
   Lazy<double> collision_matrix_sensitivity_;
   Lazy<bool> is_definite_;

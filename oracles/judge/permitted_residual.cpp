@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <cmath>
+
 #include <carom/oracles/judge/permitted_residual.hpp>
 
 namespace carom::oracles {
@@ -20,6 +22,20 @@ class Residual {
   }
   double operator()(const equation::NonPenetration&) const {
     return norm_of(collision_.normal) * dot(inputs_.unit_normal(), velocity_after()).radius;
+  }
+  double operator()(const equation::PartingSpeed&) const {
+    return norm_of(collision_.normal) *
+           (dot(inputs_.unit_normal(), velocity_after()).radius + inputs_.normal_velocity().radius);
+  }
+  /// The impulse contains no lever arm. So only the bound moves: (b + δ)² − b² for a bound b that moves by δ.
+  double operator()(const equation::ImpulseBound& bound) const {
+    const bool by_tangential = bound.of == ImpulseBoundOf::velocity_by_tangential_restitution;
+    const double whole = 1 + (by_tangential ? collision_.tangential_restitution : collision_.restitution);
+    const double length = whole * norm_of(collision_.normal);
+    return bound.of == ImpulseBoundOf::approach ? growth_of_square(length * std::abs(inputs_.normal_velocity().centre),
+                                                                   length * inputs_.normal_velocity().radius)
+                                                : growth_of_square(whole * norm_of(inputs_.relative_velocity().centre),
+                                                                   whole * inputs_.relative_velocity().radius);
   }
   double operator()(const equation::ReflectionPlane&) const {
     const VectorBall before = cross(inputs_.unit_normal(), inputs_.relative_velocity());
@@ -82,6 +98,8 @@ class Residual {
   [[nodiscard]] VectorBall friction(bool read_off_a) const {
     return cross(inputs_.unit_normal(), impulse_on(read_off_a));
   }
+
+  [[nodiscard]] static double growth_of_square(double bound, double change) { return change * (2 * bound + change); }
 
   [[nodiscard]] double squared_normal() const {
     const double length = norm_of(collision_.normal);

@@ -29,6 +29,15 @@ struct Yardstick {
   /// Whether numbers with error bounds may decide before rationals.
   bool filtered = true;
 
+  /// This yardstick for answers that are computed in a precision. Every judge of a precision takes its yardstick from
+  /// here, so all give the same verdicts.
+  [[nodiscard]] Yardstick in(Precision precision) const {
+    Yardstick changed = *this;
+    changed.unit_roundoff = carom::unit_roundoff(precision);
+    changed.least_size = least_size_known_to_a_roundoff(precision);
+    return changed;
+  }
+
   /// Whether lower bounds of the allowed error may decide.
   [[nodiscard]] bool uses_bounds() const {
     return filtered && allowance() > 0 && allowance() <= largest_allowance_for_bounds;

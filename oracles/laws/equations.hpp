@@ -77,6 +77,30 @@ enum class AffineEquation {
   return equation == AffineEquation::restitution || equation == AffineEquation::non_penetration;
 }
 
+/// The bound of a law's impulse (equation::ImpulseBound).
+enum class ImpulseBoundOf {
+  approach,                            // (1 + ε) |N·V⁻| / ‖N‖
+  velocity_by_restitution,             // (1 + ε) ‖V⁻‖
+  velocity_by_tangential_restitution,  // (1 + e_t) ‖V⁻‖
+};
+
+/// The bound that holds for a law at this collision. For `rough` and `any`, the larger of ε and e_t counts.
+[[nodiscard]] inline ImpulseBoundOf impulse_bound_of(Law law, const Collision& c) {
+  switch (law) {
+    case Law::frictionless:
+    case Law::reflection:
+      return ImpulseBoundOf::approach;
+    case Law::sticking:
+    case Law::coulomb:
+      return ImpulseBoundOf::velocity_by_restitution;
+    case Law::rough:
+    case Law::any:
+      break;
+  }
+  return c.tangential_restitution > c.restitution ? ImpulseBoundOf::velocity_by_tangential_restitution
+                                                  : ImpulseBoundOf::velocity_by_restitution;
+}
+
 /// Each struct maps (collision, outcome) to the two sides of an equation or inequality, in any field T. `name()` has a
 /// value if the equation is affine in the outcome. F is computed from the velocity change of A if `read_off_a`,
 /// otherwise from that of B. Precondition: this body is movable.
@@ -162,6 +186,20 @@ struct NonPenetration {
   template <class T>
   [[nodiscard]] Sides<T, 1> operator()(const BasicCollision<T>& c, const Outcome<T>& after) const {
     return {Scalar1<T>(c.normal.dot(relative_velocity<T>(c, after))), Scalar1<T>(T(0))};
+  }
+};
+
+/// N·V⁺ ≤ |N·V⁻|: the bodies part no faster than they met.
+struct PartingSpeed {
+  bool collides;  // N·V⁻ < 0
+
+  /// The derivatives with respect to the outcome are those of NonPenetration.
+  [[nodiscard]] static constexpr std::optional<AffineEquation> name() { return AffineEquation::non_penetration; }
+
+  template <class T>
+  [[nodiscard]] Sides<T, 1> operator()(const BasicCollision<T>& c, const Outcome<T>& after) const {
+    const T before = normal_velocity_before(c);
+    return {Scalar1<T>(c.normal.dot(relative_velocity<T>(c, after))), Scalar1<T>(collides ? T(-before) : before)};
   }
 };
 
@@ -252,6 +290,32 @@ struct FrictionAgainstSlip {
   }
 };
 
+/// The squares of λ ‖F‖ ≤ (1 + ε) |N·V⁻| / ‖N‖ or of λ ‖F‖ ≤ c ‖V⁻‖, with λ = 1/m_A + 1/m_B. Every eigenvalue of the
+/// collision matrix is at least λ, so a law bounds its impulse by the change of velocity that it demands.
+struct ImpulseBound {
+  ImpulseBoundOf of;
+  bool read_off_a;
+
+  [[nodiscard]] static constexpr std::optional<AffineEquation> name() { return std::nullopt; }
+
+  template <class T>
+  [[nodiscard]] Sides<T, 1> operator()(const BasicCollision<T>& c, const Outcome<T>& after) const {
+    // λ m is of the order of 1, while λ² F² may leave the range of numbers.
+    const BasicBody<T>& body = read_off_a ? c.a : c.b;
+    const T share = inverse_mass(c) * body.mass;
+    const Vector3<T> impulse = share * Vector3<T>((read_off_a ? after.a : after.b).velocity - body.velocity);
+    const T whole =
+        T(1) + (of == ImpulseBoundOf::velocity_by_tangential_restitution ? c.tangential_restitution : c.restitution);
+    const T squared = impulse.dot(impulse);
+    if (of == ImpulseBoundOf::approach) {
+      const T limit = whole * normal_velocity_before(c);
+      return {Scalar1<T>(squared * c.normal.dot(c.normal)), Scalar1<T>(limit * limit)};
+    }
+    const Vector3<T> limit = whole * relative_velocity<T>(c, unchanged(c));
+    return {Scalar1<T>(squared), Scalar1<T>(limit.dot(limit))};
+  }
+};
+
 /// E⁺ − E⁻ ≤ W: the kinetic energy of the movable bodies grows by at most W, the work of a driven wall (an immovable
 /// body that moves). W is the scalar product of the wall's velocity at the contact point and the impulse on the other
 /// body. E⁺ − W is convex in the outcome. Precondition: a body is movable.
@@ -283,9 +347,10 @@ struct Energy {
 
 using Equation =
     std::variant<equation::LinearMomentum, equation::AngularMomentum, equation::TotalAngularMomentum,
-                 equation::Untouched, equation::Restitution, equation::NonPenetration, equation::Push,
-                 equation::FrictionlessDirection, equation::ReflectionPlane, equation::Sticks, equation::FrictionCone,
-                 equation::FrictionAlongSlip, equation::FrictionAgainstSlip, equation::Energy>;
+                 equation::Untouched, equation::Restitution, equation::NonPenetration, equation::PartingSpeed,
+                 equation::Push, equation::ImpulseBound, equation::FrictionlessDirection, equation::ReflectionPlane,
+                 equation::Sticks, equation::FrictionCone, equation::FrictionAlongSlip, equation::FrictionAgainstSlip,
+                 equation::Energy>;
 
 inline constexpr std::array<Equation, 16> affine_equations{equation::LinearMomentum{},
                                                            equation::AngularMomentum{true},

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <stdexcept>
-
 #include <carom/collision/expects.hpp>
 #include <carom/oracles/laws/certify.hpp>
 
@@ -26,20 +24,24 @@ struct RoughParts {
 ///   (3) F lies in the cone: N·F ≥ 0 and ‖N × F‖ ≤ μ N·F;
 ///   (4) κ = 1 + e_t, or 0 ≤ κ ≤ 1 + e_t with F on the cone's surface.
 ///
-/// T is an ordered exact field. Throws a std::logic_error that names the condition that fails. Preconditions: the
+/// T is an ordered exact field. Throws a JudgeError that names the condition that fails. Preconditions: the
 /// contact collides; a body is movable; e_t ≥ −1.
 template <class T>
 void certify_rough(const BasicCollision<T>& collision, const Outcome<T>& outcome, const RoughParts<T>& parts) {
   CAROM_EXPECTS(has_movable_body(collision));
-  const auto demand = [](bool holds, const char* what) {
+  const auto demand = [&](bool holds, const char* what) {
     if (!holds) {
-      throw std::logic_error(std::string("the truth of `rough` does not satisfy ") + what);
+      fail_to_certify(collision, "the truth of `rough`", what);
     }
   };
   BasicCollision<T> inelastic = collision;
   inelastic.restitution = T(0);
-  certify(inelastic, Law::frictionless, Approach::colliding, parts.approach_stopped);
-  certify(inelastic, Law::sticking, Approach::colliding, parts.point_stopped);
+  const auto demand_part = [&](Law law, const Outcome<T>& part) {
+    const char* const unsatisfied = first_unsatisfied(inelastic, law, Approach::colliding, part);
+    demand(unsatisfied == nullptr, unsatisfied);
+  };
+  demand_part(Law::frictionless, parts.approach_stopped);
+  demand_part(Law::sticking, parts.point_stopped);
   const Outcome<T> before = unchanged(collision);
   const auto y = vectors(outcome);
   const auto y_before = vectors(before);

@@ -81,7 +81,7 @@ namespace gen {
   F(structured)                     \
   F(generic)                        \
   F(physical)                       \
-  F(needle_tip)                     \
+  F(near_special)                   \
   F(head_on)                        \
   F(near_head_on)                   \
   F(collinear_spheres)              \
@@ -115,7 +115,8 @@ namespace gen {
   F(chung_ooi)                      \
   F(invalid)                        \
   F(far_contacts)                   \
-  F(impossible_moments)
+  F(impossible_moments)             \
+  F(needle_tip)
 #define CAROM_GEN_FAMILY(NAME) \
   [[nodiscard]] inline rc::Gen<Collision> NAME() { return family(#NAME); }
 CAROM_GEN_FAMILIES(CAROM_GEN_FAMILY)

@@ -3,6 +3,8 @@
 #include <string>
 #include <utility>
 
+#include <gtest/gtest.h>
+
 #include <carom/properties/conformance/closing_lines.hpp>
 #include <carom/properties/conformance/finding.hpp>
 #include <carom/properties/conformance/suite.hpp>
@@ -10,43 +12,62 @@
 namespace carom::conformance {
 namespace {
 
+struct Place {
+  const char* file;
+  int line;
+};
+
 std::string name_of_this_test() {
   const testing::TestInfo& test = *testing::UnitTest::GetInstance()->current_test_info();
   return std::string(test.test_suite_name()) + '.' + test.name();
 }
 
-TEST_P(Conformance, Holds) {
-  const Statement& statement = GetParam();
-  if (!statement.error.empty()) {
-    ADD_FAILURE_AT(statement.file, statement.line) << statement.error;
-    return;
-  }
-  const Finding finding = find(statement, name_of_this_test());
+void show(const Finding& finding, const Place& place) {
   if (finding.status == properties::Status::violated) {
-    ADD_FAILURE_AT(statement.file, statement.line)
+    ADD_FAILURE_AT(place.file, place.line)
         << finding.text << "  this test alone: --gtest_filter=" << name_of_this_test();
   } else if (finding.status == properties::Status::skipped) {
     GTEST_SKIP() << finding.text;
   }
 }
 
-[[maybe_unused]] const testing::Environment* const closing_lines =
-    testing::AddGlobalTestEnvironment(new ClosingLinesInPlace);
+class Conformance : public testing::Test {
+ public:
+  explicit Conformance(std::function<void()> body) : body_(std::move(body)) {}
+  void TestBody() override { body_(); }
+
+ private:
+  std::function<void()> body_;
+};
+
+void add_test(const std::string& suite, const std::string& name, const std::string& about, const Place& place,
+              const std::function<void()>& body) {
+  testing::RegisterTest(suite.c_str(), name.c_str(), nullptr, about.c_str(), place.file, place.line,
+                        [body]() -> Conformance* { return new Conformance(body); });
+}
 
 }  // namespace
 
-std::vector<Statement> suite(const char* file, int line, const std::function<std::vector<Statement>()>& make) {
-  std::vector<Statement> all;
+bool add_suite(const char* name, const char* file, int line, const std::function<std::vector<Statement>()>& make) {
+  // GoogleTest owns the environment.
+  [[maybe_unused]] static const testing::Environment* const closing_lines =
+      testing::AddGlobalTestEnvironment(new ClosingLinesInPlace);
+  const std::string tests = std::string(name) + "/Conformance";
+  const Place place{file, line};
   try {
-    all = make();
+    const std::vector<Statement> all = make();
+    for (const Statement& statement : all) {
+      add_test(tests, "Holds/" + name_of(statement), in_words(statement), place,
+               [statement, place] { show(find(statement, name_of_this_test()), place); });
+    }
+    // It comes last, because the other tests show which invariants are judged.
+    add_test(tests, "JudgesEachInvariant", "", place,
+             [all, place] { show(finding_of_judged(all, name_of_this_test()), place); });
   } catch (const std::exception& error) {
-    all = {Statement{nullptr, nullptr, nullptr, {}, file, line, error.what()}};
+    add_test(tests, "Holds/options", "", place,
+             [place, why = std::string(error.what())] { ADD_FAILURE_AT(place.file, place.line) << why; });
   }
-  for (Statement& statement : all) {
-    statement.file = file;
-    statement.line = line;
-  }
-  return all;
+  return true;
 }
 
 }  // namespace carom::conformance

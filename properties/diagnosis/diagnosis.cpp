@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
+#include <exception>
+#include <new>
 #include <set>
 #include <utility>
 
@@ -91,8 +93,15 @@ Diagnosis diagnose(const SubjectResult& result, const GateReport& report) {
 std::vector<Diagnosis> diagnose_all(const GateReport& report) {
   std::vector<Diagnosis> diagnoses(report.results.size());
   report.options.workers.run(diagnoses.size(), [&](std::size_t s) {
-    if (!report.results[s].violated_invariants().empty()) {
+    if (report.results[s].violated_invariants().empty()) {
+      return;
+    }
+    try {
       diagnoses[s] = diagnose(report.results[s], report);
+    } catch (const std::bad_alloc&) {
+      throw;
+    } catch (const std::exception& error) {
+      diagnoses[s].missing = error.what();
     }
   });
   return diagnoses;

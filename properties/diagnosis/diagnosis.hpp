@@ -16,12 +16,14 @@ struct Diagnosis {
   std::uint64_t violated = 0;    // sampled cases in which any invariant is violated
   std::uint64_t telling_in = 0;  // the number of those cases that violate `telling`
   std::vector<Fault> faults;     // at least one
+  std::string missing = {};      // the failure of the diagnosis; empty if there is a diagnosis
 };
 
 /// Precondition: `result.violated_invariants()` is not empty.
 [[nodiscard]] Diagnosis diagnose(const SubjectResult& result, const GateReport& report);
 
-/// The diagnoses of the report's subjects, in order. Empty for a subject that violates nothing.
+/// The diagnoses of the report's subjects, in order. Empty for a subject that violates nothing. If a diagnosis fails,
+/// it has only `missing`.
 [[nodiscard]] std::vector<Diagnosis> diagnose_all(const GateReport& report);
 
 }  // namespace carom::properties::diagnosis

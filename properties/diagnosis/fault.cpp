@@ -239,6 +239,55 @@ std::string limits_in_words(std::span<const ViolatedCase> cases, Law law) {
   return {};
 }
 
+std::vector<std::string> lines_of(const Fault& fault) {
+  std::vector<std::string> lines{fault.what};
+  if (!fault.where.empty()) {
+    lines.push_back(fault.where);
+  }
+  if (!fault.look_at.empty()) {
+    lines.push_back("Look at: " + fault.look_at);
+  }
+  return lines;
+}
+
+std::string in_words(std::span<const Fault> faults, const std::string& indent, std::size_t most) {
+  std::string text;
+  std::size_t count = 0;
+  for (const Fault& fault : faults) {
+    for (const std::string& line : lines_of(fault)) {
+      text += count < most ? indent + line + '\n' : "";
+      ++count;
+    }
+  }
+  return text;
+}
+
+Fault fault_of_matrix(MatrixFault kind) {
+  switch (kind) {
+    case MatrixFault::missing:
+      return {"Its outcomes are right. It shows no collision matrix of some contacts that collide.",
+              "paths that solve a contact without C: spheres, no friction, equal masses"};
+    case MatrixFault::out_of_bounds:
+      return {
+          "Its outcomes are right. The collision matrix that it shows is not positive definite, or it is too large.",
+          "the computation of C: signs, the transpose of [r], the moments of inertia"};
+    case MatrixFault::another:
+      break;
+  }
+  return {
+      "Its outcomes are right. The collision matrix that it shows is not that of the contact, or is not the one that "
+      "it "
+      "solves with.",
+      "the shown matrix: its axes, its rows and columns, the contact that it belongs to"};
+}
+
+Fault fault_of_memory() {
+  return {
+      "It gives another answer if it is asked again: it keeps state from earlier collisions, or its answer depends "
+      "on the spelling of the request.",
+      "caches, warm starts, random numbers, state that is not reset; the parser of numbers and of optional fields"};
+}
+
 Fault fault_of(std::span<const ViolatedCase> cases, Law law) {
   CAROM_EXPECTS(!cases.empty());
   std::array<std::size_t, all_steps.size()> counts{};

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include <carom/properties/diagnosis/known_case.hpp>
 
@@ -24,6 +25,25 @@ struct Fault {
   std::uint64_t cases = 0;  // examined sampled cases in which it happens
   std::optional<FaultWitness> witness = {};
 };
+
+/// The parts of a fault, each in one line: `what`, `where` and `look_at`. Omits the empty parts.
+[[nodiscard]] std::vector<std::string> lines_of(const Fault& fault);
+
+/// The lines of the faults, each after `indent`, and at most `most` lines.
+[[nodiscard]] std::string in_words(std::span<const Fault> faults, const std::string& indent, std::size_t most);
+
+/// What is wrong with the collision matrices that a subject shows.
+enum class MatrixFault {
+  missing,        // a contact that collides has none
+  out_of_bounds,  // not positive definite, or too large
+  another,        // not the matrix of the contact, or not the one that the outcome belongs to
+};
+
+/// The fault of a subject whose outcomes are right, and whose shown matrices are wrong.
+[[nodiscard]] Fault fault_of_matrix(MatrixFault kind);
+
+/// The fault of a subject that gives another answer if it is asked again.
+[[nodiscard]] Fault fault_of_memory();
 
 /// The step of mechanics at which most outcomes fail: a change without a cause, the reaction, the angular velocities,
 /// or the impulse itself. An outcome counts for the first step that it fails. Sets `what` and `look_at`. Preconditions:

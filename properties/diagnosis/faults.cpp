@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <carom/collision/validate.hpp>
+#include <carom/properties/diagnosis/binary32.hpp>
 #include <carom/properties/diagnosis/evidence.hpp>
 #include <carom/properties/diagnosis/explanation.hpp>
 #include <carom/properties/diagnosis/faults.hpp>
@@ -58,13 +59,18 @@ std::string first_invalid(std::span<const ViolatedCase> examples) {
   return {};
 }
 
-/// The fault of a shown matrix, if the outcome is right.
-Fault matrix_fault(bool is_another) {
-  return is_another
-             ? Fault{"Its outcomes are right. The collision matrix that it shows is not symmetric, or is not the one that it solves with.",
-                     "the shown matrix: its axes, its rows and columns, the contact that it belongs to"}
-             : Fault{"Its outcomes are right. The collision matrix that it shows is not positive definite, or it is too large.",
-                     "the computation of C: signs, the transpose of [r], the moments of inertia"};
+bool lacks_matrix(const ViolatedCase& one) {
+  const auto* const outcome = std::get_if<ReportedOutcome>(&one.answer);
+  return outcome != nullptr && !outcome->collision_matrix;
+}
+
+/// What is wrong with the shown matrices. Precondition: the outcomes are right.
+MatrixFault matrix_fault(const SubjectResult& result, std::span<const ViolatedCase> examples) {
+  if (std::ranges::any_of(examples, lacks_matrix)) {
+    return MatrixFault::missing;
+  }
+  return result.count("definite").violated + result.count("well_conditioned").violated > 0 ? MatrixFault::out_of_bounds
+                                                                                           : MatrixFault::another;
 }
 
 /// The step of mechanics at which the outcomes fail, with the usual cause of the conditions that they share. If there
@@ -187,10 +193,10 @@ class FaultSearch {
       }
       std::ranges::set_difference(of_matrix, others, std::back_inserter(matrix_alone_[f]));
     }
-    // The matrix of a wrong computation also violates invariants in a few cases with a right outcome.
-    constexpr std::size_t least_share = 20;
+    // The matrix of a wrong computation also violates invariants in cases with a right outcome.
+    constexpr std::size_t least_share = 2;
     if (size_of(matrix_alone_) >= std::max<std::size_t>(least_violated, size_of(violations_.violated) / least_share)) {
-      add(matrix_fault(result_.count("matrix_used").violated > 0), matrix_alone_);
+      add(fault_of_matrix(matrix_fault(result_, examples_)), matrix_alone_);
     }
   }
 
@@ -234,7 +240,8 @@ class FaultSearch {
     }
     constexpr std::size_t most_examined = 12'000;  // so that a limit is found within a few percent
     every_ = std::max<std::size_t>(1, (count + most_examined - 1) / most_examined);
-    const double roundoff = unit_roundoff(result_.subject.precision);
+    const Precision precision = narrow_.are_binary32() ? Precision::binary32 : result_.subject.precision;
+    const double roundoff = unit_roundoff(precision);
     small_ = none();
     for (std::size_t f = 0; f < result_.families.size(); ++f) {
       for (const SampledAnswer& answer : result_.families[f].sampled_answers) {
@@ -256,7 +263,27 @@ class FaultSearch {
     }
   }
 
+  /// Adds the fault that a subject of a higher precision answers in binary32.
+  void add_narrow() {
+    if (result_.subject.precision == Precision::binary32) {
+      return;
+    }
+    CaseNumbers cases = none();
+    for (std::size_t f = 0; f < cases.size(); ++f) {
+      for (const SampledAnswer& answer : result_.families[f].sampled_answers) {
+        if (answer.kind == AnswerKind::outcome && is_valid(f, answer.index)) {
+          narrow_.add(report_.sampled[f][answer.index].collision, answer.outcome);
+          cases[f].push_back(answer.index);
+        }
+      }
+    }
+    if (narrow_.are_binary32()) {
+      add(narrow_.fault(result_.subject.precision), cases);
+    }
+  }
+
   void add_outcomes() {
+    add_narrow();
     examine_outcomes();
     const bool has_state = violates(&Invariant::is_of_session);
     // State may change the size of each impulse, whatever the other faults.
@@ -323,11 +350,7 @@ class FaultSearch {
       return true;
     }
     if (violates(&Invariant::is_of_session) && (!is_explained || size_of(rest) >= least_violated)) {
-      add({"It gives another answer if it is asked again: it keeps state from earlier collisions, or its answer "
-           "depends on the spelling of the request.",
-           "caches, warm starts, random numbers, state that is not reset; the parser of numbers and of optional "
-           "fields"},
-          cases, {}, {}, every);
+      add(fault_of_memory(), cases, {}, {}, every);
       return true;
     }
     return false;
@@ -348,6 +371,9 @@ class FaultSearch {
       if (kind_of(one.answer) == AnswerKind::outcome && validate(one.one.collision).empty()) {
         outcomes.push_back(one);
       }
+    }
+    if (narrow_.are_binary32() && wrong_.size() < least_violated) {
+      return;
     }
     if (faults_.empty() ? !outcomes.empty()
                         : outcomes.size() >= least_violated && 5 * outcomes.size() > examples_.size()) {
@@ -386,6 +412,7 @@ class FaultSearch {
   std::uint64_t every_ = 1;        // one outcome in so many is examined
   CaseNumbers matrix_alone_;       // only invariants of the matrix are violated
   CaseNumbers small_;              // wrong outcomes that are not visibly off
+  NarrowAnswers narrow_;           // the examined outcomes, unless the subject claims binary32
 };
 
 }  // namespace

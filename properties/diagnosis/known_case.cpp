@@ -108,6 +108,8 @@ bool is_known(const oracles::Truth<oracles::Enclosure>& truth) {
 
 }  // namespace
 
+bool is_linear(Law law) { return std::ranges::find(oracles::linear_laws, law) != oracles::linear_laws.end(); }
+
 LawAnswer law_answer(const Collision& collision, Law law, std::optional<oracles::Approach> approach) {
   CAROM_EXPECTS(determines_outcome(law), law);
   const oracles::ExactCase exact_case(collision);
@@ -128,10 +130,10 @@ Vector3<double> law_impulse(const Collision& collision, Law law, std::optional<o
   const auto largest_growth = [](auto scalar) {
     return static_cast<double>(0x1p-51L / std::numeric_limits<decltype(scalar)>::epsilon());
   };
-  const bool is_linear = std::ranges::find(oracles::linear_laws, law) != oracles::linear_laws.end();
   const double growth = oracles::growth_in_collision_matrix(collision);
   const double allowed = is_wide_slow ? largest_growth(double{}) : largest_growth(Wide{});
-  if (as != oracles::Approach::colliding || !is_linear || !exact_case.bounds().is_moderate() || !(growth <= allowed)) {
+  if (as != oracles::Approach::colliding || !is_linear(law) || !exact_case.bounds().is_moderate() ||
+      !(growth <= allowed)) {
     return law_answer(collision, law, as).impulse;
   }
   if (is_wide_slow) {

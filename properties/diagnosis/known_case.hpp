@@ -13,8 +13,12 @@ struct LawAnswer {
   Vector3<double> impulse;  // on A
 };
 
+/// Whether the impulse is linear in the velocities. The formula of such a law also extends to contacts that do not
+/// collide.
+[[nodiscard]] bool is_linear(Law law);
+
 /// The law's answer to a collision. If set, `approach` replaces the approach of the collision. Preconditions: the
-/// collision is valid; the law determines an outcome.
+/// collision is valid; the law determines an outcome; a contact that does not collide is solved only by a linear law.
 [[nodiscard]] LawAnswer law_answer(const Collision& collision, Law law, std::optional<oracles::Approach> approach = {});
 
 /// The impulse of `law_answer`, with a relative error below 2⁻⁴³. It takes less time.

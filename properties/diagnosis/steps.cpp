@@ -17,11 +17,18 @@ oracles::Approach approach_by(ApproachTest test, const Collision& collision) {
   return is_solved ? oracles::Approach::colliding : oracles::Approach::separating;
 }
 
-Vector3<double> impulse_on_a(const Steps& steps, const Collision& collision) {
+/// No value if the law has no answer: the steps solve a contact that does not collide, and only the formulas of the
+/// linear laws extend to it.
+std::optional<Vector3<double>> impulse_on_a(const Steps& steps, const Collision& collision) {
   if (steps.test == ApproachTest::right) {
     return law_impulse(collision, steps.law);
   }
-  return law_impulse(collision, steps.law, approach_by(steps.test, collision));
+  const oracles::Approach as = approach_by(steps.test, collision);
+  const bool is_extended = as == oracles::Approach::colliding && oracles::ExactCase(collision).approach() != as;
+  if (is_extended && !is_linear(steps.law)) {
+    return std::nullopt;
+  }
+  return law_impulse(collision, steps.law, as);
 }
 
 }  // namespace
@@ -33,14 +40,16 @@ std::optional<Impulses> impulses_by(const Steps& steps, const KnownCase& one) {
     return std::nullopt;
   }
   if (!steps.is_each_body_alone) {
-    const Vector3<double> on_a = steps.has_right_impulse ? one.impulse : impulse_on_a(steps, steps.computed_from);
-    return Impulses{on_a, -on_a};
+    const auto on_a = steps.has_right_impulse ? one.impulse : impulse_on_a(steps, steps.computed_from);
+    return on_a ? std::optional(Impulses{*on_a, -*on_a}) : std::nullopt;
   }
   Collision of_a = steps.computed_from;
   of_a.b.immovable = true;
   Collision of_b = steps.computed_from;
   of_b.a.immovable = true;
-  return Impulses{impulse_on_a(steps, of_a), -impulse_on_a(steps, of_b)};
+  const auto on_a = impulse_on_a(steps, of_a);
+  const auto on_b = impulse_on_a(steps, of_b);
+  return on_a && on_b ? std::optional(Impulses{*on_a, -*on_b}) : std::nullopt;
 }
 
 Outcome<double> outcome_by(const Steps& steps, const Impulses& impulses, const KnownCase& one) {

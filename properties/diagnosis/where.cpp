@@ -3,6 +3,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <compare>
 #include <limits>
 #include <map>
 #include <optional>
@@ -121,6 +122,7 @@ class Sample {
     }
     add_features(of_feature);
     add_sizes();
+    add_distances();
   }
 
   [[nodiscard]] const CaseSet& everything() const { return everything_; }
@@ -129,6 +131,15 @@ class Sample {
   [[nodiscard]] const std::vector<Literal>& approaches() const { return approaches_; }
 
  private:
+  /// The decimal logarithm of a quantity, in the sampled case with this number.
+  struct Sized {
+    float size;
+    bool is_violated;
+    std::size_t number;
+
+    auto operator<=>(const Sized&) const = default;
+  };
+
   static std::string words_of(oracles::Approach approach) {
     switch (approach) {
       case oracles::Approach::colliding:
@@ -156,7 +167,7 @@ class Sample {
   void add_features(const std::vector<CaseSet>& of_feature) {
     for (std::size_t i = 0; i < of_feature.size(); ++i) {
       const Feature& feature = all_features()[i];
-      if (feature.kind == FeatureKind::magnitude) {
+      if (feature.kind == FeatureKind::magnitude || feature.kind == FeatureKind::near) {
         continue;
       }
       const std::string body = feature.body == 0 ? "" : feature.body == 'a' ? "for A " : "for B ";
@@ -177,28 +188,61 @@ class Sample {
   void add_sizes() {
     const std::span<const ComparedQuantity> quantities = all_compared_quantities();
     for (std::size_t q = 0; q < quantities.size(); ++q) {
-      std::vector<std::pair<float, bool>> values;  // with whether the case is violated
+      std::vector<Sized> values;
       for_each([&](std::size_t number, const SampledCase& one) {
         if (!std::isnan(one.quantities[q])) {
-          values.emplace_back(one.quantities[q], violated_.has(number));
+          values.push_back({one.quantities[q], violated_.has(number), number});
         }
       });
+      const ComparedQuantity& quantity = quantities[q];
       std::ranges::sort(values);
-      add_limits(q, values, true);
+      add_limits(values, [&](double limit, CaseSet kept) {
+        add(fmt::format("{} is at most {:.2g}", quantity.name, limit), Plainness::size, std::move(kept));
+      });
       std::ranges::reverse(values);
-      add_limits(q, values, false);
+      add_limits(values, [&](double limit, CaseSet kept) {
+        add(fmt::format("{} is at least {:.2g}", quantity.name, limit), Plainness::size, std::move(kept),
+            usual_cause_from(limit, quantity));
+      });
     }
   }
 
-  /// `values` are in the order in which a limit takes them in.
-  void add_limits(std::size_t q, const std::vector<std::pair<float, bool>>& values, bool is_upper) {
-    const auto violated = static_cast<double>(std::ranges::count(values, true, &std::pair<float, bool>::second));
+  /// For each near feature, of A or B, adds the upper limits of the distance.
+  void add_distances() {
+    std::map<std::string_view, std::vector<Sized>> distances;  // by special statement
+    for_each([&](std::size_t number, const SampledCase& one) {
+      for (const std::uint16_t place : one.features) {
+        const Feature& feature = all_features()[place];
+        if (feature.kind == FeatureKind::near) {
+          const auto size = static_cast<float>(std::log10(feature.measure(one.collision)));
+          std::vector<Sized>& of_either = distances[std::string_view(feature.statement).substr(nearly.size())];
+          if (of_either.empty() || of_either.back().number != number) {
+            of_either.push_back({size, violated_.has(number), number});
+          } else {
+            of_either.back().size = std::min(of_either.back().size, size);
+          }
+        }
+      }
+    });
+    for (auto& [special, values] : distances) {
+      std::ranges::sort(values);
+      add_limits(values, [&](double limit, CaseSet kept) {
+        add(fmt::format("it nearly holds, within {:.2g}, that {}", limit, special), Plainness::size, std::move(kept),
+            "a tolerance within which the solver takes values for the special one");
+      });
+    }
+  }
+
+  /// Calls use(limit, the cases within it). `values` are in the order in which a limit takes them in.
+  template <class Use>
+  void add_limits(const std::vector<Sized>& values, const Use& use) {
+    const auto violated = static_cast<double>(std::ranges::count(values, true, &Sized::is_violated));
     const double others = std::max(1.0, static_cast<double>(values.size()) - violated);
     std::optional<float> best;
     std::optional<float> last;
     double balance = 0;
     double best_balance = -std::numeric_limits<double>::infinity();
-    for (const auto& [value, is_violated] : values) {
+    for (const auto& [value, is_violated, number] : values) {
       balance += is_violated ? 1 / violated : -1 / others;
       if (is_violated) {
         last = value;
@@ -216,15 +260,11 @@ class Sample {
         continue;
       }
       CaseSet kept(size_);
-      for_each([&](std::size_t number, const SampledCase& one) {
-        if (is_upper ? one.quantities[q] <= *limit : one.quantities[q] >= *limit) {
-          kept.add(number);
-        }
-      });
-      const ComparedQuantity& quantity = all_compared_quantities()[q];
-      const double number = std::pow(10, *limit);
-      add(fmt::format("{} is at {} {:.2g}", quantity.name, is_upper ? "most" : "least", number), Plainness::size, kept,
-          is_upper ? "" : usual_cause_from(number, quantity));
+      const auto end = std::ranges::find(values.rbegin(), values.rend(), *limit, &Sized::size).base();
+      for (auto value = values.begin(); value != end; ++value) {
+        kept.add(value->number);
+      }
+      use(std::pow(10, *limit), std::move(kept));
     }
   }
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <carom/collision/expects.hpp>
+#include <carom/collision/json/json.hpp>
 #include <carom/collision/validate.hpp>
 #include <carom/properties/domains/domain.hpp>
 #include <carom/properties/draws/moment_ratio.hpp>
@@ -234,9 +235,12 @@ std::optional<LimitedQuantity> quantity_named(std::string_view name) {
   return found == all_limited_quantities.end() ? std::nullopt : std::optional(*found);
 }
 
-Domain domain_from(std::string_view text) {
+namespace {
+
+/// Empty text stands for everything.
+Domain domain_from_ranges(std::string_view text) {
   Domain domain;
-  if (text.empty() || text == "everything") {
+  if (text.empty()) {
     return domain;
   }
   PerLimitedQuantity<bool> given{};
@@ -246,8 +250,13 @@ Domain domain_from(std::string_view text) {
     const std::size_t sign = std::min(part.find('='), part.size());
     const std::optional<LimitedQuantity> quantity = quantity_named(part.substr(0, sign));
     if (!quantity) {
-      throw std::invalid_argument(fmt::format("'{}' names no quantity; expected QUANTITY=LEAST:MOST with one of {}",
-                                              part, fmt::join(names, ", ")));
+      std::string named;
+      for (const NamedDomain& one : domains) {
+        named += fmt::format("{}{}", named.empty() ? "" : ", ", one.name);
+      }
+      throw std::invalid_argument(
+          fmt::format("'{}' names no quantity; expected QUANTITY=LEAST:MOST with one of {}, or a domain: {}", part,
+                      fmt::join(names, ", "), named));
     }
     if (given[*quantity]) {
       throw std::invalid_argument(fmt::format("{} occurs twice", name_of(*quantity)));
@@ -270,6 +279,22 @@ Domain domain_from(std::string_view text) {
   return domain;
 }
 
+}  // namespace
+
+Domain domain_from(std::string_view text) {
+  if (const std::optional<Domain> named = domain_named(text)) {
+    return *named;
+  }
+  if (!text.starts_with('{')) {
+    return domain_from_ranges(text);
+  }
+  try {
+    return domain_from_ranges(domain_from_json(parse_json(text)));
+  } catch (const FormatError& error) {
+    throw std::invalid_argument(error.what());
+  }
+}
+
 std::string to_text(const Domain& domain) {
   std::string text;
   for (const LimitedQuantity quantity : all_limited_quantities) {
@@ -288,7 +313,7 @@ std::string to_text(const Domain& domain) {
 std::optional<Domain> domain_named(std::string_view name) {
   for (const NamedDomain& named : named_domains()) {
     if (named.name == name) {
-      return domain_from(named.ranges);
+      return domain_from_ranges(named.ranges);
     }
   }
   return std::nullopt;

@@ -69,8 +69,9 @@ void set_range(Domain& domain, LimitedQuantity quantity, std::optional<double> l
 /// None if no quantity has this name.
 [[nodiscard]] std::optional<LimitedQuantity> quantity_named(std::string_view name);
 
-/// "size=0.1:10,mass_ratio=:100" lists the ranges that are not whole. "restitution=0.5" permits one value. Throws
-/// std::invalid_argument with the wrong part.
+/// Reads a domain. "size=0.1:10,mass_ratio=:100" lists the ranges that are not whole, and "restitution=0.5" permits one
+/// value. {"size": [0.1, 10], "mass_ratio": [null, 100]} gives the same as JSON. "games" is the name of a shipped
+/// domain. Empty text stands for everything. Throws std::invalid_argument with the wrong part.
 [[nodiscard]] Domain domain_from(std::string_view text);
 
 /// The text that `domain_from` reads back; "everything" if no range is limited.

@@ -63,6 +63,8 @@ double condition_number_at_most(const Collision& c) {
   return lambda == 0 ? 1 : 1 + (response_to_torque(c, c.a) + response_to_torque(c, c.b)) / lambda;
 }
 
+double greatest_moment_ratio(const Collision& c) { return std::max(moment_ratio(c.a), moment_ratio(c.b)); }
+
 double moment_excess(const Collision& c) { return std::max(excess_of(c.a), excess_of(c.b)); }
 
 bool is_no_further_beyond_domain(const Collision& collision, const Collision& other) {

@@ -14,6 +14,10 @@ namespace carom::properties {
 /// most 1 for real bodies. An immovable body counts as 0.
 [[nodiscard]] double moment_excess(const Collision& collision);
 
+/// The greatest principal moment of a body over its least; the greater of both bodies' quotients. An immovable body
+/// counts as 0.
+[[nodiscard]] double greatest_moment_ratio(const Collision& collision);
+
 /// Whether `collision` is no further beyond the domain that solvers claim than `other`. Three measures decide: the
 /// excess of moments of each body, the ratio of its greatest moment to its least, and `condition_number_at_most`. Each
 /// must be at most the measure of `other`, or at most a fixed limit: 1, 8 and 46.

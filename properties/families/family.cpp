@@ -261,6 +261,16 @@ Case long_quaternion(Stream& stream) {
 
 Case structured(Stream& stream) { return {structured_collision(stream), false}; }
 
+/// One case in two gets a μ at which the contact mostly sticks, because e_t acts on no other contact.
+Case near_special(Stream& stream) {
+  Case result = stream.chance(4) ? structured(stream) : sprinkled_bodies(stream);
+  if (stream.chance(2)) {
+    result.collision.friction = critical_friction(result.collision) * (1 + stream.power_of_ten(0, 2));
+  }
+  make_several_near(stream, result.collision);
+  return result;
+}
+
 constexpr std::array families{
     Family{"structured", "combinations of special values, relations and magnitudes, as in scenes", structured, 1, 20},
     Family{"generic", "two general bodies, of which seven in eight pairs approach", generic, 22},
@@ -268,10 +278,8 @@ constexpr std::array families{
            "convex bodies of uniform density, including plates and rods with moments up to 1 : 10⁸; the contact is in "
            "or on both",
            convex_bodies, 23},
-    Family{"needle_tip",
-           "needles with moments up to 1 : 10¹² that are struck on the tip; N and V⁻ lie along the long axis, or "
-           "deviate from it by 10^-k, k = 1 to 18",
-           needle_tip, 36},
+    Family{"near_special", "values and relations that are special but for a relative distance of 10^-k, k = 1 to 15",
+           near_special, 36, 2},
     Family{"head_on", "V⁻ along the normal, exactly or up to rounding", head_on, 5},
     Family{"near_head_on", "v_t/v_n = 10^-k, k = 1 to 18", near_head_on, 10},
     Family{"collinear_spheres",
@@ -351,6 +359,14 @@ constexpr std::array beyond_domain{
            1,
            true,
            {"a moment over the sum of the other two", moment_excess}},
+    Family{"needle_tip",
+           "needles with moments up to 1 : 10¹² that are struck on the tip; N and V⁻ lie along the long axis, or "
+           "deviate from it by 10^-k, k = 1 to 18",
+           needle_tip,
+           last_turn,
+           1,
+           true,
+           {"the greatest moment over the least", greatest_moment_ratio}},
 };
 
 }  // namespace

@@ -89,8 +89,7 @@ std::vector<Feature> of_approach() {
               rest_one(stream, c);
             }
             set_approach(stream, c, approach);
-          },
-          {.kinds_of = {"slope of the approach"}}),
+          }),
       pair_relation(
           "near_head_on", "v_t is not zero, and is less than 10⁻⁸ v_n",
           "a tangent basis that is built from V⁻ is rounding noise",
@@ -109,8 +108,7 @@ std::vector<Feature> of_approach() {
             const double ratio = stream.power_of_two(-40, -28);
             rest_one(stream, c);
             set_approach(stream, c, plus(along, across, ratio));
-          },
-          {.kinds_of = {"slope of the approach"}}),
+          }),
       pair_relation(
           "grazing", "v_n is not zero, and is less than 10⁻⁸ v_t", "thresholds on the approach (failure cases 38, 39)",
           [](const Collision& c) {
@@ -124,8 +122,7 @@ std::vector<Feature> of_approach() {
             const double ratio = stream.power_of_two(-40, -28);
             rest_one(stream, c);
             set_approach(stream, c, plus(across, along, ratio));
-          },
-          {.kinds_of = {"slope of the approach"}}),
+          }),
       pair_relation(
           "approach_along_axis", "V⁻ has one nonzero component", "terms of r × V and K V vanish",
           [](const Collision& c) { return nonzero_components(relative_velocity(c)) == 1; },
@@ -148,12 +145,7 @@ std::vector<Feature> of_approach() {
           [](Stream&, Collision& c) {
             c.a.velocity.setZero();
             c.b.velocity.setZero();
-          },
-          {.never_with = {{{"X.velocity_along_*", "X.velocity_in_plane", "X.velocity_ties", "X.velocity_across_normal",
-                            "X.lever_arm_along_velocity", "X.spin_along_velocity", "X.spin_equals_velocity",
-                            "X.rolling", "velocities_*", "momenta_opposite"},
-                           "both velocities are zero"}},
-           .only_in = {{"X.speed", no_decade, no_decade, zero_is_in_no_decade}}}),
+          }),
       pair_relation(
           "momenta_opposite", "m_A v_A = −m_B v_B ≠ 0", "in the frame of the centre of mass, sums of momenta vanish",
           [](const Collision& c) {
@@ -176,8 +168,7 @@ std::vector<Feature> of_approach() {
               leads.velocity = negated(c.normal) / size_of(c.normal);
             }
             follows.velocity = negated(leads.velocity) * (leads.mass / follows.mass);
-          },
-          {.kinds_of = {"velocities and momenta"}}),
+          }),
   };
 }
 

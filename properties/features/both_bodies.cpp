@@ -134,7 +134,6 @@ bool is_whole(const Collision& c) {
 }  // namespace
 
 std::vector<Feature> of_both_bodies() {
-  constexpr std::string_view whole = "the magnitude of an integer is 0, or at least 1";
   return {
       pair_relation(
           "masses_equal", "both masses are equal", "m_A − m_B vanishes; the bodies exchange velocities",
@@ -143,8 +142,7 @@ std::vector<Feature> of_both_bodies() {
             make_both_movable(stream, c);
             c.b.principal_inertia *= c.a.mass / c.b.mass;
             c.b.mass = c.a.mass;
-          },
-          {.only_in = {{"mass_ratio", 0, 0, ratio_is_one}}}),
+          }),
       pair_relation(
           "moments_alike", "both bodies have the same moments", "the moments of the two bodies may be confused",
           [](const Collision& c) { return are_movable(c) && c.a.principal_inertia == c.b.principal_inertia; },
@@ -163,8 +161,7 @@ std::vector<Feature> of_both_bodies() {
             c.b.principal_inertia *= c.a.mass / c.b.mass;
             c.b.mass = c.a.mass;
             take_moments(c);
-          },
-          {.only_in = {{"mass_ratio", 0, 0, ratio_is_one}, {"size_ratio", 0, 0, ratio_is_one}}}),
+          }),
       pair_relation(
           "orientations_equal", "both orientations are equal",
           "boxes on a grid; a solver may assume that there is no relative rotation",
@@ -172,31 +169,27 @@ std::vector<Feature> of_both_bodies() {
           [](Stream& stream, Collision& c) {
             make_both_movable(stream, c);
             (stream.chance(2) ? c.b.orientation = c.a.orientation : c.a.orientation = c.b.orientation);
-          },
-          {.kinds_of = {"orientations"}}),
+          }),
       pair_relation(
           "orientations_opposite", "q_B = −q_A", "q and −q are the same rotation",
           [](const Collision& c) { return are_movable(c) && c.a.orientation == negated(c.b.orientation); },
           [](Stream& stream, Collision& c) {
             make_both_movable(stream, c);
             c.b.orientation = negated(c.a.orientation);
-          },
-          {.kinds_of = {"orientations"}}),
+          }),
       pair_relation(
           "velocities_equal", "both velocities are equal and not zero",
           "v_A − v_B vanishes: the bodies approach by spin alone",
           [](const Collision& c) { return c.a.velocity == c.b.velocity && !is_zero(c.a.velocity); },
           [](Stream& stream, Collision& c) {
             relate(stream, c.a.velocity, c.b.velocity, 1, V{1, -0.5, 0.25});
-          },
-          {.kinds_of = {"velocities", "velocities and momenta"}}),
+          }),
       pair_relation(
           "velocities_opposite", "v_A = −v_B ≠ 0", "identical bodies that meet: their momenta cancel",
           [](const Collision& c) { return c.a.velocity == negated(c.b.velocity) && !is_zero(c.a.velocity); },
           [](Stream& stream, Collision& c) {
             relate(stream, c.a.velocity, c.b.velocity, -1, V(negated(c.normal) / size_of(c.normal)));
-          },
-          {.kinds_of = {"velocities"}}),
+          }),
       pair_relation(
           "spins_equal", "both angular velocities are equal and not zero", "w_A − w_B vanishes",
           [](const Collision& c) {
@@ -204,8 +197,7 @@ std::vector<Feature> of_both_bodies() {
           },
           [](Stream& stream, Collision& c) {
             relate(stream, c.a.angular_velocity, c.b.angular_velocity, 1, V{1, -0.5, 0.25});
-          },
-          {.kinds_of = {"spins"}}),
+          }),
       pair_relation(
           "spins_opposite", "w_A = −w_B ≠ 0", "gears; w_A + w_B vanishes",
           [](const Collision& c) {
@@ -213,8 +205,7 @@ std::vector<Feature> of_both_bodies() {
           },
           [](Stream& stream, Collision& c) {
             relate(stream, c.a.angular_velocity, c.b.angular_velocity, -1, V{1, -0.5, 0.25});
-          },
-          {.kinds_of = {"spins"}}),
+          }),
       pair_relation(
           "lever_arms_opposite", "r_A = −r_B ≠ 0", "identical bodies; sums of lever arms cancel",
           [](const Collision& c) {
@@ -224,8 +215,7 @@ std::vector<Feature> of_both_bodies() {
             const V r = one_lever_arm(stream, c);
             set_exact_lever_arm(c, c.a, r);
             set_exact_lever_arm(c, c.b, negated(r));
-          },
-          {.kinds_of = {"centres"}}),
+          }),
       pair_relation(
           "centres_coincide", "both centres of mass coincide, and the contact is elsewhere",
           "a normal that is computed from the centres is zero (failure case 12)",
@@ -233,8 +223,7 @@ std::vector<Feature> of_both_bodies() {
           [](Stream& stream, Collision& c) {
             set_exact_lever_arm(c, c.a, one_lever_arm(stream, c));
             c.b.position = c.a.position;
-          },
-          {.kinds_of = {"centres"}}),
+          }),
       pair_relation(
           "central", "both lever arms lie along the normal",
           "spheres: an impulse along N does not change their spins (docs/findings/note.md)",
@@ -245,9 +234,7 @@ std::vector<Feature> of_both_bodies() {
             c.normal = with_few_bits(c.normal);
             set_exact_lever_arm(c, c.a, turned_along(lever_arm(c, c.a), negated(c.normal)));
             set_exact_lever_arm(c, c.b, turned_along(lever_arm(c, c.b), c.normal));
-          },
-          {.never_with = {{{"velocities_equal", "approach_by_spin"},
-                           "if the lever arms lie along the normal, spins do not contribute to the approach"}}}),
+          }),
       pair_relation(
           "point_at_origin", "the contact is at the origin", "P may be missing in a formula",
           [](const Collision& c) { return is_zero(c.point); },
@@ -256,29 +243,11 @@ std::vector<Feature> of_both_bodies() {
               b->position = negated(lever_arm(c, *b));
             }
             c.point.setZero();
-          },
-          {.only_in = {{"distance", no_decade, no_decade, zero_is_in_no_decade}}}),
+          }),
       pair_relation("whole_numbers", "every number is an integer",
-                    "parsers that read integers; results without rounding errors", is_whole, make_whole,
-                    {.never_with = {{{"normal_unit", "normal_short", "normal_very_short", "restitution_half",
-                                      "friction_some", "tangential_restitution_positive",
-                                      "tangential_restitution_negative", "restitution_equals_friction"},
-                                     "no integer lies between 0 and 1"}},
-                     .only_in = {{"X.size", -5, no_decade, domain_of_masses},
-                                 {"restitution", no_decade, no_decade, whole},
-                                 {"loss", no_decade, no_decade, whole},
-                                 {"X.mass", 0, no_decade, whole},
-                                 {"X.lever_arm", 0, no_decade, whole},
-                                 {"X.speed", 0, no_decade, whole},
-                                 {"X.spin", 0, no_decade, whole},
-                                 {"distance", 0, no_decade, whole}}}),
-      pair_relation(
-          "planar", "the whole collision lies in one plane z = const", "two-dimensional engines and their test scenes",
-          is_planar, make_planar,
-          {.never_with = {{{"normal_plus_z", "normal_minus_z", "normal_near_plus_z", "normal_near_minus_z",
-                            "normal_diagonal", "X.orientation_half_turn", "X.spin_along_normal",
-                            "X.spin_along_lever_arm", "X.spin_along_velocity", "X.spin_equals_velocity"},
-                           "in a plane, all rotations are about z, and all other vectors have no z component"}}}),
+                    "parsers that read integers; results without rounding errors", is_whole, make_whole),
+      pair_relation("planar", "the whole collision lies in one plane z = const",
+                    "two-dimensional engines and their test scenes", is_planar, make_planar),
   };
 }
 

@@ -15,7 +15,7 @@ const std::vector<const Feature*>& values_and_relations() {
   static const std::vector<const Feature*> chosen = [] {
     std::vector<const Feature*> features;
     for (const Feature& feature : all_features()) {
-      if (feature.kind != FeatureKind::magnitude) {
+      if (feature.kind == FeatureKind::special_value || feature.kind == FeatureKind::relation) {
         features.push_back(&feature);
       }
     }
@@ -31,6 +31,25 @@ const std::vector<const Feature*>& ratios_and_relations() {
     for (const Feature& feature : all_features()) {
       if (feature.kind == FeatureKind::relation || feature.is_seldom_with_others) {
         features.push_back(&feature);
+      }
+    }
+    return features;
+  }();
+  return chosen;
+}
+
+/// The near features; that of A and that of B stand together.
+const std::vector<std::vector<const Feature*>>& near_features() {
+  static const std::vector<std::vector<const Feature*>> chosen = [] {
+    std::vector<std::vector<const Feature*>> features;
+    for (const Feature& feature : all_features()) {
+      if (feature.kind != FeatureKind::near) {
+        continue;
+      }
+      if (feature.body == 'b') {
+        features.back().push_back(&feature);
+      } else {
+        features.push_back({&feature});
       }
     }
     return features;
@@ -194,6 +213,33 @@ Collision structured_collision(Stream& stream) {
     stream.note_drawn_again();
   }
   return general_collision(stream);
+}
+
+void make_several_near(Stream& stream, Collision& collision) {
+  constexpr int attempts = 4;
+  for (int i = 0; i < attempts; ++i) {
+    Collision tried = collision;
+    std::vector<const Feature*> chosen;
+    const int count = stream.integer(6, 14);
+    for (int j = 0; j < count; ++j) {
+      const auto& of_either = near_features()[stream.below(near_features().size())];
+      chosen.push_back(&drawn_of(stream, of_either));
+      chosen.back()->make(stream, tried);
+    }
+    for (const Feature* feature : chosen) {
+      if (!feature->is_present(tried)) {
+        feature->make(stream, tried);
+      }
+    }
+    keep_contact_on_bodies(stream, tried);
+    make_parallels_exact(stream, tried);
+    reverse_if_separating(stream, tried);
+    if (is_in_domain(tried)) {
+      collision = tried;
+      return;
+    }
+    stream.note_drawn_again();
+  }
 }
 
 void sprinkle(Stream& stream, Collision& collision) {

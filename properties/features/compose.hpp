@@ -13,6 +13,10 @@ namespace carom::properties {
 /// afterwards.
 void sprinkle(Stream& stream, Collision& collision);
 
+/// Makes several near features, of which one may undo another. The collision stays in the domain, and its bodies still
+/// approach if they do.
+void make_several_near(Stream& stream, Collision& collision);
+
 /// Makes each feature that is absent. Repeats this, at most four times, because one may undo the other. Returns whether
 /// both are present.
 bool make_both(Stream& stream, Collision& collision, const Feature& first, const Feature& second);

@@ -1,29 +1,20 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
+#include <charconv>
 #include <functional>
+#include <system_error>
 #include <utility>
 
 #include <carom/collision/expects.hpp>
 #include <carom/properties/features/coverage.hpp>
-#include <carom/properties/features/infeasible.hpp>
 
 namespace carom::properties {
 namespace {
 
-std::size_t place(std::size_t x, std::size_t y) { return std::min(x, y) * all_features().size() + std::max(x, y); }
+/// The place of the pair x < y. Those of smaller y come before it.
+std::size_t place(std::size_t x, std::size_t y) { return y * (y - 1) / 2 + x; }
 
-/// Calls visit(x, y) for every feasible pair of indices x < y.
-template <class Visit>
-void for_each_feasible_pair(const Visit& visit) {
-  const std::size_t count = all_features().size();
-  for (std::size_t x = 0; x < count; ++x) {
-    for (std::size_t y = x + 1; y < count; ++y) {
-      if (is_feasible(x, y)) {
-        visit(x, y);
-      }
-    }
-  }
-}
+constexpr std::size_t pairs_in_digit = 4;
 
 /// One feature, or the magnitudes of one quantity. A collision has at most one of these, so it is measured once.
 struct FeatureRun {
@@ -49,54 +40,60 @@ std::vector<FeatureRun> feature_runs() {
 
 }  // namespace
 
-FeatureCoverage::FeatureCoverage()
-    : singles_(all_features().size()), pairs_(all_features().size() * all_features().size()) {}
+FeatureCoverage::FeatureCoverage() : singles_(all_features().size()), pairs_(place(0, all_features().size())) {}
 
 void FeatureCoverage::add(std::span<const std::uint16_t> present) {
   for (auto feature = present.begin(); feature != present.end(); ++feature) {
     ++singles_[*feature];
     for (auto other = present.begin(); other != feature; ++other) {
-      ++pairs_[place(*other, *feature)];
+      pairs_[place(*other, *feature)] = true;
     }
   }
 }
 
-FeatureCoverage FeatureCoverage::reported(std::vector<std::uint64_t> counts, const std::vector<Pair>& missing) {
-  CAROM_EXPECTS(counts.size() == all_features().size(), counts.size());
+std::string FeatureCoverage::pairs() const {
+  std::string text((pairs_.size() + pairs_in_digit - 1) / pairs_in_digit, '0');
+  for (std::size_t digit = 0; digit < text.size(); ++digit) {
+    unsigned value = 0;
+    for (std::size_t i = 0; i < pairs_in_digit && digit * pairs_in_digit + i < pairs_.size(); ++i) {
+      value |= (pairs_[digit * pairs_in_digit + i] ? 1U : 0U) << i;
+    }
+    text[digit] = "0123456789abcdef"[value];
+  }
+  return text;
+}
+
+std::optional<FeatureCoverage> FeatureCoverage::reported(std::vector<std::uint64_t> counts, std::string_view pairs) {
   FeatureCoverage coverage;
+  if (counts.size() != coverage.singles_.size() || pairs.size() != coverage.pairs().size()) {
+    return std::nullopt;
+  }
   coverage.singles_ = std::move(counts);
-  for_each_feasible_pair([&](std::size_t x, std::size_t y) { coverage.pairs_[place(x, y)] = 1; });
-  const Feature* first = all_features().data();
-  for (const auto& [x, y] : missing) {
-    coverage.pairs_[place(static_cast<std::size_t>(x - first), static_cast<std::size_t>(y - first))] = 0;
+  for (std::size_t digit = 0; digit < pairs.size(); ++digit) {
+    unsigned value = 0;
+    if (std::from_chars(&pairs[digit], &pairs[digit] + 1, value, 16).ec != std::errc()) {
+      return std::nullopt;
+    }
+    for (std::size_t i = 0; i < pairs_in_digit && digit * pairs_in_digit + i < coverage.pairs_.size(); ++i) {
+      coverage.pairs_[digit * pairs_in_digit + i] = (value >> i & 1U) != 0;
+    }
   }
   return coverage;
 }
 
 FeatureCoverage& FeatureCoverage::operator+=(const FeatureCoverage& other) {
   std::transform(singles_.begin(), singles_.end(), other.singles_.begin(), singles_.begin(), std::plus<>());
-  std::transform(pairs_.begin(), pairs_.end(), other.pairs_.begin(), pairs_.begin(), std::plus<>());
+  std::transform(pairs_.begin(), pairs_.end(), other.pairs_.begin(), pairs_.begin(), std::logical_or<>());
   return *this;
 }
 
-std::uint64_t FeatureCoverage::count(std::size_t x, std::size_t y) const { return pairs_[place(x, y)]; }
-
-std::uint64_t FeatureCoverage::feasible_pairs() const {
-  std::uint64_t sum = 0;
-  for_each_feasible_pair([&](std::size_t, std::size_t) { ++sum; });
-  return sum;
+bool FeatureCoverage::has_pair(std::size_t x, std::size_t y) const {
+  CAROM_EXPECTS(x != y, x);
+  return pairs_[place(std::min(x, y), std::max(x, y))];
 }
 
-std::uint64_t FeatureCoverage::met_pairs() const { return feasible_pairs() - missing_pairs().size(); }
-
-std::vector<FeatureCoverage::Pair> FeatureCoverage::missing_pairs() const {
-  std::vector<Pair> missing;
-  for_each_feasible_pair([&](std::size_t x, std::size_t y) {
-    if (count(x, y) == 0) {
-      missing.push_back({&all_features()[x], &all_features()[y]});
-    }
-  });
-  return missing;
+std::uint64_t FeatureCoverage::met_pairs() const {
+  return static_cast<std::uint64_t>(std::count(pairs_.begin(), pairs_.end(), true));
 }
 
 std::vector<std::uint16_t> feature_places_of(const Collision& collision) {
@@ -124,20 +121,6 @@ std::vector<const Feature*> features_of(const Collision& collision) {
     present.push_back(&all_features()[place]);
   }
   return present;
-}
-
-bool is_feasible(std::size_t x, std::size_t y) {
-  static const std::vector<bool> feasible = [] {
-    const std::span<const Feature> all = all_features();
-    std::vector<bool> table(all.size() * all.size());
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      for (std::size_t j = i + 1; j < all.size(); ++j) {
-        table[place(i, j)] = why_infeasible(all[i], all[j]).empty();
-      }
-    }
-    return table;
-  }();
-  return feasible[place(x, y)];
 }
 
 }  // namespace carom::properties

@@ -4,13 +4,14 @@
 
 #include <carom/properties/features/feature_groups.hpp>
 #include <carom/properties/features/geometry.hpp>
+#include <carom/properties/features/near.hpp>
 
 namespace carom::properties {
 namespace features {
 
 Feature pair_relation(const char* name, const char* statement, const char* why, bool (*is_present)(const Collision&),
-                      void (*make)(Stream&, Collision&), Limits limits) {
-  return {name, FeatureKind::relation, statement, why, {}, 0, is_present, make, std::move(limits)};
+                      void (*make)(Stream&, Collision&)) {
+  return {name, FeatureKind::relation, statement, why, {}, 0, is_present, make};
 }
 
 std::vector<Feature> for_both(const std::vector<BodyFeature>& features) {
@@ -32,7 +33,6 @@ std::vector<Feature> for_both(const std::vector<BodyFeature>& features) {
                         }
                         f.make(stream, c, c.*body);
                       },
-                      f.limits,
                       *letter,
                       f.makes_immovable});
     }
@@ -52,6 +52,8 @@ std::vector<Feature> catalogue() {
     std::vector<Feature> of_group = group();
     std::move(of_group.begin(), of_group.end(), std::back_inserter(all));
   }
+  std::vector<Feature> near = features::near_features(all);
+  std::move(near.begin(), near.end(), std::back_inserter(all));
   return all;
 }
 
@@ -63,6 +65,8 @@ std::string_view name_of(FeatureKind kind) {
       return "special value";
     case FeatureKind::relation:
       return "relation";
+    case FeatureKind::near:
+      return "near";
     case FeatureKind::magnitude:
       break;
   }

@@ -5,47 +5,20 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include <carom/collision/collision.hpp>
 #include <carom/properties/draws/stream.hpp>
 
-/// Features are special values, relations between fields, and magnitudes. They are common in scenes and rare in random
-/// numbers. Solvers branch on them, so faults show there.
+/// Features are special values, relations between fields, values that are nearly special, and magnitudes. They are
+/// common in scenes and rare in random numbers. Solvers branch on them, so faults show there.
 namespace carom::properties {
 
-enum class FeatureKind { special_value, relation, magnitude };
+enum class FeatureKind { special_value, relation, near, magnitude };
 
 [[nodiscard]] std::string_view name_of(FeatureKind kind);
 
-/// A pattern for names of features. A feature of one body (`Feature::body`) may list the pattern. Then "X." stands for
-/// this body, and "Y." for the other body. Any other feature may list the pattern, too. Then "X." stands for either
-/// body, and no name matches "Y.". "*" at the end stands for any text.
-using NamePattern = std::string_view;
-
-/// Features that no colliding contact of real bodies has together with the feature that lists this exclusion.
-struct Exclusion {
-  std::vector<NamePattern> features;
-  std::string_view why;
-};
-
-/// Decades that a feature requires. If a collision has the feature, each quantity whose name matches `quantity` lies in
-/// a decade from `low` to `high`.
-struct Decades {
-  NamePattern quantity;
-  int low;
-  int high;
-  std::string_view why;
-};
-inline constexpr int no_decade = 100;  // a decade that no quantity has
-
-struct Limits {
-  /// The groups of the feature. If features share a group and have the same `Feature::body`, a collision has at most
-  /// one of them.
-  std::vector<std::string_view> kinds_of = {};
-  std::vector<Exclusion> never_with = {};
-  std::vector<Decades> only_in = {};
-};
+/// The statement of a near feature is this and the special statement: "it nearly holds that both masses are equal".
+inline constexpr std::string_view nearly = "it nearly holds that ";
 
 /// The way to draw the decade of a magnitude.
 enum class DrawnBy { itself, size_of_body, lever_arm };
@@ -63,11 +36,11 @@ struct Feature {
   std::function<bool(const Collision&)> is_present;
   /// Gives a valid collision the feature, if possible, and changes as little else as possible.
   std::function<void(Stream&, Collision&)> make;
-  Limits limits = {};
   char body = 0;                 // 'a' or 'b' for a feature of one body, whose name starts with the letter
   bool makes_immovable = false;  // `sprinkle` leaves such features out, because the family decides which body can move
+  /// The quantity of a magnitude; 0 if the collision does not have it. The relative distance of a near feature.
+  std::function<double(const Collision&)> measure = {};
   // For a magnitude:
-  std::function<double(const Collision&)> measure = {};  // the quantity; 0 if the collision does not have it
   /// `structured_collision` sets the quantity with the probability 1 / set_once_in. Otherwise other draws determine the
   /// quantity.
   int set_once_in = 1;

@@ -18,16 +18,9 @@ namespace carom::properties::features {
 [[nodiscard]] std::vector<Feature> of_approach();
 [[nodiscard]] std::vector<Feature> magnitudes();
 
-/// Texts for `Decades::why`.
-inline constexpr std::string_view zero_is_in_no_decade = "zero is in no decade";
-inline constexpr std::string_view is_that_number = "the feature fixes this number";
-inline constexpr std::string_view ratio_is_one = "the ratio is 1";
-inline constexpr std::string_view domain_of_masses = "masses are 10⁻⁹ to 10¹⁰ kg";
-
 /// A relation between the bodies, or between both bodies and the contact.
 [[nodiscard]] Feature pair_relation(const char* name, const char* statement, const char* why,
-                                    bool (*is_present)(const Collision&), void (*make)(Stream&, Collision&),
-                                    Limits limits = {});
+                                    bool (*is_present)(const Collision&), void (*make)(Stream&, Collision&));
 
 /// A feature of one body, listed for A and for B.
 struct BodyFeature {
@@ -38,7 +31,6 @@ struct BodyFeature {
   bool of_movable_bodies;  // `make` first makes the body movable
   bool (*is_present)(const Collision&, const Body&);
   void (*make)(Stream&, Collision&, Body&);
-  Limits limits = {};
   bool makes_immovable = false;
 };
 

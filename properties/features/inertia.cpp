@@ -33,23 +33,13 @@ bool is_flat(const V& i) { return i[0] + i[1] == i[2] || i[1] + i[2] == i[0] || 
 }  // namespace
 
 std::vector<Feature> of_inertia() {
-  constexpr std::string_view has_none = "an immovable body has neither mass nor moments";
   constexpr auto special = FeatureKind::special_value;
   constexpr auto relation = FeatureKind::relation;
   return for_both({
-      {"mass_one",
-       special,
-       "the mass is 1",
-       "m, 1/m and m² are equal, so an error in m has no effect",
-       true,
+      {"mass_one", special, "the mass is 1", "m, 1/m and m² are equal, so an error in m has no effect", true,
        [](const Collision&, const Body& b) { return b.mass == 1; },
-       [](Stream&, Collision&, Body& b) { set_mass(b, 1); },
-       {.kinds_of = {"mass"}, .only_in = {{"X.mass", 0, 0, is_that_number}}}},
-      {"mass_power_of_two",
-       special,
-       "the mass is a power of two other than 1",
-       "1/m is exact",
-       true,
+       [](Stream&, Collision&, Body& b) { set_mass(b, 1); }},
+      {"mass_power_of_two", special, "the mass is a power of two other than 1", "1/m is exact", true,
        [](const Collision&, const Body& b) {
          int exponent = 0;
          return std::frexp(b.mass, &exponent) == 0.5 && b.mass != 1;
@@ -58,23 +48,11 @@ std::vector<Feature> of_inertia() {
          int exponent = 0;
          std::frexp(b.mass, &exponent);
          set_mass(b, std::ldexp(1.0, exponent == 1 ? stream.integer(2, 4) : exponent - 1));
-       },
-       {.kinds_of = {"mass"}}},
-      {"moments_equal",
-       relation,
-       "the three moments are equal",
-       "spheres and cubes: a fast path without R",
-       true,
+       }},
+      {"moments_equal", relation, "the three moments are equal", "spheres and cubes: a fast path without R", true,
        [](const Collision&, const Body& b) { return are_equal(b.principal_inertia); },
-       [](Stream&, Collision&, Body& b) { b.principal_inertia.setConstant(greatest(b.principal_inertia)); },
-       {.kinds_of = {"order of moments"},
-        .never_with = {{{"X.flat"}, "if all moments are equal, none is the sum of the others"}},
-        .only_in = {{"X.moment_ratio", 0, 0, ratio_is_one}}}},
-      {"moments_one",
-       special,
-       "the three moments are 1",
-       "the default of many engines; J⁻¹ = J",
-       true,
+       [](Stream&, Collision&, Body& b) { b.principal_inertia.setConstant(greatest(b.principal_inertia)); }},
+      {"moments_one", special, "the three moments are 1", "the default of many engines; J⁻¹ = J", true,
        [](const Collision&, const Body& b) { return b.principal_inertia == V(1, 1, 1); },
        [](Stream& stream, Collision& c, Body& b) {
          // Either the mass changes within its domain, or the size changes.
@@ -88,17 +66,8 @@ std::vector<Feature> of_inertia() {
          if (length(r) > size) {
            set_lever_arm(c, b, turned_along(V(size, 0, 0), r));
          }
-       },
-       {.kinds_of = {"values of moments"},
-        .never_with = {{{"X.flat"}, "if all moments are equal, none is the sum of the others"}},
-        .only_in = {{"X.moment_ratio", 0, 0, ratio_is_one},
-                    {"X.size", -5, 4, domain_of_masses},
-                    {"X.lever_arm", -no_decade, 4, domain_of_masses}}}},
-      {"moments_two_equal",
-       relation,
-       "exactly two moments are equal",
-       "discs, cylinders, capsules",
-       true,
+       }},
+      {"moments_two_equal", relation, "exactly two moments are equal", "discs, cylinders, capsules", true,
        [](const Collision&, const Body& b) {
          const V& i = b.principal_inertia;
          return !are_equal(i) && (i[0] == i[1] || i[1] == i[2] || i[2] == i[0]);
@@ -108,28 +77,18 @@ std::vector<Feature> of_inertia() {
          const int other = stream.integer(0, 2);
          i[(other + 1) % 3] = i[(other + 2) % 3];
          i[other] = i[(other + 1) % 3] * 1.5;
-       },
-       {.kinds_of = {"order of moments", "values of moments"}}},
-      {"moments_ascending",
-       relation,
-       "the moments ascend",
-       "sorted moments, or eigenvalues in the order of a library",
+       }},
+      {"moments_ascending", relation, "the moments ascend", "sorted moments, or eigenvalues in the order of a library",
        true,
        [](const Collision&, const Body& b) {
          return b.principal_inertia[0] < b.principal_inertia[1] && b.principal_inertia[1] < b.principal_inertia[2];
        },
-       [](Stream&, Collision&, Body& b) { sort_moments(b, true); },
-       {.kinds_of = {"order of moments", "values of moments"}}},
-      {"moments_descending",
-       relation,
-       "the moments descend",
-       "a sort of the moments swaps the axes",
-       true,
+       [](Stream&, Collision&, Body& b) { sort_moments(b, true); }},
+      {"moments_descending", relation, "the moments descend", "a sort of the moments swaps the axes", true,
        [](const Collision&, const Body& b) {
          return b.principal_inertia[0] > b.principal_inertia[1] && b.principal_inertia[1] > b.principal_inertia[2];
        },
-       [](Stream&, Collision&, Body& b) { sort_moments(b, false); },
-       {.kinds_of = {"order of moments", "values of moments"}}},
+       [](Stream&, Collision&, Body& b) { sort_moments(b, false); }},
       {"flat", relation, "one moment is the sum of the other two",
        "a thin plate; solvers that check the triangle inequality", true,
        [](const Collision&, const Body& b) { return is_flat(b.principal_inertia); },
@@ -138,11 +97,7 @@ std::vector<Feature> of_inertia() {
          const int sum = stream.integer(0, 2);
          i[sum] = i[(sum + 1) % 3] + i[(sum + 2) % 3];
        }},
-      {"immovable",
-       special,
-       "the body is immovable",
-       "walls and floors (failure cases 25 to 27)",
-       false,
+      {"immovable", special, "the body is immovable", "walls and floors (failure cases 25 to 27)", false,
        [](const Collision&, const Body& b) { return b.immovable; },
        [](Stream&, Collision& c, Body& b) {
          if (!(&b == &c.a ? c.b : c.a).immovable) {
@@ -152,15 +107,6 @@ std::vector<Feature> of_inertia() {
            b.orientation = Quaternion<double>(1, 0, 0, 0);
          }
        },
-       {.never_with = {{{"X.orientation_*", "X.mass_one", "X.mass_power_of_two", "X.moments_*", "X.flat",
-                         "masses_equal", "moments_alike", "bodies_alike", "orientations_*", "momenta_opposite"},
-                        "an immovable body has neither mass nor moments nor orientation"},
-                       {{"Y.immovable"}, "two immovable bodies exchange no impulse"}},
-        .only_in = {{"X.mass", no_decade, no_decade, has_none},
-                    {"X.size", no_decade, no_decade, has_none},
-                    {"mass_ratio", no_decade, no_decade, has_none},
-                    {"size_ratio", no_decade, no_decade, has_none},
-                    {"X.moment_ratio", no_decade, no_decade, has_none}}},
        true},
   });
 }

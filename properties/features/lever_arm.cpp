@@ -37,31 +37,15 @@ std::vector<Feature> of_lever_arm() {
          b.position.setZero();
          other.position = c.point - of_other;
        }},
-      {"lever_arm_zero",
-       special,
-       "the contact is at the centre of mass",
-       "r = 0 (failure case 6)",
-       false,
+      {"lever_arm_zero", special, "the contact is at the centre of mass", "r = 0 (failure case 6)", false,
        [](const Collision& c, const Body& b) { return is_zero(lever_arm(c, b)); },
-       [](Stream&, Collision& c, Body& b) { b.position = c.point; },
-       {.kinds_of = {"lever arm's components", "lever arm against the normal"},
-        .never_with = {{{"X.lever_arm_along_velocity", "X.spin_along_lever_arm", "X.rolling", "lever_arms_opposite",
-                         "centres_coincide", "central"},
-                        "a zero lever arm has no direction, and spin does not move the contact point"}},
-        .only_in = {{"X.lever_arm", no_decade, no_decade, zero_is_in_no_decade}}}},
-      {"lever_arm_along_axis",
-       special,
-       "the lever arm lies along a coordinate axis",
-       "a box that is hit at the middle of a face",
-       false,
+       [](Stream&, Collision& c, Body& b) { b.position = c.point; }},
+      {"lever_arm_along_axis", special, "the lever arm lies along a coordinate axis",
+       "a box that is hit at the middle of a face", false,
        [](const Collision& c, const Body& b) { return nonzero_components(lever_arm(c, b)) == 1; },
-       [](Stream& stream, Collision& c, Body& b) { turn_along(c, b, some_axis(stream)); },
-       {.kinds_of = {"lever arm's components"}}},
-      {"lever_arm_in_plane",
-       special,
-       "exactly one component of the lever arm is zero",
-       "a box that is hit at the middle of an edge",
-       false,
+       [](Stream& stream, Collision& c, Body& b) { turn_along(c, b, some_axis(stream)); }},
+      {"lever_arm_in_plane", special, "exactly one component of the lever arm is zero",
+       "a box that is hit at the middle of an edge", false,
        [](const Collision& c, const Body& b) { return nonzero_components(lever_arm(c, b)) == 2; },
        [](Stream& stream, Collision& c, Body& b) {
          V r = with_few_bits(lever_arm(c, b));
@@ -70,31 +54,21 @@ std::vector<Feature> of_lever_arm() {
            r[i] = i == zero ? 0 : (r[i] == 0 ? size_of(r) : r[i]);
          }
          set_exact_lever_arm(c, b, r);
-       },
-       {.kinds_of = {"lever arm's components"}}},
-      {"lever_arm_along_normal",
-       relation,
-       "the lever arm lies along the normal",
-       "spheres; a solver may skip the terms with r × N = 0",
-       false,
+       }},
+      {"lever_arm_along_normal", relation, "the lever arm lies along the normal",
+       "spheres; a solver may skip the terms with r × N = 0", false,
        [](const Collision& c, const Body& b) { return are_parallel(lever_arm(c, b), c.normal); },
        [](Stream& stream, Collision& c, Body& b) {
          c.normal = with_few_bits(c.normal);
          turn_along(c, b, stream.chance(4) ? negated(c.normal) : (&b == &c.a ? negated(c.normal) : c.normal));
-       },
-       {.kinds_of = {"lever arm against the normal"}}},
-      {"lever_arm_across_normal",
-       relation,
-       "the lever arm is orthogonal to the normal",
-       "a glancing hit at the end of a rod",
-       false,
+       }},
+      {"lever_arm_across_normal", relation, "the lever arm is orthogonal to the normal",
+       "a glancing hit at the end of a rod", false,
        [](const Collision& c, const Body& b) { return are_orthogonal(lever_arm(c, b), c.normal); },
        [](Stream& stream, Collision& c, Body& b) {
          c.normal = with_few_bits(c.normal);
          set_exact_lever_arm(c, b, turned_across(stream, lever_arm(c, b), c.normal));
-       },
-       {.kinds_of = {"lever arm against the normal"},
-        .never_with = {{{"central"}, "central lever arms lie along the normal"}}}},
+       }},
       {"lever_arm_along_velocity", relation, "the lever arm lies along the velocity",
        "a body that flies towards its contact point", false,
        [](const Collision& c, const Body& b) { return are_parallel(lever_arm(c, b), b.velocity); },

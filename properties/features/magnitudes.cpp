@@ -249,7 +249,6 @@ Feature decade_of(const Quantity& quantity, int k) {
           [set = quantity.set, low](Stream& stream, Collision& c) {
             set(stream, c, low * (stream.plainly() ? 2 : stream.between(1.25, 9)));
           },
-          {},
           quantity.body,
           false,
           quantity.measure,

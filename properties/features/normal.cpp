@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <cmath>
-#include <utility>
 
 #include <carom/properties/features/feature_groups.hpp>
 #include <carom/properties/features/geometry.hpp>
@@ -38,8 +37,7 @@ Feature along_axis(int axis, double sign) {
           [=](Stream&, Collision& c) {
             const double size = size_of(c.normal);
             c.normal = V::Unit(axis) * (sign * size);
-          },
-          {.kinds_of = {"normal's direction", "normal's components", "normal's ties", "unit normal"}}};
+          }};
 }
 
 Feature near_axis(int axis, double sign) {
@@ -51,12 +49,11 @@ Feature near_axis(int axis, double sign) {
           {},
           0,
           [=](const Collision& c) { return is_near(c.normal, axis, sign); },
-          [=](Stream& stream, Collision& c) { c.normal = near_axis(stream, size_of(c.normal), axis, sign); },
-          {.kinds_of = {"normal's direction"}}};
+          [=](Stream& stream, Collision& c) { c.normal = near_axis(stream, size_of(c.normal), axis, sign); }};
 }
 
 Feature of_length(const char* name, const char* statement, const char* why, double low, double high, int low_exponent,
-                  int high_exponent, Limits limits) {
+                  int high_exponent) {
   return {name,
           FeatureKind::special_value,
           statement,
@@ -66,8 +63,7 @@ Feature of_length(const char* name, const char* statement, const char* why, doub
           [=](const Collision& c) { return length(c.normal) >= low && length(c.normal) < high; },
           [=](Stream& stream, Collision& c) {
             c.normal *= stream.power_of_two(low_exponent, high_exponent) / size_of(c.normal);
-          },
-          std::move(limits)};
+          }};
 }
 
 std::vector<Feature> of_components() {
@@ -84,8 +80,7 @@ std::vector<Feature> of_components() {
              for (int i = 0; i < 3; ++i) {
                c.normal[i] = i == zero ? 0 : (c.normal[i] == 0 ? size_of(c.normal) : c.normal[i]);
              }
-           },
-           {.kinds_of = {"normal's components"}}},
+           }},
           {"normal_ties",
            special,
            "exactly two components of the normal have the same nonzero magnitude",
@@ -105,8 +100,7 @@ std::vector<Feature> of_components() {
              if (std::abs(c.normal[(from + 2) % 3]) == std::abs(c.normal[from])) {
                c.normal[(from + 2) % 3] *= 0.5;
              }
-           },
-           {.kinds_of = {"normal's ties"}}},
+           }},
           {"normal_diagonal",
            special,
            "the three components of the normal have the same magnitude",
@@ -122,8 +116,7 @@ std::vector<Feature> of_components() {
              for (int i = 0; i < 3; ++i) {
                c.normal[i] = stream.chance(2) ? size : -size;
              }
-           },
-           {.kinds_of = {"normal's direction", "normal's components", "normal's ties"}}},
+           }},
           {"normal_unit",
            special,
            "the normal has length 1 except for rounding, and is not along an axis",
@@ -140,19 +133,18 @@ std::vector<Feature> of_components() {
                c.normal[1] += c.normal[1] == 0 ? 1 : 0;
              }
              c.normal /= length(c.normal);
-           },
-           {.kinds_of = {"unit normal", "normal's length"}}}};
+           }}};
 }
 
 std::vector<Feature> of_lengths() {
-  return {of_length("normal_long", "the normal is 10 to 10⁶ long", "a solver may assume ‖N‖ = 1 (failure case 11)", 10,
-                    1e6, 5, 18, {.kinds_of = {"normal's length"}}),
-          of_length("normal_very_long", "the normal is 10¹⁰ long or longer", "N·N, N·K N overflow in binary32", 1e10,
-                    1e300, 40, 100, {.kinds_of = {"normal's length"}}),
-          of_length("normal_short", "the normal is 10⁻⁶ to 0.1 long", "thresholds for a zero normal", 1e-6, 0.1, -18,
-                    -5, {.kinds_of = {"normal's length"}}),
-          of_length("normal_very_short", "the normal is shorter than 10⁻¹⁰", "thresholds for a zero normal", 1e-300,
-                    1e-10, -100, -40, {.kinds_of = {"normal's length"}})};
+  return {
+      of_length("normal_long", "the normal is 10 to 10⁶ long", "a solver may assume ‖N‖ = 1 (failure case 11)", 10, 1e6,
+                5, 18),
+      of_length("normal_very_long", "the normal is 10¹⁰ long or longer", "N·N, N·K N overflow in binary32", 1e10, 1e300,
+                40, 100),
+      of_length("normal_short", "the normal is 10⁻⁶ to 0.1 long", "thresholds for a zero normal", 1e-6, 0.1, -18, -5),
+      of_length("normal_very_short", "the normal is shorter than 10⁻¹⁰", "thresholds for a zero normal", 1e-300, 1e-10,
+                -100, -40)};
 }
 
 }  // namespace

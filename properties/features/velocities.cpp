@@ -29,44 +29,23 @@ std::vector<BodyFeature> of_velocity() {
   constexpr auto special = FeatureKind::special_value;
   constexpr auto relation = FeatureKind::relation;
   return {
-      {"velocity_zero",
-       special,
-       "the velocity is zero",
-       "a body at rest, or one that spins in place",
-       false,
+      {"velocity_zero", special, "the velocity is zero", "a body at rest, or one that spins in place", false,
        [](const Collision&, const Body& b) { return is_zero(b.velocity); },
-       [](Stream&, Collision&, Body& b) { b.velocity.setZero(); },
-       {.kinds_of = {"velocity's components", "velocity's ties", "velocity against the normal"},
-        .never_with = {{{"X.lever_arm_along_velocity", "X.spin_along_velocity", "X.spin_equals_velocity", "X.rolling",
-                         "velocities_*", "momenta_opposite"},
-                        "a zero velocity has no direction"}},
-        .only_in = {{"X.speed", no_decade, no_decade, zero_is_in_no_decade}}}},
-      {"velocity_along_axis",
-       special,
-       "the velocity has one nonzero component",
-       "the first scene that a programmer tries",
-       false,
+       [](Stream&, Collision&, Body& b) { b.velocity.setZero(); }},
+      {"velocity_along_axis", special, "the velocity has one nonzero component",
+       "the first scene that a programmer tries", false,
        [](const Collision&, const Body& b) { return nonzero_components(b.velocity) == 1; },
-       [](Stream& stream, Collision&, Body& b) { b.velocity = along_axis(stream, b.velocity); },
-       {.kinds_of = {"velocity's components", "velocity's ties"}}},
-      {"velocity_in_plane",
-       special,
-       "the velocity has two nonzero components",
-       "scenes in a plane",
-       false,
+       [](Stream& stream, Collision&, Body& b) { b.velocity = along_axis(stream, b.velocity); }},
+      {"velocity_in_plane", special, "the velocity has two nonzero components", "scenes in a plane", false,
        [](const Collision&, const Body& b) { return nonzero_components(b.velocity) == 2; },
        [](Stream& stream, Collision&, Body& b) {
          const int zero = stream.integer(0, 2);
          for (int i = 0; i < 3; ++i) {
            b.velocity[i] = i == zero ? 0 : (b.velocity[i] == 0 ? size_of(b.velocity) : b.velocity[i]);
          }
-       },
-       {.kinds_of = {"velocity's components"}}},
-      {"velocity_ties",
-       special,
-       "two components of the velocity have the same nonzero magnitude",
-       "a search for the largest component has two results",
-       false,
+       }},
+      {"velocity_ties", special, "two components of the velocity have the same nonzero magnitude",
+       "a search for the largest component has two results", false,
        [](const Collision&, const Body& b) { return has_ties(b.velocity); },
        [](Stream& stream, Collision&, Body& b) {
          const int from = stream.integer(0, 2);
@@ -74,29 +53,19 @@ std::vector<BodyFeature> of_velocity() {
            b.velocity[from] = size_of(b.velocity);
          }
          b.velocity[(from + 1) % 3] = stream.chance(2) ? b.velocity[from] : -b.velocity[from];
-       },
-       {.kinds_of = {"velocity's ties"}}},
-      {"velocity_along_normal",
-       relation,
-       "the velocity lies along the normal",
-       "the drop test",
-       false,
+       }},
+      {"velocity_along_normal", relation, "the velocity lies along the normal", "the drop test", false,
        [](const Collision& c, const Body& b) { return are_parallel(b.velocity, c.normal); },
        [](Stream&, Collision& c, Body& b) {
          b.velocity = turned_along(b.velocity, &b == &c.a ? negated(c.normal) : c.normal);
-       },
-       {.kinds_of = {"velocity against the normal"}}},
-      {"velocity_across_normal",
-       relation,
-       "the velocity is orthogonal to the normal",
-       "a sliding body, or a body that only the other one approaches",
-       false,
+       }},
+      {"velocity_across_normal", relation, "the velocity is orthogonal to the normal",
+       "a sliding body, or a body that only the other one approaches", false,
        [](const Collision& c, const Body& b) { return are_orthogonal(b.velocity, c.normal); },
        [](Stream& stream, Collision& c, Body& b) {
          c.normal = with_few_bits(c.normal);
          b.velocity = turned_across(stream, b.velocity, c.normal);
-       },
-       {.kinds_of = {"velocity against the normal"}}},
+       }},
       {"minus_zero", special, "a component of the velocity or of the spin is −0",
        "copysign, 1/x, and signs read from bits", false,
        [](const Collision&, const Body& b) { return has_minus_zero(b.velocity) || has_minus_zero(b.angular_velocity); },
@@ -112,42 +81,24 @@ std::vector<BodyFeature> of_spin() {
   constexpr auto special = FeatureKind::special_value;
   constexpr auto relation = FeatureKind::relation;
   return {
-      {"spin_zero",
-       special,
-       "the body does not spin",
-       "the body moves like a point mass",
-       false,
+      {"spin_zero", special, "the body does not spin", "the body moves like a point mass", false,
        [](const Collision&, const Body& b) { return is_zero(b.angular_velocity); },
-       [](Stream&, Collision&, Body& b) { b.angular_velocity.setZero(); },
-       {.kinds_of = {"spin against the normal"},
-        .never_with = {{{"X.spin_along_axis", "X.spin_along_lever_arm", "X.spin_along_velocity",
-                         "X.spin_equals_velocity", "X.rolling", "spins_*"},
-                        "a zero spin has no direction"}},
-        .only_in = {{"X.spin", no_decade, no_decade, zero_is_in_no_decade}}}},
+       [](Stream&, Collision&, Body& b) { b.angular_velocity.setZero(); }},
       {"spin_along_axis", special, "the angular velocity has one nonzero component", "scenes in a plane", false,
        [](const Collision&, const Body& b) { return nonzero_components(b.angular_velocity) == 1; },
        [](Stream& stream, Collision&, Body& b) { b.angular_velocity = along_axis(stream, b.angular_velocity); }},
-      {"spin_along_normal",
-       relation,
-       "the body spins about the normal",
-       "a solver may add this spin to the slip (failure case 56)",
-       false,
+      {"spin_along_normal", relation, "the body spins about the normal",
+       "a solver may add this spin to the slip (failure case 56)", false,
        [](const Collision& c, const Body& b) { return are_parallel(b.angular_velocity, c.normal); },
        [](Stream& stream, Collision& c, Body& b) {
          b.angular_velocity = turned_along(b.angular_velocity, stream.chance(2) ? c.normal : negated(c.normal));
-       },
-       {.kinds_of = {"spin against the normal"}}},
-      {"spin_across_normal",
-       relation,
-       "the spin is orthogonal to the normal",
-       "a rolling body",
-       false,
+       }},
+      {"spin_across_normal", relation, "the spin is orthogonal to the normal", "a rolling body", false,
        [](const Collision& c, const Body& b) { return are_orthogonal(b.angular_velocity, c.normal); },
        [](Stream& stream, Collision& c, Body& b) {
          c.normal = with_few_bits(c.normal);
          b.angular_velocity = turned_across(stream, b.angular_velocity, c.normal);
-       },
-       {.kinds_of = {"spin against the normal"}}},
+       }},
       {"spin_along_lever_arm", relation, "the spin lies along the lever arm",
        "w × r = 0, although neither w nor r is zero", false,
        [](const Collision& c, const Body& b) { return are_parallel(b.angular_velocity, lever_arm(c, b)); },
@@ -174,11 +125,7 @@ std::vector<BodyFeature> of_spin() {
          }
          b.angular_velocity = b.velocity;
        }},
-      {"rolling",
-       relation,
-       "the body moves, but its contact point does not",
-       "the body rolls on the other one",
-       false,
+      {"rolling", relation, "the body moves, but its contact point does not", "the body rolls on the other one", false,
        [](const Collision& c, const Body& b) {
          return !is_zero(b.velocity) && b.velocity == cross(lever_arm(c, b), b.angular_velocity);
        },
@@ -194,10 +141,7 @@ std::vector<BodyFeature> of_spin() {
            b.angular_velocity = cross(c.normal, r) * (size_of(b.angular_velocity) / size_of(r) / size_of(c.normal));
          }
          b.velocity = cross(lever_arm(c, b), b.angular_velocity);
-       },
-       {.never_with = {{{"X.spin_along_lever_arm", "X.spin_along_velocity", "X.spin_equals_velocity",
-                         "X.lever_arm_along_velocity"},
-                        "v = r × w is orthogonal to r and w, and is zero if they are parallel"}}}},
+       }},
   };
 }
 
@@ -209,23 +153,12 @@ std::vector<Feature> of_velocities() {
     features.push_back(feature);
   }
   features.push_back(
-      {"at_rest",
-       FeatureKind::special_value,
-       "the body neither moves nor spins",
-       "a target, a floor, a sleeping body",
-       false,
-       [](const Collision&, const Body& b) { return is_zero(b.velocity) && is_zero(b.angular_velocity); },
+      {"at_rest", FeatureKind::special_value, "the body neither moves nor spins", "a target, a floor, a sleeping body",
+       false, [](const Collision&, const Body& b) { return is_zero(b.velocity) && is_zero(b.angular_velocity); },
        [](Stream&, Collision&, Body& b) {
          b.velocity.setZero();
          b.angular_velocity.setZero();
-       },
-       {.never_with = {{{"X.velocity_along_*", "X.velocity_in_plane", "X.velocity_ties", "X.velocity_across_normal",
-                         "X.lever_arm_along_velocity", "X.spin_along_*", "X.spin_across_normal",
-                         "X.spin_equals_velocity", "X.rolling", "velocities_*", "spins_*", "momenta_opposite"},
-                        "a body at rest has neither velocity nor spin"},
-                       {{"Y.at_rest"}, "bodies at rest do not collide"}},
-        .only_in = {{"X.speed", no_decade, no_decade, zero_is_in_no_decade},
-                    {"X.spin", no_decade, no_decade, zero_is_in_no_decade}}}});
+       }});
   return for_both(features);
 }
 

@@ -33,6 +33,9 @@ FamilyResult& FamilyResult::operator+=(const FamilyResult& other) {
   for (const Unjudged reason : all_reasons_unjudged) {
     unjudged[reason] += other.unjudged[reason];
   }
+  for (const DeclaredEffect effect : all_declared_effects) {
+    decided_by[effect] += other.decided_by[effect];
+  }
   violated += other.violated;
   worst_backward_error = std::max(worst_backward_error, other.worst_backward_error);
   keep_if_least(boundary, other.boundary);

@@ -64,6 +64,7 @@ struct FamilyResult {
   std::uint64_t cases = 0;
   std::uint64_t skipped = 0;                    // cases that the subject could not take
   UnjudgedCounts unjudged{};                    // valid cases that are not judged, by reason
+  EffectCounts decided_by{};                    // colliding cases that a declared effect decides
   std::uint64_t violated = 0;                   // cases with a violation of any invariant
   double worst_backward_error = 0;              // ulps
   std::optional<Boundary> boundary;             // for a family beyond the claimed domain

@@ -17,6 +17,7 @@
 #include <carom/properties/gate/subject_tally.hpp>
 #include <carom/properties/gate/task.hpp>
 #include <carom/properties/gate/witness.hpp>
+#include <carom/properties/trial/answers.hpp>
 #include <carom/properties/trial/restarts.hpp>
 
 namespace carom::properties {
@@ -112,6 +113,24 @@ class Finds {
   std::vector<std::atomic<std::uint64_t>> first_;
 };
 
+/// The first fault of the judge in any thread.
+class JudgeFault {
+ public:
+  void set(const oracles::JudgeError& error) {
+    const std::lock_guard lock(mutex_);
+    first_ = first_ ? first_ : error;
+    is_set_ = true;
+  }
+  [[nodiscard]] bool is_set() const { return is_set_; }
+  /// Precondition: all threads have ended.
+  [[nodiscard]] const std::optional<oracles::JudgeError>& first() const { return first_; }
+
+ private:
+  std::mutex mutex_;
+  std::optional<oracles::JudgeError> first_;
+  std::atomic<bool> is_set_ = false;
+};
+
 /// A few failures show where a subject fails, and each hang costs a timeout.
 constexpr unsigned most_failures = 10;
 
@@ -132,6 +151,7 @@ struct Run {
   Budget budget{options};
   Progress progress{options, budget};
   Finds finds{subjects.size()};
+  JudgeFault judge_fault = {};
   std::deque<Restarts> restarts = restarts_of(subjects.size());  // of each subject
 };
 
@@ -154,7 +174,7 @@ class Worker {
   void run() {
     open_sessions();
     const GateOptions& options = run_->options;
-    while (!options.stop.stop_requested() && !run_->budget.is_spent()) {
+    while (!options.stop.stop_requested() && !run_->budget.is_spent() && !run_->judge_fault.is_set()) {
       const std::optional<Task> task = run_->schedule.next();
       if (!task || is_over_for_all(task->number)) {
         break;
@@ -193,18 +213,25 @@ class Worker {
     return run_->options.relations_every > 0 ? run_->options.relations_every : (subject.is_program() ? of_programs : 1);
   }
 
-  /// A subject that throws is not judged further, and its results so far stay.
+  /// A subject that throws is not judged further, and its results so far stay. A fault of the judge is kept apart.
   template <class F>
   void run_unless_failed(std::size_t subject, const F& f) {
     if (!tallies_[subject].error.empty()) {
       return;
     }
-    try {
-      f();
-    } catch (const std::exception& exception) {
+    const auto note = [&](const std::exception& exception) {
       if (!run_->options.stop.stop_requested()) {
         tallies_[subject].error = exception.what();
       }
+    };
+    try {
+      f();
+    } catch (const SubjectError& error) {
+      note(error);
+    } catch (const SessionFailure& failure) {
+      note(failure);
+    } catch (const oracles::JudgeError& error) {
+      run_->judge_fault.set(error);
     }
   }
 
@@ -215,7 +242,7 @@ class Worker {
       examinees_.push_back({subjects[s], run_->claims[s], run_->options.families, sessions_[s],
                             relations_every(subjects[s]), run_->options.fail_fast});
       run_unless_failed(s, [&] {
-        require_valid_claims(subjects[s]);
+        of_subject([&] { require_valid_claims(subjects[s]); });
         sessions_[s] = open_restarting(subjects[s], run_->restarts[s], run_->options.stop);
       });
     }
@@ -267,11 +294,12 @@ class Worker {
   }
 
   /// Closes the subject's session, then asks the remembered cases again in a new session. If a first violation ended
-  /// the subject's run, only closes the session. Otherwise, does nothing if the subject has an error.
+  /// the subject's run, or a fault of the judge ended the run, only closes the session. Otherwise, does nothing if the
+  /// subject has an error.
   void finish(std::size_t subject) {
     constexpr std::uint64_t after_all_tasks = std::numeric_limits<std::uint64_t>::max() - 1;
     Examinee& examinee = examinees_[subject];
-    if (run_->finds.was_found_before(subject, after_all_tasks)) {
+    if (run_->finds.was_found_before(subject, after_all_tasks) || run_->judge_fault.is_set()) {
       try {
         examinee.session.close();
       } catch (const std::exception&) {
@@ -323,8 +351,9 @@ SubjectTally tally_of(const std::vector<Worker>& workers, std::size_t subject, c
 
 /// Gives the families beyond the claimed domain to the subjects that were judged to the end.
 void judge_beyond_domain(const std::vector<Subject>& subjects, const std::vector<Claim>& claims,
-                         const GateOptions& options, std::vector<SubjectResult>& results) {
-  if (options.beyond_domain.empty() || options.budget || options.fail_fast) {
+                         const GateOptions& options, GateReport& report) {
+  std::vector<SubjectResult>& results = report.results;
+  if (options.beyond_domain.empty() || options.budget || options.fail_fast || report.judge_error) {
     return;
   }
   std::vector<std::size_t> judged_to_the_end;
@@ -348,6 +377,7 @@ void judge_beyond_domain(const std::vector<Subject>& subjects, const std::vector
     results[judged_to_the_end[i]].beyond_domain = std::move(tally.families);
     results[judged_to_the_end[i]].error_beyond_domain = std::move(tally.error);
   }
+  report.judge_error = run.judge_fault.first();
 }
 
 }  // namespace
@@ -365,7 +395,8 @@ GateReport run_gate(const std::vector<Subject>& subjects, const GateOptions& opt
   std::vector<Worker> workers = workers_of(run);
   options.workers.run(workers.size(), [&](std::size_t worker) { workers[worker].run(); });
 
-  GateReport report{options, std::vector<Coverage>(options.families.size()), {}, {}, {}, false};
+  GateReport report{
+      options, std::vector<Coverage>(options.families.size()), {}, {}, {}, false, run.judge_fault.first()};
   report.sampled.resize(options.families.size());
   for (std::size_t s = 0; s < subjects.size(); ++s) {
     const SubjectTally tally = tally_of(workers, s, claims[s]);
@@ -387,11 +418,8 @@ GateReport run_gate(const std::vector<Subject>& subjects, const GateOptions& opt
       report.coverage[f] += worker.coverage()[f];
     }
   }
-  for (SubjectResult& result : report.results) {
-    const bool was_cut_short = options.fail_fast && !result.violated_invariants().empty();
-    result.not_judged = was_cut_short ? "" : why_not_judged(result, options.families, report.coverage);
-  }
-  judge_beyond_domain(subjects, claims, options, report.results);
+  judge_beyond_domain(subjects, claims, options, report);
+  state_what_was_not_judged(report);
   add_witnesses(report);
   report.interrupted = options.stop.stop_requested();
   return report;

@@ -7,7 +7,8 @@
 
 namespace carom::properties {
 
-/// Judges subjects on families of collisions. Preconditions: `absent` of each subject is empty; options with a budget
+/// Judges subjects on families of collisions. A fault of the judge ends the run, and is in the report with the results
+/// before it. Preconditions: `absent` of each subject is empty; options with a budget
 /// have shard.of = 1.
 [[nodiscard]] GateReport run_gate(const std::vector<Subject>& subjects, const GateOptions& options);
 

@@ -3,8 +3,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
-#include <carom/properties/gate/gate_report.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <carom/properties/gate/decided_by_effects.hpp>
 
 namespace carom::properties {
 
@@ -22,6 +26,14 @@ std::uint64_t cases_of(const GateOptions& options, const Family& family) {
   }
   const std::uint64_t all = options.cases * static_cast<std::uint64_t>(family.weight);
   return (all + options.shard.of - options.shard.number) / options.shard.of;
+}
+
+bool is_complete(const GateOptions& options) {
+  const auto is_posed = [&](const Family& family) {
+    return std::ranges::find(options.families, &family) != options.families.end();
+  };
+  return options.within.is_everything() && options.cases >= default_cases && !options.budget && !options.fail_fast &&
+         options.shard.of == 1 && std::ranges::all_of(all_families(), is_posed);
 }
 
 Coverage& Coverage::operator+=(const Coverage& other) {
@@ -68,6 +80,16 @@ UnjudgedCounts SubjectResult::unjudged() const {
   return sum;
 }
 
+EffectCounts SubjectResult::decided_by() const {
+  EffectCounts sum{};
+  for (const FamilyResult& family : families) {
+    for (const DeclaredEffect effect : all_declared_effects) {
+      sum[effect] += family.decided_by[effect];
+    }
+  }
+  return sum;
+}
+
 Count SubjectResult::count(const std::string& invariant) const {
   Count sum;
   for (const FamilyResult& family : families) {
@@ -89,45 +111,70 @@ std::vector<std::string> SubjectResult::violated_invariants() const {
   return names;
 }
 
-std::string why_not_judged(const SubjectResult& result, const std::vector<const Family*>& families,
+std::vector<std::string> SubjectResult::never_judged(const GateOptions& options) const {
+  std::vector<std::string> names;
+  for (const Invariant* invariant : claim_of(subject, options.yardstick).invariants) {
+    if (std::string name(invariant->name); count(name).judged() == 0) {
+      names.push_back(std::move(name));
+    }
+  }
+  return names;
+}
+
+std::string why_not_judged(const SubjectResult& result, const GateOptions& options,
                            const std::vector<Coverage>& coverage) {
+  if (!result.violated_invariants().empty()) {
+    return "";
+  }
   std::uint64_t valid = 0;
   std::uint64_t skipped_of_valid = 0;
   for (std::size_t f = 0; f < result.families.size(); ++f) {
     const FamilyResult& family = result.families[f];
     if (family.cases == 0) {
-      return "no case of the family " + std::string(families[f]->name) + " was judged";
+      return "no case of the family " + std::string(options.families[f]->name) + " was judged";
     }
     const bool is_of_valid = coverage[f].invalid < coverage[f].cases;
     if (is_of_valid && family.skipped > 0 && family.judged() == 0) {
-      return "every case of the family " + std::string(families[f]->name) + " was skipped";
+      return "every case of the family " + std::string(options.families[f]->name) + " was skipped";
     }
     valid += is_of_valid ? family.judged() + family.skipped : 0;
     skipped_of_valid += is_of_valid ? family.skipped : 0;
   }
-  constexpr std::uint64_t one_in = 10;  // at most this share of the cases may be skipped, or lie at a limit
-  if (skipped_of_valid * one_in > valid) {
+  if (is_more_than_a_tenth(skipped_of_valid, valid)) {
     return std::to_string(skipped_of_valid) + " of " + std::to_string(valid) +
            " cases were skipped, which is more than a tenth";
   }
-  const std::uint64_t at_limit = result.unjudged()[Unjudged::at_declared_limit];
-  if (at_limit * one_in > result.cases()) {
-    return std::to_string(at_limit) + " of " + std::to_string(result.cases()) +
-           " cases lie at a declared threshold or slop, which is more than a tenth";
+  std::uint64_t colliding = 0;
+  for (const Coverage& of_family : coverage) {
+    colliding += of_family.colliding;
+  }
+  if (std::string decided = why_decided_by_effects(result, options, colliding); !decided.empty()) {
+    return decided;
   }
   // Every law claims at least one of `exercised_by_collisions`.
   const auto is_exercised = [&](const char* invariant) { return result.count(invariant).holds > 0; };
   const bool was_answered = std::any_of(exercised_by_collisions.begin(), exercised_by_collisions.end(), is_exercised);
-  const bool is_of_collisions =
-      std::any_of(coverage.begin(), coverage.end(), [](const Coverage& of_family) { return of_family.colliding > 0; });
-  if (is_of_collisions && !was_answered) {
+  if (colliding > 0 && !was_answered) {
     return "no case exercised an invariant of the outcome of a colliding contact";
   }
   const auto holds_anywhere = [](const FamilyResult& family) {
     return std::any_of(family.counts.begin(), family.counts.end(), [](const auto& x) { return x.second.holds > 0; });
   };
-  return std::any_of(result.families.begin(), result.families.end(), holds_anywhere) ? ""
-                                                                                     : "no case exercised an invariant";
+  if (std::none_of(result.families.begin(), result.families.end(), holds_anywhere)) {
+    return "no case exercised an invariant";
+  }
+  const std::vector<std::string> never = result.never_judged(options);
+  return is_complete(options) && !never.empty()
+             ? fmt::format("no case judged {}, although the run poses all families", fmt::join(never, ", "))
+             : "";
+}
+
+void state_what_was_not_judged(GateReport& report) {
+  for (SubjectResult& result : report.results) {
+    const bool is_cut_short = report.judge_error && result.violated_invariants().empty();
+    result.not_judged =
+        is_cut_short ? "the judge failed, and ended the run" : why_not_judged(result, report.options, report.coverage);
+  }
 }
 
 bool SubjectResult::is_sound() const { return error.empty() && not_judged.empty() && violated_invariants().empty(); }

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include <carom/oracles/laws/judge_error.hpp>
 #include <carom/properties/domains/domain.hpp>
 #include <carom/properties/features/coverage.hpp>
 #include <carom/properties/gate/family_result.hpp>
@@ -32,9 +33,11 @@ struct Shard {
   [[nodiscard]] Shard part(std::uint64_t i, std::uint64_t parts) const { return {number + (i - 1) * of, of * parts}; }
 };
 
+inline constexpr std::uint64_t default_cases = 1000;
+
 struct GateOptions {
   std::uint64_t seed = 1;
-  std::uint64_t cases = 1000;           // per family, times its weight
+  std::uint64_t cases = default_cases;  // per family, times its weight
   std::vector<const Family*> families;  // in the order of the report
   /// The gate draws each case into this domain. Precondition: `has_cases_within` holds for each family.
   Domain within = {};
@@ -62,6 +65,10 @@ struct GateOptions {
   /// milliseconds with a budget.
   std::function<void(std::uint64_t done, std::uint64_t all)> progress;
 };
+
+/// Whether the run poses all families of the claimed domain, at least `default_cases` of each, and no option limits its
+/// cases.
+[[nodiscard]] bool is_complete(const GateOptions& options);
 
 /// The number of cases to draw of the family. With a budget, the largest std::uint64_t.
 [[nodiscard]] std::uint64_t cases_of(const GateOptions& options, const Family& family);
@@ -93,7 +100,8 @@ struct Witness {
   Answer answer;    // to the shrunk collision
   Verdict verdict_as_found;
   Answer answer_as_found;
-  bool is_reproduced = true;  // whether the original, asked alone, violates the invariant; true if it was not asked
+  bool is_reproduced = true;    // whether the original, asked alone, violates the invariant; true if it was not asked
+  std::string not_shrunk = {};  // the failure that ended the shrinking; empty if there was none
 };
 
 struct SubjectResult {
@@ -103,15 +111,19 @@ struct SubjectResult {
   Histogram<DigitsScale> digits;       // correct digits in the colliding cases that were answered
   double nanoseconds_per_solve = 0;    // median over the batches [ns], with the gate's overhead
   std::vector<Witness> witnesses;      // one for each violated invariant
-  std::string not_judged;              // why too few cases were judged to call the subject sound; empty if enough were
+  /// Why too few cases were judged to call the subject sound. Empty if enough were, or if an invariant is violated.
+  std::string not_judged;
   std::vector<FamilyResult> beyond_domain;  // for options.beyond_domain; empty if none was posed
   std::string error_beyond_domain;          // why the subject was not judged there to the end; empty if it was
 
   [[nodiscard]] std::uint64_t cases() const;
   [[nodiscard]] std::uint64_t skipped() const;
   [[nodiscard]] UnjudgedCounts unjudged() const;
+  [[nodiscard]] EffectCounts decided_by() const;
   [[nodiscard]] Count count(const std::string& invariant) const;
   [[nodiscard]] std::vector<std::string> violated_invariants() const;  // in the order of the catalogue
+  /// The claimed invariants that no case judged, in the order of the catalogue.
+  [[nodiscard]] std::vector<std::string> never_judged(const GateOptions& options) const;
   /// Whether the subject was judged to the end on enough cases, without a violation.
   [[nodiscard]] bool is_sound() const;
   /// The number of digits that at least the fraction `share` of the cases has, accurate to the bins of DigitsScale.
@@ -124,14 +136,20 @@ struct SubjectResult {
   [[nodiscard]] WorstFamily worst_backward_error(const GateOptions& options) const;
 };
 
-/// The text of SubjectResult::not_judged. Empty if four conditions hold:
+/// The text of SubjectResult::not_judged. Empty if an invariant is violated, or if five conditions hold:
 ///   (1) In each family of valid collisions, the subject answers a case that its precision can hold.
 ///   (2) The subject skips at most a tenth of all cases that its precision can hold.
-///   (3) At most a tenth of all cases lie at a declared threshold or slop.
+///   (3) Each effect that the subject declares decides at most a tenth of the colliding cases.
 ///   (4) An invariant about the outcomes of colliding contacts holds in some case. If no case collides, any invariant
 ///       will do.
-[[nodiscard]] std::string why_not_judged(const SubjectResult& result, const std::vector<const Family*>& families,
+///   (5) If the run is complete (`is_complete`), each claimed invariant is judged in some case.
+[[nodiscard]] std::string why_not_judged(const SubjectResult& result, const GateOptions& options,
                                          const std::vector<Coverage>& coverage);
+
+struct GateReport;
+
+/// Sets `not_judged` of each result.
+void state_what_was_not_judged(GateReport& report);
 
 struct GateReport {
   GateOptions options;
@@ -140,6 +158,8 @@ struct GateReport {
   std::vector<std::vector<SampledCase>> sampled;  // by family and case number; a case that was not drawn is invalid
   std::vector<SubjectResult> results;             // of each subject
   bool interrupted = false;                       // by a stop that options.stop requested
+  /// The fault of the judge that ended the run. The results are those before it.
+  std::optional<oracles::JudgeError> judge_error = {};
 };
 
 }  // namespace carom::properties

@@ -49,6 +49,9 @@ void SubjectTally::add(std::size_t family, std::uint64_t index, const JudgedCase
   if (judgement.unjudged) {
     ++result.unjudged[*judgement.unjudged];
   }
+  for (const DeclaredEffect effect : all_declared_effects) {
+    result.decided_by[effect] += judgement.decided_by[effect] ? 1 : 0;
+  }
   if (judgement.accuracy && judgement.accuracy->is_decided) {
     result.worst_backward_error =
         std::max(result.worst_backward_error, judgement.accuracy->backward_error(claim.yardstick.unit_roundoff));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 #include <chrono>
+#include <new>
 #include <string_view>
 
 #include <carom/properties/families/beyond_domain.hpp>
@@ -110,8 +111,10 @@ void add_witnesses(GateReport& report) {
         claim.within = options.within;
         witness = shrunk_witness(result.subject, claim, witness, options.within);
       }
-    } catch (const std::exception&) {
-      // The witness stays as it was found.
+    } catch (const std::bad_alloc&) {
+      throw;
+    } catch (const std::exception& error) {
+      witness.not_shrunk = error.what();  // it stays as it was found
     }
   });
 }
@@ -155,9 +158,9 @@ AnswerAndJudgement judge_in_session(const Claim& claim, Session& session, const 
 }
 
 AnswerAndJudgement judge_one(const Subject& subject, const Claim& claim, const Case& one) {
-  Session session = subject.open();
+  Session session = of_subject(subject.open);
   AnswerAndJudgement judged = judge_in_session(claim, session, one);
-  session.close();
+  of_subject([&] { session.close(); });
   return judged;
 }
 

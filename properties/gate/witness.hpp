@@ -19,8 +19,8 @@ namespace carom::properties {
 [[nodiscard]] Witness shrunk_witness(const Subject& subject, const Claim& claim, Witness witness, const Domain& within);
 
 /// Gives each result a witness of each violated invariant. If options.shrinks, the witness is shrunk. A stop that
-/// options.stop requests ends the shrinking. Preconditions: the results have no witnesses, and their subjects open
-/// sessions.
+/// options.stop requests ends the shrinking. If the shrinking fails, the witness stays as it was found. Preconditions:
+/// the results have no witnesses, and their subjects open sessions.
 void add_witnesses(GateReport& report);
 
 /// Whether `verdict` is about as serious a violation as `found`, and of the same kind.
@@ -37,7 +37,8 @@ struct AnswerAndJudgement {
   Judgement judgement;
 };
 
-/// The answer to one case in this session of a subject, judged. Throws if the session throws.
+/// The answer to one case in this session of a subject, judged. Throws SessionFailure or SubjectError if the session
+/// throws, and JudgeError if the judge fails.
 [[nodiscard]] AnswerAndJudgement judge_in_session(const Claim& claim, Session& session, const Case& one);
 
 /// Judges one case in a new session of the subject.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <numbers>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -37,55 +37,51 @@ Rational eigenvalue_rounding(const Evidence& e) {
   return e.allowance() > 0 ? Rational(e.allowance() * sensitivity(e)) : Rational(0);
 }
 
-/// Almost all reported matrices are symmetric to the last bit.
-bool is_surely_symmetric(const LiftedMatrix& shown) {
-  const Matrix3<long double>* m = shown.reported();
-  return m != nullptr && (*m)(1, 0) == (*m)(0, 1) && (*m)(2, 0) == (*m)(0, 2) && (*m)(2, 1) == (*m)(1, 2);
-}
-
 /// (C + Cᵀ) / 2, which has the same xᵀ C x.
 Matrix3<Rational> symmetric_part(const LiftedMatrix& shown) {
   return (shown.exact() + shown.exact().transpose()) / Rational(2);
 }
 
-bool may_be_filtered(const Evidence& e, const LiftedMatrix& shown) {
-  return is_surely_symmetric(shown) && e.yardstick.uses_bounds() && e.exact_case.bounds().is_moderate();
+/// ‖M‖_F ≤ bound. No value if error bounds do not decide it.
+template <class T>
+auto norm_at_most(const Matrix3<T>& matrix, double bound) {
+  return oracles::norm_at_most(std::span<const T>(matrix.data(), 9), bound);
 }
 
-/// Whether bounds show λI ⪯ C for the shown C, within a lower bound of the permitted rounding. The exact C needs no
-/// check (`ExactCase::is_definite`).
-bool is_surely_definite(const Evidence& e, const LiftedMatrix& shown) {
-  const double rounding = e.allowance() * e.exact_case.bounds().collision_matrix_sensitivity_below();
-  const auto is_surely_above = [&]<class T>(const T& lambda) {
-    return is_positive_semidefinite(less_multiple_of_identity<T>(shown.in<T>(), lambda - T(rounding))).value_or(false);
+/// Whether bounds show ‖C − K‖_F ≤ `allowance` times a lower bound of the sensitivity, for the shown C and the exact K.
+/// λI ⪯ K (`ExactCase::is_definite`), so each eigenvalue of C is then at least λ, within the permitted rounding.
+bool is_surely_exact(const Evidence& e, const LiftedMatrix& shown) {
+  const oracles::BoundedCase& bounds = e.exact_case.bounds();
+  if (!e.yardstick.uses_bounds() || !bounds.is_moderate() || !shown.is_moderate()) {
+    return false;
+  }
+  const double allowed = e.allowance() * bounds.collision_matrix_sensitivity_below();
+  const auto is_near = [&]<class T>(const Matrix3<T>& exact, oracles::Stage stage) {
+    const bool near = norm_at_most<T>(shown.in<T>() - exact, allowed).value_or(false);
+    if (near) {
+      count(stage);
+    }
+    return near;
   };
-  if (e.allowance() >= oracles::least_allowance_for_approximations &&
-      is_surely_above(e.exact_case.bounds().approximate_inverse_mass())) {
-    count(oracles::Stage::approximation);
-    return true;
-  }
-  if (is_surely_above(e.exact_case.bounds().enclosed_inverse_mass())) {
-    count(oracles::Stage::enclosure);
-    return true;
-  }
-  return false;
+  return (e.allowance() >= oracles::least_allowance_for_approximations &&
+          is_near(bounds.collision_matrix(), oracles::Stage::approximation)) ||
+         is_near(bounds.enclosed_collision_matrix(), oracles::Stage::enclosure);
 }
 
-/// Whether bounds show C ⪯ 16 λI for the exact C and for the shown C, with no permitted rounding.
-bool is_surely_well_conditioned(const Evidence& e, const LiftedMatrix& shown) {
-  const Approximation bound = Approximation(16) * e.exact_case.bounds().approximate_inverse_mass();
-  const auto is_below = [&](const Matrix3<Approximation>& matrix) {
-    return is_positive_semidefinite(less_multiple_of_identity<Approximation>(-matrix, -bound)).value_or(false);
-  };
-  if (is_below(e.exact_case.bounds().collision_matrix()) && is_below(shown.in<Approximation>())) {
-    count(oracles::Stage::approximation);
-    return true;
-  }
-  return false;
+/// Whether bounds show K ⪯ 16 λI, with no permitted rounding.
+bool is_surely_well_conditioned(const oracles::BoundedCase& bounds) {
+  const Approximation bound = Approximation(16) * bounds.approximate_inverse_mass();
+  return is_positive_semidefinite(less_multiple_of_identity<Approximation>(-bounds.collision_matrix(), -bound))
+      .value_or(false);
 }
 
-/// Applies `check` to the C that the subject shows. Without a shown C, nothing is tested, because theorems prove these
-/// invariants for the exact C.
+/// Whether the subject owes its matrix: the contact collides. If rounding of the inputs can make the contact separate,
+/// the subject may see no approach, and owes none.
+bool owes_matrix(const Evidence& e) {
+  return e.exact_case.approach() == oracles::Approach::colliding && !e.exact_case.is_grazing(e.allowance());
+}
+
+/// Applies `check` to the C that the subject shows.
 template <Verdict (*check)(const Evidence&, const LiftedMatrix&)>
 Verdict of_shown_matrix(const Evidence& e) {
   if (e.exact_case.approach() == oracles::Approach::inert) {
@@ -93,7 +89,8 @@ Verdict of_shown_matrix(const Evidence& e) {
   }
   const LiftedMatrix* shown = e.outcome.collision_matrix();
   if (shown == nullptr) {
-    return outside_domain("the subject shows no collision matrix for this contact");
+    return owes_matrix(e) ? Verdict{.status = Status::violated, .detail = "the subject shows no C of this contact"}
+                          : outside_domain("the subject need not show C, because the contact does not surely collide");
   }
   if (!shown->is_finite()) {
     return {.status = Status::violated, .detail = "the shown C contains infinities or NaN"};
@@ -102,7 +99,7 @@ Verdict of_shown_matrix(const Evidence& e) {
 }
 
 Verdict check_definite(const Evidence& e, const LiftedMatrix& shown) {
-  if (may_be_filtered(e, shown) && is_surely_definite(e, shown)) {
+  if (is_surely_exact(e, shown)) {
     return {};
   }
   if (!e.yardstick.allowed(sensitivity(e))) {
@@ -120,7 +117,7 @@ Verdict check_definite(const Evidence& e, const LiftedMatrix& shown) {
 }
 
 Verdict check_well_conditioned(const Evidence& e, const LiftedMatrix& shown) {
-  if (may_be_filtered(e, shown) && is_surely_well_conditioned(e, shown)) {
+  if (is_surely_exact(e, shown) && is_surely_well_conditioned(e.exact_case.bounds())) {
     return {};
   }
   if (!e.yardstick.allowed(sensitivity(e))) {
@@ -146,39 +143,37 @@ Verdict check_well_conditioned_if_convex(const Evidence& e) {
              : outside_domain("the bodies are not known to be uniform and star-shaped from the contact point");
 }
 
-/// Checks C = Cᵀ. The permitted error E of C has ‖E‖_F ≤ R, with R the allowance times the sensitivity of C. As (E_ij −
-/// E_ji)² ≤ 2 (E_ij² + E_ji²), the norm of the three differences C_ij − C_ji is at most √2 R.
-Verdict check_symmetric(const Evidence& e, const LiftedMatrix& shown) {
-  if (e.yardstick.filtered && is_surely_symmetric(shown)) {
-    count(oracles::Stage::same_bits);
+/// Checks C = K: the permitted error of C is the allowance times the sensitivity of K.
+Verdict check_exact(const Evidence& e, const LiftedMatrix& shown) {
+  if (is_surely_exact(e, shown)) {
     return {};
   }
-  const Matrix3<Rational>& c = shown.exact();
-  const std::vector<Rational> missed{c(2, 1) - c(1, 2), c(0, 2) - c(2, 0), c(1, 0) - c(0, 1)};
-  const std::optional<double> allowed = e.yardstick.allowed(std::numbers::sqrt2 * sensitivity(e));
+  const Matrix3<Rational>& exact = e.exact_case.collision_matrix();
+  const Matrix3<Rational> missed = shown.exact() - exact;
+  const std::optional<double> allowed = e.yardstick.allowed(sensitivity(e));
   count(oracles::Stage::rational);
-  if (oracles::norm_at_most(missed, 0)) {
+  if (norm_at_most(missed, allowed.value_or(0))) {
     return {};
   }
   if (!allowed) {
     return beyond_range();
   }
-  if (oracles::norm_at_most(missed, *allowed)) {
-    return {};
-  }
-  const double residual =
-      oracles::root_of_squares(missed.size(), [&](std::size_t i) { return oracles::to_double(missed[i]); });
   Verdict verdict{
-      .status = Status::violated, .detail = "C and its transpose", .residual = residual, .allowed = *allowed};
-  for (const auto& [row, column] : {std::pair{2, 1}, std::pair{0, 2}, std::pair{1, 0}}) {
-    verdict.left.push_back(oracles::to_double(c(row, column)));
-    verdict.right.push_back(oracles::to_double(c(column, row)));
+      .status = Status::violated,
+      .detail = "C and K",
+      .residual = oracles::root_of_squares(9, [&](std::size_t i) { return oracles::to_double(missed.data()[i]); }),
+      .allowed = *allowed};
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      verdict.left.push_back(oracles::to_double(shown.exact()(row, column)));
+      verdict.right.push_back(oracles::to_double(exact(row, column)));
+    }
   }
   return verdict;
 }
 
 Verdict check_matrix_used(const Evidence& e, const LiftedMatrix& shown) {
-  return both(check_symmetric(e, shown),
+  return both(check_exact(e, shown),
               verdict_of(compare_change_by(shown, e.exact_case, e.outcome, e.yardstick), "V⁺ − V⁻ and C F"));
 }
 
@@ -209,8 +204,9 @@ std::vector<Invariant> matrix_invariants() {
                  {"bound_is_sharp", "star_shaped.v"}}}},
       Invariant{
           "matrix_used",
-          "The shown collision matrix is symmetric, and maps the impulse to the change of the relative velocity.",
-          R"(C = C^\top,\quad V^+ - V^- = C F)", "note eq. 24, with C = K in world axes",
+          "The shown collision matrix is that of the contact, and maps the impulse to the change of the relative "
+          "velocity.",
+          R"(C = K,\quad V^+ - V^- = C F)", "note eq. 24, with C = K in world axes",
           "contacts with a movable body, if the subject shows its C", every_law(),
           AboutMatrix{of_shown_matrix<check_matrix_used>},
           Proof{ProvedOf::every_impulse,

@@ -144,7 +144,14 @@ class Search {
         options.families.push_back(&family);
       }
     }
-    return options.families.empty() ? SubjectResult{} : run_gate({subject}, options).results.at(0);
+    if (options.families.empty()) {
+      return {};
+    }
+    GateReport report = run_gate({subject}, options);
+    if (report.judge_error) {
+      throw *report.judge_error;
+    }
+    return std::move(report.results.at(0));
   }
 
   /// The gate's result for few cases. A kept session belongs to this thread, so this thread alone asks a program.

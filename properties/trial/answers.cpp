@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <stdexcept>
 #include <string>
 
 #include <carom/properties/trial/answers.hpp>
@@ -7,10 +6,10 @@
 namespace carom::properties {
 
 std::vector<Answer> answers_of(Session& session, std::span<const Collision> collisions) {
-  std::vector<Answer> answers = session(collisions);
+  std::vector<Answer> answers = of_subject([&] { return session(collisions); });
   if (answers.size() != collisions.size()) {
-    throw std::runtime_error("the session gave " + std::to_string(answers.size()) + " answers to " +
-                             std::to_string(collisions.size()) + " collisions");
+    throw SubjectError("the session gave " + std::to_string(answers.size()) + " answers to " +
+                       std::to_string(collisions.size()) + " collisions");
   }
   return answers;
 }

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -9,6 +12,7 @@
 #include <carom/oracles/laws/mechanics.hpp>
 #include <carom/oracles/numbers/norm.hpp>
 #include <carom/properties/trial/declared_effects.hpp>
+#include <carom/properties/trial/nearest_name.hpp>
 
 namespace carom::properties {
 namespace {
@@ -68,29 +72,44 @@ bool is_surely_below_limits(const DeclaredEffects& effects, const BodyVelocity<o
          is_below(of_law.angular_velocity, effects[DeclaredEffect::max_angular_velocity]);
 }
 
-/// Whether a velocity is as long as its limit, within a relative difference.
-bool reaches_limit(const DeclaredEffects& effects, const BodyVelocity<double>& answered, double difference) {
-  const auto reaches = [&](const Vector3<double>& vector, double limit) {
-    return limit > 0 && oracles::norm_of(vector) >= limit * (1 - difference);
+/// The limits that a velocity is as long as, within a relative difference.
+EffectFlags limits_reached(const DeclaredEffects& effects, const BodyVelocity<double>& answered, double difference) {
+  EffectFlags reached;
+  const auto look_at = [&](DeclaredEffect limit, const Vector3<double>& vector) {
+    reached[limit] = effects[limit] > 0 && oracles::norm_of(vector) >= effects[limit] * (1 - difference);
   };
-  return reaches(answered.velocity, effects[DeclaredEffect::max_speed]) ||
-         reaches(answered.angular_velocity, effects[DeclaredEffect::max_angular_velocity]);
+  look_at(DeclaredEffect::max_speed, answered.velocity);
+  look_at(DeclaredEffect::max_angular_velocity, answered.angular_velocity);
+  return reached;
 }
 
-/// Takes the effects out of the velocities of one body. `of_law` is the law's answer. Returns whether the law's answer
-/// is beyond a limit.
+EffectFlags either(EffectFlags flags, const EffectFlags& others) {
+  for (const DeclaredEffect effect : all_declared_effects) {
+    flags[effect] = flags[effect] || others[effect];
+  }
+  return flags;
+}
+
+/// Takes the effects out of the velocities of one body. `of_law` is the law's answer. Returns the limits that the law's
+/// answer is beyond.
 template <class T>
-bool take_out_of_body(BodyVelocity<Rational>& answered, const BodyVelocity<T>& of_law, const DeclaredEffects& effects) {
+EffectFlags take_out_of_body(BodyVelocity<Rational>& answered, const BodyVelocity<T>& of_law,
+                             const DeclaredEffects& effects) {
   const Rational linear = kept_by(effects[DeclaredEffect::linear_damping]);
   const Rational angular = kept_by(effects[DeclaredEffect::angular_damping]);
   const Rational of_velocity = shortening(of_law.velocity, linear, effects[DeclaredEffect::max_speed]);
   const Rational of_spin = shortening(of_law.angular_velocity, angular, effects[DeclaredEffect::max_angular_velocity]);
   answered.velocity /= Rational(linear * of_velocity);
   answered.angular_velocity /= Rational(angular * of_spin);
-  return of_velocity < 1 || of_spin < 1;
+  EffectFlags beyond;
+  beyond[DeclaredEffect::max_speed] = of_velocity < 1;
+  beyond[DeclaredEffect::max_angular_velocity] = of_spin < 1;
+  return beyond;
 }
 
 }  // namespace
+
+bool is_any(const EffectFlags& flags) { return std::ranges::any_of(flags, std::identity()); }
 
 std::string to_text(const DeclaredEffects& effects) {
   std::string text;
@@ -102,6 +121,22 @@ std::string to_text(const DeclaredEffects& effects) {
     }
   }
   return text;
+}
+
+DeclaredEffects with_named_effects(DeclaredEffects effects, const std::map<std::string, double>& named) {
+  for (const auto& [name, size] : named) {
+    const std::optional<DeclaredEffect> effect = declared_effect_named(name);
+    if (!effect) {
+      std::vector<std::string> known;
+      for (const DeclaredEffect one : all_declared_effects) {
+        known.emplace_back(name_of(one));
+      }
+      throw std::invalid_argument(fmt::format("there is no effect {}; expected one of {}{}", name,
+                                              fmt::join(known, ", "), did_you_mean(name, known)));
+    }
+    effects[*effect] = size;
+  }
+  return effects;
 }
 
 void require_valid(const DeclaredEffects& effects, Law law) {
@@ -135,45 +170,55 @@ Collision judged_collision(const Collision& posed, const DeclaredEffects& effect
   return judged;
 }
 
-bool is_at_declared_limit(const oracles::ExactCase& posed, const DeclaredEffects& effects, double allowance) {
+EffectFlags changes_between(const Collision& posed, const Collision& judged) {
+  EffectFlags changes;
+  changes[DeclaredEffect::slop] = judged.normal != posed.normal;
+  changes[DeclaredEffect::restitution_threshold] = judged.restitution != posed.restitution;
+  return changes;
+}
+
+EffectFlags at_declared_limit(const oracles::ExactCase& posed, const DeclaredEffects& effects, double allowance) {
   const auto is_near = [&](DeclaredEffect effect) {
     return effects[effect] > 0 && is_near_speed(posed, effects[effect], allowance);
   };
-  return is_near(DeclaredEffect::slop) ||
-         (posed.collision().restitution > 0 && is_near(DeclaredEffect::restitution_threshold));
+  EffectFlags near;
+  near[DeclaredEffect::slop] = is_near(DeclaredEffect::slop);
+  near[DeclaredEffect::restitution_threshold] =
+      posed.collision().restitution > 0 && is_near(DeclaredEffect::restitution_threshold);
+  return near;
 }
 
-bool take_out_effects(ExactAnswer& answer, const DeclaredEffects& effects, const oracles::ExactCase& judged, Law law,
-                      double allowance) {
+EffectFlags take_out_effects(ExactAnswer& answer, const DeclaredEffects& effects, const oracles::ExactCase& judged,
+                             Law law, double allowance) {
   auto* const outcome = std::get_if<oracles::LiftedOutcome>(&answer);
   if (outcome == nullptr || !(damps(effects) || limits_speeds(effects))) {
-    return false;
+    return {};
   }
   Outcome<Rational> velocities = outcome->exact();
-  bool is_shortened = false;
-  bool is_at_limit = false;
+  EffectFlags shortened;
+  EffectFlags reached;
   const auto take_out_of = [&](const Body& body, const auto& part) {
     if (body.immovable) {
       return;
     }
-    is_at_limit = is_at_limit || reaches_limit(effects, part(outcome->rounded()), allowance);
+    reached = either(reached, limits_reached(effects, part(outcome->rounded()), allowance));
     if (!limits_speeds(effects) || is_surely_below_limits(effects, part(judged.enclosed_truth(law).outcome))) {
       take_out_of_body(part(velocities), BodyVelocity<Rational>{}, effects);
       return;
     }
     judged.with_truth(law, judged.approach(), [&](const auto& truth) {
-      is_shortened = take_out_of_body(part(velocities), part(truth.outcome), effects) || is_shortened;
+      shortened = either(shortened, take_out_of_body(part(velocities), part(truth.outcome), effects));
     });
   };
   take_out_of(
       judged.collision().a, [](auto& of_both) -> auto& { return of_both.a; });
   take_out_of(
       judged.collision().b, [](auto& of_both) -> auto& { return of_both.b; });
-  if (is_shortened || damps(effects)) {
+  if (is_any(shortened) || damps(effects)) {
     oracles::LiftedOutcome changed = std::move(*outcome).with_velocities(velocities);
     *outcome = std::move(changed);
   }
-  return is_shortened || is_at_limit;
+  return either(shortened, reached);
 }
 
 }  // namespace carom::properties

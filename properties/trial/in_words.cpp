@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <carom/collision/json/json.hpp>
 #include <carom/properties/trial/in_words.hpp>
 
 namespace carom::properties {
@@ -84,6 +85,23 @@ std::string in_words(const Verdict& violated) {
   }
   return fmt::format("{}: {} and {}, apart by {:.3g}, allowed {:.3g}", violated.detail, in_words(violated.left),
                      in_words(violated.right), violated.residual, violated.allowed);
+}
+
+std::string in_words(const oracles::JudgeError& error) {
+  return fmt::format(
+      "the judge failed on this collision, and no subject is at fault: {}\n{}  for `carom replay FILE`: {}\n",
+      error.what(), in_words(error.collision(), "  "), collision_to_json(error.collision()).dump());
+}
+
+std::string why_failed(const std::function<void()>& work) {
+  try {
+    work();
+    return {};
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    return error.what();
+  }
 }
 
 std::string indented(const std::string& text, const std::string& by) {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
 #include <carom/collision/subject.hpp>
 #include <carom/oracles/exact/radical.hpp>
+#include <carom/oracles/laws/judge_error.hpp>
 #include <carom/properties/invariants/invariant.hpp>
 
 namespace carom::properties {
@@ -34,6 +36,12 @@ template <class S>
 
 /// The comparison, its two sides, their distance and the permitted residual, without a line end.
 [[nodiscard]] std::string in_words(const Verdict& violated);
+
+/// The fault, the collision in words, and the collision as JSON, each on its own lines.
+[[nodiscard]] std::string in_words(const oracles::JudgeError& error);
+
+/// Runs `work`, on which no verdict depends. Returns why it failed; empty if it did not.
+[[nodiscard]] std::string why_failed(const std::function<void()>& work);
 
 /// The text, with `by` before each line except the first.
 [[nodiscard]] std::string indented(const std::string& text, const std::string& by);

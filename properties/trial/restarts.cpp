@@ -16,11 +16,11 @@ using Clock = std::chrono::steady_clock;
 class RestartingSession {
  public:
   RestartingSession(const Subject& subject, Restarts& restarts, std::stop_token stop)
-      : open_(subject.open), session_(open_()), restarts_(&restarts), stop_(std::move(stop)) {}
+      : open_(subject.open), session_(of_subject(open_)), restarts_(&restarts), stop_(std::move(stop)) {}
 
   [[nodiscard]] std::vector<Answer> solve(std::span<const Collision> collisions) {
     if (is_over_) {
-      throw std::runtime_error("a session that failed for good is asked again");
+      throw SubjectError("a session that failed for good is asked again");
     }
     std::vector<Answer> answers;
     while (answers.size() < collisions.size()) {
@@ -41,7 +41,9 @@ class RestartingSession {
     return answers;
   }
 
-  void close() { session_.close(); }
+  void close() {
+    of_subject([this] { session_.close(); });
+  }
 
  private:
   static void append(std::vector<Answer>& answers, std::vector<Answer> more) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <stdexcept>
 #include <string>
 
@@ -53,8 +54,8 @@ bool are_judged(std::span<const oracles::ExactCase> questions, const oracles::Ya
 bool are_free_of_effects(const Claim& claim, std::span<const oracles::ExactCase> questions) {
   const auto is_free = [&](const oracles::ExactCase& question) {
     const Collision judged = judged_collision(question.collision(), claim.effects);
-    return judged.restitution == question.collision().restitution && judged.normal == question.collision().normal &&
-           !is_at_declared_limit(question, claim.effects, claim.yardstick.rounding());
+    return !is_any(changes_between(question.collision(), judged)) &&
+           !is_any(at_declared_limit(question, claim.effects, claim.yardstick.rounding()));
   };
   return !depend_on_approach(claim.effects) || std::all_of(questions.begin(), questions.end(), is_free);
 }
@@ -77,6 +78,21 @@ std::optional<Verdict> verdict_on_outcome(const Invariant& invariant, const Evid
     return outside_domain("a declared limit shortens a velocity; `backward_error` judges the outcome");
   }
   return of_outcome != nullptr ? of_outcome->check(evidence) : of_matrix->check(evidence);
+}
+
+/// judge(), which calls no subject. Any exception but a lack of memory is a fault of the judge, and names the
+/// collision.
+template <class Judge>
+auto on_collision(const Collision& collision, const Judge& judge) {
+  try {
+    return judge();
+  } catch (const oracles::JudgeError&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw oracles::JudgeError(error.what(), collision);
+  }
 }
 
 std::vector<Deviation> deviations_of(const Subject& subject) {
@@ -109,10 +125,8 @@ std::vector<const Invariant*> not_claimed_without_matrix(const Subject& subject)
   return not_claimed;
 }
 
-Claim claim_of(const Subject& subject, oracles::Yardstick yardstick) {
-  yardstick.unit_roundoff = unit_roundoff(subject.precision);
-  yardstick.least_size = least_size_known_to_a_roundoff(subject.precision);
-  Claim claim{subject.law, yardstick, {}, deviations_of(subject), {}, subject.effects};
+Claim claim_of(const Subject& subject, const oracles::Yardstick& yardstick) {
+  Claim claim{subject.law, yardstick.in(subject.precision), {}, deviations_of(subject), {}, subject.effects};
   for (const Invariant& invariant : all_invariants()) {
     const bool deviates = std::any_of(
         claim.deviations.begin(), claim.deviations.end(),
@@ -123,6 +137,21 @@ Claim claim_of(const Subject& subject, oracles::Yardstick yardstick) {
     }
   }
   return claim;
+}
+
+oracles::Yardstick yardstick_with(double limit_ulps, std::optional<int> digits) {
+  constexpr int most_digits = 18;
+  if (!(limit_ulps > 0) || !std::isfinite(limit_ulps)) {
+    throw std::invalid_argument("limit_ulps: expected a positive number, found " + std::to_string(limit_ulps));
+  }
+  if (digits && (*digits < 1 || *digits > most_digits)) {
+    throw std::invalid_argument("digits: expected an integer from 1 to " + std::to_string(most_digits) + ", found " +
+                                std::to_string(*digits));
+  }
+  oracles::Yardstick yardstick;
+  yardstick.limit_ulps = limit_ulps;
+  yardstick.digits = digits;
+  return yardstick;
 }
 
 JudgedCase::JudgedCase(const Case& generated, bool filtered, const DeclaredEffects& effects)
@@ -145,10 +174,27 @@ std::span<const oracles::ExactCase> JudgedCase::questions_of(const Invariant& in
   return questions_and_results_of(invariant).cases;
 }
 
+EffectFlags JudgedCase::at_limit(const oracles::Yardstick& yardstick) const {
+  return at_declared_limit(oracles::ExactCase(generated_.collision, filtered_), effects_, yardstick.rounding());
+}
+
+bool JudgedCase::collides() const {
+  return exact().approach() == oracles::Approach::colliding ||
+         changes_between(generated_.collision, exact().collision())[DeclaredEffect::slop];
+}
+
+EffectFlags JudgedCase::decided_by_approach(const oracles::Yardstick& yardstick) const {
+  if (!depend_on_approach(effects_) || !collides()) {
+    return {};
+  }
+  return reason_unjudged_by(yardstick) == Unjudged::at_declared_limit
+             ? at_limit(yardstick)
+             : changes_between(generated_.collision, exact().collision());
+}
+
 std::optional<Unjudged> JudgedCase::reason_unjudged_by(const oracles::Yardstick& yardstick) const {
   return remembered(unjudged_, yardstick, [&]() -> std::optional<Unjudged> {
-    if (depend_on_approach(effects_) &&
-        is_at_declared_limit(oracles::ExactCase(generated_.collision, filtered_), effects_, yardstick.rounding())) {
+    if (depend_on_approach(effects_) && is_any(at_limit(yardstick))) {
       return Unjudged::at_declared_limit;
     }
     return reason_unjudged(exact(), yardstick);
@@ -167,15 +213,20 @@ Trial::Trial(const JudgedCase& judged_case, const Claim& claim, ExactAnswer answ
       relations_(relations),
       questions_(claim.invariants.size()) {
   CAROM_EXPECTS(judged_case.effects() == claim.effects);
-  if (!std::holds_alternative<oracles::LiftedOutcome>(answer_) || !judged_case.is_valid()) {
-    return;
+  if (std::holds_alternative<oracles::LiftedOutcome>(answer_) && judged_case.is_valid()) {
+    on_collision(judged_case.generated().collision, [this] { prepare(); });
   }
-  is_limited_ = take_out_effects(answer_, claim.effects, judged_case.exact(), claim.law, claim.yardstick.allowance());
+}
+
+void Trial::prepare() {
+  const JudgedCase& judged_case = *judged_case_;
+  const Claim& claim = *claim_;
+  limited_ = take_out_effects(answer_, claim.effects, judged_case.exact(), claim.law, claim.yardstick.allowance());
   const auto* outcome = std::get_if<oracles::LiftedOutcome>(&answer_);
   for (std::size_t i = 0; i < claim.invariants.size(); ++i) {
     const Invariant& invariant = *claim.invariants[i];
     const auto* relation = std::get_if<AboutRelation>(&invariant.about);
-    if (relation == nullptr || !relations.has(i)) {
+    if (relation == nullptr || !relations_.has(i)) {
       continue;
     }
     if (const auto* of_outcome = std::get_if<AboutRelation::OfOutcome>(&relation->ask)) {
@@ -222,6 +273,17 @@ std::size_t Trial::most_questions() const {
   return most;
 }
 
+EffectFlags Trial::decided_by() const {
+  if (claim_->effects == DeclaredEffects{} || !judged_case_->collides()) {
+    return {};
+  }
+  EffectFlags flags = judged_case_->decided_by_approach(claim_->yardstick);
+  for (const DeclaredEffect limit : {DeclaredEffect::max_speed, DeclaredEffect::max_angular_velocity}) {
+    flags[limit] = limited_[limit];
+  }
+  return flags;
+}
+
 void Trial::require_one_answer_each(std::size_t count) const {
   if (count != question_count()) {
     throw std::invalid_argument("a trial needs one answer to each of its questions");
@@ -262,6 +324,12 @@ Judgement Trial::judge(std::span<ExactAnswer> answers, double known_backward_err
 /// on. The answers are valid until the next call.
 template <class AnswersTo>
 Judgement Trial::judge_by(const AnswersTo& answers_to, double known_backward_error) const {
+  return on_collision(judged_case_->generated().collision,
+                      [&] { return judgement_by(answers_to, known_backward_error); });
+}
+
+template <class AnswersTo>
+Judgement Trial::judgement_by(const AnswersTo& answers_to, double known_backward_error) const {
   Judgement judgement;
   if (const auto* skipped = std::get_if<Skipped>(&answer_)) {
     judgement.skipped = *skipped;
@@ -269,6 +337,7 @@ Judgement Trial::judge_by(const AnswersTo& answers_to, double known_backward_err
   }
   if (judged_case_->is_valid()) {
     judgement.unjudged = judged_case_->reason_unjudged_by(claim_->yardstick);
+    judgement.decided_by = decided_by();
     if (judgement.unjudged) {
       return judgement;
     }
@@ -302,7 +371,7 @@ Judgement Trial::judge_by(const AnswersTo& answers_to, double known_backward_err
     if (!evidence) {
       continue;
     }
-    if (std::optional<Verdict> verdict = verdict_on_outcome(invariant, *evidence, is_limited_)) {
+    if (std::optional<Verdict> verdict = verdict_on_outcome(invariant, *evidence, is_any(limited_))) {
       judgement.verdicts.push_back({&invariant, std::move(*verdict)});
       continue;
     }

@@ -41,7 +41,11 @@ struct Claim {
 [[nodiscard]] std::vector<const Invariant*> not_claimed_without_matrix(const Subject& subject);
 
 /// The claim of a subject. Ignores a deviation whose invariant or family does not exist.
-[[nodiscard]] Claim claim_of(const Subject& subject, oracles::Yardstick yardstick);
+[[nodiscard]] Claim claim_of(const Subject& subject, const oracles::Yardstick& yardstick);
+
+/// The yardstick of these limits. Throws std::invalid_argument unless `limit_ulps` is positive and finite, and `digits`
+/// is from 1 to 18.
+[[nodiscard]] oracles::Yardstick yardstick_with(double limit_ulps, std::optional<int> digits);
 
 /// A case with exact facts, shared by all subjects that are judged on the case. For one thread.
 class JudgedCase {
@@ -66,6 +70,11 @@ class JudgedCase {
   /// an AboutRelation whose `ask` is an OfCollision.
   [[nodiscard]] std::span<const oracles::ExactCase> questions_of(const Invariant& invariant) const;
 
+  /// The effects of approach that decide the case, if the posed collision collides. Precondition: is_valid().
+  [[nodiscard]] EffectFlags decided_by_approach(const oracles::Yardstick& yardstick) const;
+  /// Whether the posed collision collides. Precondition: is_valid().
+  [[nodiscard]] bool collides() const;
+
   /// `reason_unjudged` of the case. Precondition: is_valid().
   [[nodiscard]] std::optional<Unjudged> reason_unjudged_by(const oracles::Yardstick& yardstick) const;
   /// Whether each question of the invariant is judged. Preconditions: those of `questions_of`.
@@ -80,6 +89,8 @@ class JudgedCase {
     mutable PerYardstick<bool> are_judged;
   };
 
+  /// `at_declared_limit` of the posed collision.
+  [[nodiscard]] EffectFlags at_limit(const oracles::Yardstick& yardstick) const;
   [[nodiscard]] const Questions& questions_and_results_of(const Invariant& invariant) const;
 
   Case generated_;
@@ -100,6 +111,7 @@ struct Judgement {
   std::optional<oracles::Accuracy> accuracy;  // set if the answer is an outcome and the law has a truth
   std::optional<Skipped> skipped;             // set if the case could not be given to the subject
   std::optional<Unjudged> unjudged;           // set if the case is not judged; `verdicts` is then empty
+  EffectFlags decided_by{};                   // the declared effects that decide the case; none if it does not collide
 };
 
 /// Selects the relations that are judged on a case. Each relation is judged on one case in `every`, and different
@@ -114,7 +126,8 @@ struct RelationTurn {
 inline constexpr RelationTurn no_relations{0, 0};
 
 /// A trial judges a subject's answer to a case by every invariant that the subject claims. It has two steps,
-/// `questions` and `judge`, so a subject can answer the questions of many trials at once.
+/// `questions` and `judge`, so a subject can answer the questions of many trials at once. Its constructor and `judge`
+/// throw JudgeError if the judge fails.
 class Trial {
  public:
   /// `answer` is the subject's answer to the case. `judged_case` and `claim` must outlive the trial. Precondition: the
@@ -143,9 +156,15 @@ class Trial {
   [[nodiscard]] Judgement judge(std::span<ExactAnswer> answers, double known_backward_error = 0) const;
 
  private:
+  /// Takes the declared effects out of the answer, and makes the questions. Precondition: the answer is an outcome of a
+  /// valid collision.
+  void prepare();
+  template <class AnswersTo>
+  [[nodiscard]] Judgement judgement_by(const AnswersTo& answers_to, double known_backward_error) const;
   template <class AnswersTo>
   [[nodiscard]] Judgement judge_by(const AnswersTo& answers_to, double known_backward_error) const;
 
+  [[nodiscard]] EffectFlags decided_by() const;
   void require_one_answer_each(std::size_t count) const;
   [[nodiscard]] std::size_t most_questions() const;  // of one invariant
 
@@ -153,7 +172,7 @@ class Trial {
   const Claim* claim_;
   ExactAnswer answer_;
   RelationTurn relations_;
-  bool is_limited_ = false;                                     // `take_out_effects` returned true
+  EffectFlags limited_;                                         // by `take_out_effects`
   std::vector<std::vector<oracles::ExactCase>> by_outcome_;     // the questions that depend on the outcome
   std::vector<std::span<const oracles::ExactCase>> questions_;  // of each claimed invariant
 };

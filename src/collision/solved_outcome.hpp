@@ -9,7 +9,7 @@
 namespace carom {
 
 /// An outcome, and the collision matrix with which the solver found it, in world axes [1/kg]. The matrix is absent if
-/// the solver formed none or does not report it.
+/// the solver does not report it. A solver that claims to report it reports it for each colliding contact.
 template <class S>
 struct SolvedOutcome : Outcome<S> {
   std::optional<Matrix3<S>> collision_matrix;

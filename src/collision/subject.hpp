@@ -99,7 +99,7 @@ struct Subject {
   std::string absent;
   /// Opens a session; each thread opens its own. Empty if `absent` is not empty.
   std::function<Session()> open;
-  /// Whether the subject reports its collision matrix for each colliding contact that it solves by a matrix.
+  /// Whether the subject reports its collision matrix for each colliding contact.
   bool shows_collision_matrix = false;
   /// The domain (a set of collisions) for which the subject is meant: "size=0.1:10,mass_ratio=:100". Empty for all
   /// collisions.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <type_traits>
+
 #include <carom/impulse/contact.hpp>
 #include <carom/impulse/numbers/symmetric_matrix.hpp>
 
@@ -42,6 +44,16 @@ struct UnseenMatrix {
   template <class S>
   constexpr void operator()(const Matrix3<S>& /*matrix*/) const {}
 };
+
+/// Shows K of a contact that a law solves without K. Forms no K if it is not seen, or if the contact does not collide.
+template <class S, class Inertia, class See>
+void see_matrix(const Contact<S, Inertia>& contact, const S& normal_velocity, const See& see) {
+  if constexpr (!std::is_same_v<See, UnseenMatrix>) {
+    if (is_colliding(contact, normal_velocity)) {
+      see(collision_matrix(contact));
+    }
+  }
+}
 
 /// C = Bᵀ K B: the collision matrix in the basis of the columns of B. Exactly symmetric.
 template <class S>

@@ -102,7 +102,11 @@ template <class S, class See = UnseenMatrix>
 /// its velocities. Precondition: the contact was made from a valid collision.
 template <class S, class See = UnseenMatrix>
 [[nodiscard]] Outcome<S> coulomb(const Contact<S>& contact, const See& see = {}) {
-  return contact.friction > S(0) ? apply_impulse(contact, coulomb_impulse(contact, see)) : frictionless(contact);
+  if (contact.friction > S(0)) {
+    return apply_impulse(contact, coulomb_impulse(contact, see));
+  }
+  see_matrix(contact, normal_velocity(contact), see);
+  return frictionless(contact);
 }
 
 }  // namespace carom::impulse

@@ -84,6 +84,7 @@ template <class S, class See = UnseenMatrix>
 [[nodiscard]] Outcome<S> reflection_in_basis(const Contact<S>& contact, const See& see = {}) {
   const Matrix3<S> basis = tangent_basis(contact);
   if ((basis.col(1).array() == S(0)).all()) {
+    see_matrix(contact, normal_velocity(contact), see);
     return frictionless(contact);
   }
   return reflection_in_given_basis(contact, basis, see);
@@ -94,6 +95,7 @@ template <class S, class See = UnseenMatrix>
 template <class S, class See = UnseenMatrix>
 [[nodiscard]] Outcome<S> reflection_in_stable_basis(const Contact<S>& contact, const See& see = {}) {
   if (detail::turns_no_body(contact, approach_of(contact))) {
+    see_matrix(contact, normal_velocity(contact), see);
     return frictionless(contact);
   }
   return reflection_in_given_basis(contact, stable_tangent_basis(contact), see);

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <carom/collision/json/json.hpp>
+#include <carom/properties/trial/in_words.hpp>
 #include <carom/web/commands.hpp>
 
 /// Answers one request. Both are JSON texts. The answer is valid until the next call. An error is {"error": "…"}.
@@ -14,6 +15,8 @@ extern "C" EMSCRIPTEN_KEEPALIVE const char* carom_call(const char* request) {
   nlohmann::json record;
   try {
     record = carom::web::answer_to(carom::parse_json(request));
+  } catch (const carom::oracles::JudgeError& error) {
+    record = {{"error", carom::properties::in_words(error)}};
   } catch (const std::exception& error) {
     record = {{"error", error.what()}};
   }

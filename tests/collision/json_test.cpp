@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <limits>
+#include <stdexcept>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -215,6 +216,15 @@ TEST(ParseJson, RefusesWhatJsonLeavesOpen) {
     }
   }
   EXPECT_NO_THROW((void)parse_json(std::string(64, '[') + std::string(64, ']')));
+}
+
+TEST(DomainJson, IsTheTextOfASubject) {
+  for (const char* text : {"mass_ratio=:100.0,size=0.125:1000000.0", "restitution=0.5:0.5", ""}) {
+    EXPECT_EQ(domain_from_json(domain_to_json(text)), text);
+  }
+  EXPECT_EQ(domain_from_json(domain_to_json("restitution=0.5")), "restitution=0.5:0.5");
+  EXPECT_EQ(domain_from_json(domain_to_json("everything")), "");
+  EXPECT_THROW((void)domain_to_json("games"), std::invalid_argument);
 }
 
 }  // namespace

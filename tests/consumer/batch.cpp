@@ -1,19 +1,28 @@
 // SPDX-License-Identifier: BSL-1.0
-// Balls of 2 kg hit a fixed floor at 3 m/s, ε = 1/2.
+// The lines of docs/guide/plan.md solve balls of 2 kg that hit a fixed floor at 3 m/s, ε = 1/2.
 #include <carom/impulse/batch/solve.hpp>
 
-int main() {
+namespace {
+
+constexpr std::size_t n = 21;
+
+carom::impulse::Contact<double> contact(std::size_t /*place*/) {
   carom::Collision collision;
   collision.a.mass = 2;
   collision.a.position = {0, 1, 0};
   collision.a.velocity = {0, -3, 0};
   collision.b.immovable = true;
   collision.restitution = 0.5;
-  carom::impulse::ContactBatch<float> contacts(21);
-  carom::impulse::OutcomeBatch<float> outcomes(21);
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    contacts.set(i, carom::impulse::make_contact<float>(collision));
-  }
-  carom::impulse::solve(contacts, carom::Law::reflection, outcomes);
-  return outcomes.at(0).a.velocity[1] == 1.5F && outcomes.at(20).a.velocity[1] == 1.5F ? 0 : 1;
+  return carom::impulse::make_contact<double>(collision);
+}
+
+bool is_right = false;
+
+void use(const carom::Outcome<double>& outcome) { is_right = outcome.a.velocity[1] == 1.5; }
+
+}  // namespace
+
+int main() {
+#include LINES_OF_PLAN
+  return is_right ? 0 : 1;
 }

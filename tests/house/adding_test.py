@@ -36,7 +36,7 @@ ROWS = [
     ("contributing.md", "row in one of the files of `properties/features`", "properties/features/inertia.cpp",
      [("      {\"immovable\",", "      {\"mass_three\", special, \"the mass is 3\", \"no power of two\", true,\n"
        "       [](const Collision&, const Body& b) { return b.mass == 3; },\n"
-       "       [](Stream&, Collision&, Body& b) { set_mass(b, 3); },\n       {.kinds_of = {\"mass\"}}},\n")],
+       "       [](Stream&, Collision&, Body& b) { set_mass(b, 3); }},\n")],
      ["properties/features/feature.cpp"], "feature b.mass_three"),
 ]
 LAW = ("src/collision/law.hpp", [("  any, ", "  slippery,\n"), ("Law::any};", "Law::slippery, "),

@@ -120,6 +120,8 @@ enum class Defect {
   spin_about_normal_stopped,
   gyroscopic_torque,
   push_out_velocity,
+  resting_pushed_apart,
+  resting_pushed_aside,
   gravity_of_step,
 
   // The answer.

@@ -374,11 +374,12 @@ class Solver {
   [[nodiscard]] Vector coulomb_impulse(const Contact& contact, double normal_velocity,
                                        const Vector& frictionless_impulse) const {
     const double friction = friction_of(contact);
+    const Matrix k = collision_matrix(contact);
     if (friction == 0) {
       return frictionless_impulse;
     }
     const Matrix basis = impulse::stable_tangent_basis(contact);
-    const Matrix matrix = impulse::in_basis<double>(collision_matrix(contact), basis);
+    const Matrix matrix = impulse::in_basis<double>(k, basis);
     const Vector velocity =
         basis.transpose() * (impulse::relative_velocity_along_normal(contact) + slip_added(contact));
     const Vector change{-(1 + restitution_of(contact, normal_velocity)) * normal_velocity / contact.normal.norm(),
@@ -575,12 +576,28 @@ class Solver {
     return after;
   }
 
+  /// The impulse of the defects that push bodies at rest.
+  [[nodiscard]] std::optional<Vector> push_of_resting(const Contact& contact) const {
+    const bool is_pushed = has(Defect::resting_pushed_apart) || has(Defect::resting_pushed_aside);
+    if (!is_pushed || lambda(contact) == 0 || !relative_velocity(contact).isZero(0)) {
+      return std::nullopt;
+    }
+    constexpr double push = 10;  // [m/s]
+    const Vector normal = contact.normal.normalized();
+    const Vector direction = has(Defect::resting_pushed_apart) ? normal : Vector(beside(normal).normalized());
+    return direction * (push / lambda(contact));
+  }
+
   [[nodiscard]] Outcome<double> solved(const Collision& collision) {
     const Contact contact = read(misread(defects_, collision));
     double normal_velocity = normal_velocity_of(contact);
     if (!is_colliding(contact, normal_velocity)) {
+      if (const std::optional<Vector> push = push_of_resting(contact)) {
+        return pushed_apart(contact, *push, -*push);
+      }
       return unchanged(collision);
     }
+    static_cast<void>(collision_matrix(contact));  // shown also if the solve needs none
     if (has(Defect::contact_skipped_at_times) && skips_this_one()) {
       return unchanged(collision);
     }

@@ -99,6 +99,19 @@ INSTANTIATE_TEST_SUITE_P(Laws, Repaired,
                          testing::Values(Law::frictionless, Law::reflection, Law::sticking, Law::rough, Law::coulomb),
                          [](const auto& test) { return std::string(name_of(test.param)); });
 
+/// A law that determines no outcome has no truth to compare with.
+TEST(MutantCatalogue, PushesOfBodiesAtRestAreRejectedUnderAny) {
+  for (const Mutant& mutant : all_mutants()) {
+    if (mutant.defect == Defect::resting_pushed_apart || mutant.defect == Defect::resting_pushed_aside) {
+      std::vector<Subject> subject{subject_of(mutant)};
+      subject[0].law = Law::any;
+      const Rejecting rejecting =
+          rejecting_invariants(subject, properties::all_families(), fixed_seed, cases_of_each_family).at(0);
+      EXPECT_TRUE(rejecting.contains("impulse_bound")) << mutant.name << ": " << joined(rejecting);
+    }
+  }
+}
+
 TEST(MutantCatalogue, NamesEachDefectOfALawOnce) {
   std::set<std::string_view> names;
   std::set<std::pair<Law, Defect>> defects;

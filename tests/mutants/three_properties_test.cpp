@@ -48,6 +48,9 @@ TEST_P(OnePropertyBroken, ClaimsNoLaw) {
   EXPECT_EQ(GetParam().subject().law, Law::any);
   const Property& property = property_named(GetParam().property);
   for (const std::string_view invariant : GetParam().violates) {
+    if (invariant == "parting_speed" || invariant == "impulse_bound") {
+      continue;  // they bound each outcome, and judge no property
+    }
     EXPECT_NE(std::find(property.invariants.begin(), property.invariants.end(), invariant), property.invariants.end())
         << invariant << " does not judge " << property.title;
   }
@@ -58,7 +61,7 @@ INSTANTIATE_TEST_SUITE_P(Each, OnePropertyBroken,
                          [](const auto& test) { return std::string(test.param.name); });
 
 /// If the contact point is the world's origin, a lost impulse has no moment about the origin.
-TEST(LinearMomentum, IsViolatedAloneByAnImpulseLostAtTheOrigin) {
+TEST(LinearMomentum, IsViolatedWithoutAngularMomentumByAnImpulseLostAtTheOrigin) {
   const auto all = broken_properties();
   const auto defect =
       std::find_if(all.begin(), all.end(), [](const BrokenProperty& one) { return one.name == "heavier_gets_less"; });
@@ -78,8 +81,8 @@ TEST(LinearMomentum, IsViolatedAloneByAnImpulseLostAtTheOrigin) {
     const Judgement judgement = try_case(properties::JudgedCase(one), claim, solve);
     for (const auto& [invariant, verdict] : judgement.verdicts) {
       if (verdict.status == Status::violated) {
-        EXPECT_EQ(invariant->name, "linear_momentum") << i;
-        ++violated;
+        EXPECT_NE(invariant->name, "angular_momentum") << i;
+        violated += invariant->name == "linear_momentum" ? 1 : 0;
       }
     }
   }

@@ -21,6 +21,9 @@ std::string declaring(const std::string& claims) {
   return std::string("exec:") + CAROM_MISBEHAVING + " 'claims=" + claims + "' declaring";
 }
 
+/// A program that does nothing, and declares a slop that excuses this.
+std::string idle() { return std::string("exec:") + CAROM_MISBEHAVING + R"( 'idle={"slop":1e300}' idle)"; }
+
 RunResult gate(const std::string& claims, const std::vector<std::string>& more) {
   std::vector<std::string> arguments{"gate", declaring(claims), "--families", "generic", "--cases", "20"};
   arguments.insert(arguments.end(), more.begin(), more.end());
@@ -70,6 +73,41 @@ TEST(DeclaredEffects, AreTheSameInShards) {
   EXPECT_EQ(merged.exit_status, 2);
   EXPECT_NE(merged.errors.find("claims of declaring: restitution_threshold 0.5 m/s"), std::string::npos)
       << merged.errors;
+}
+
+TEST(DeclaredEffects, ThatDecideTooManyCasesAreNotJudged) {
+  const TemporaryDirectory directory;
+  const std::string out = (directory.path() / "run").string();
+  const RunResult result =
+      run_carom({"gate", idle(), "--families", "generic", "--cases", "20", "--out", out, "--summary", out + ".md"});
+  EXPECT_EQ(result.exit_status, 2) << result.output << result.errors;
+  const std::string why = "the declared slop 1e+300 m/s decides 20 of 20 colliding cases, which is more than a tenth";
+  for (const std::string& text : {result.output, content_of(out + ".md"), content_of(out + "/report.html"),
+                                  content_of(out + "/report.json"), content_of(out + "/junit.xml")}) {
+    EXPECT_NE(text.find(why), std::string::npos) << text;
+  }
+  EXPECT_NE(result.output.find("decided by a declared effect: slop in 20 of 20 colliding cases"), std::string::npos);
+  const json subject = json::parse(content_of(out + "/report.json")).at("subjects")[0];
+  EXPECT_EQ(subject.at("status"), "not judged");
+  EXPECT_EQ(subject.at("families")[0].at("decided_by"), json({{"slop", 20}}));
+  const std::string schema = std::string(CAROM_SOURCE_DIR) + "/docs/reference/schemas/report.schema.json";
+  EXPECT_EQ(accepted_by(schema, {out + "/report.json"}).size(), 1U);
+}
+
+/// The shards add up what the effects decide.
+TEST(DeclaredEffects, DecideTheSameCasesInShards) {
+  const TemporaryDirectory directory;
+  const auto path = [&](const char* name) { return (directory.path() / name).string(); };
+  const std::vector<std::string> run{"gate", idle(), "--families", "generic", "--cases", "20"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), run.begin(), run.end());
+    return run_carom(more);
+  };
+  (void)with({"--shard", "1/2", "--out", path("first")});
+  (void)with({"--shard", "2/2", "--out", path("second")});
+  const RunResult merged = run_carom({"merge", "--out", path("merged"), path("first"), path("second")});
+  EXPECT_EQ(merged.exit_status, 2) << merged.errors;
+  EXPECT_NE(merged.output.find("slop 1e+300 m/s decides 20 of 20 colliding cases"), std::string::npos) << merged.output;
 }
 
 TEST(DeclaredEffects, ThatAreNotKnownAreAnError) {

@@ -123,7 +123,30 @@ TEST(HostileInput, WhereMemoryEndsAMessageSaysSo) {
   const RunResult run =
       run_program("/bin/sh", {"-c", R"(ulimit -v 200000; exec "$0" replay /dev/zero)", carom_program()});
   EXPECT_EQ(run.exit_status, 2);
-  EXPECT_EQ(run.errors, "carom: there is not enough memory\n");
+  EXPECT_EQ(run.errors, "carom: there is not enough memory: at most 200000 KiB may be used (ulimit -v)\n");
+}
+
+TEST(HostileInput, WhatIsShortIsNamedWithItsLimit) {
+  const TemporaryDirectory out;
+  struct Short {
+    const char* limit;
+    const char* says;
+  };
+  for (const auto& [limit, says] : {Short{"-s 64", "the stack is short: at most 64 KiB may be used (ulimit -s)"},
+                                    Short{"-n 5", "files are short: at most 5 may be open (ulimit -n)"},
+                                    Short{"-v 30000", "at most 30000 KiB may be used (ulimit -v)"}}) {
+    const RunResult run = run_program(
+        "/bin/sh", {"-c", std::string("ulimit ") + limit + R"(; exec "$0" "$@" 3>&- 4>&-)", carom_program(), "gate",
+                    "frictionless-double", "--families", "generic", "--cases", "20", "--out", out.path().string()});
+    EXPECT_EQ(run.exit_status, 2) << limit;
+    EXPECT_NE(run.errors.find(says), std::string::npos) << limit << ": " << run.errors;
+  }
+  const RunResult run = run_program("/bin/sh", {"-c", R"(ulimit -n 8; exec "$0" "$@")", carom_program(), "gate",
+                                                "exec:sleep 9", "--families", "generic", "--cases", "20"});
+  EXPECT_EQ(run.exit_status, 2);
+  EXPECT_NE(run.output.find("'sleep' cannot be run: Too many open files (files are short: at most 8 may be open"),
+            std::string::npos)
+      << run.output;
 }
 
 TEST(HostileInput, WhereMemoryEndsWhatWasJudgedUntilThenIsReported) {
@@ -144,7 +167,7 @@ TEST(HostileInput, WhereMemoryEndsWhatWasJudgedUntilThenIsReported) {
     EXPECT_TRUE(run.exit_status == 2 || run.exit_status == 127)  // 127: the system cannot even load the program
         << kilobytes << ' ' << run.exit_status << run.errors;
     if (fs::exists(fs::path(out) / "report.json")) {
-      EXPECT_EQ(run.errors, "carom: there is not enough memory\n");
+      EXPECT_TRUE(run.errors.starts_with("carom: there is not enough memory: at most ")) << run.errors;
       const json report = json::parse(content_of(out + "/report.json"));
       EXPECT_TRUE(report.at("interrupted").get<bool>());
       EXPECT_EQ(report.at("exit_status"), 2);

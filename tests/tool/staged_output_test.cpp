@@ -68,7 +68,7 @@ TEST(StagedOutput, ReportsStandWhereStandardOutputBreaks) {
   };
   for (const auto& [script, errors] :
        {Broken{R"({ "$@"; echo "status $?" >&2; } | true)", "status 141\n"},
-        Broken{R"({ "$@" --format json; echo "status $?" >&2; } | head -c 1)", "status 141\n"},
+        Broken{R"({ "$@" --format json; echo "status $?" >&2; } | true)", "status 141\n"},
         Broken{R"("$@" > /dev/full; echo "status $?" >&2)",
                "carom: standard output: cannot write to file: No space left on device\nstatus 2\n"}}) {
     const TemporaryDirectory out;
@@ -102,7 +102,7 @@ TEST(StagedOutput, OldReportsStandOnAFullDisk) {
   const std::string script = R"sh(mount -t tmpfs -o size=8m tmpfs "$OUT" || exit 77
 "$@" > /dev/null; [ $? = 1 ] || exit 3
 cp "$OUT/report.json" "$COPY"
-head -c 4000000 /dev/zero > "$OUT/ballast" 2> /dev/null
+head -c 8000000 /dev/zero > "$OUT/ballast" 2> /dev/null
 "$@" > /dev/null; [ $? = 2 ] || exit 4
 cmp "$OUT/report.json" "$COPY" || exit 5
 [ -z "$(ls -d "$OUT"/.carom* 2> /dev/null)" ] || exit 6)sh";
@@ -161,30 +161,72 @@ TEST(StagedOutput, ClearsAwayAbandonedStagesAndTheirWitnessesAlone) {
     return std::string(listed).replace(listed.find("WITNESS"), 7, witness);
   };
   const fs::path dead = out.path() / ".carom-stage-0123456789abcdef";
-  const fs::path alive = out.path() / ".carom-stage-fedcba9876543210";
   const fs::path other = out.path() / ".carom-stage-of-somebody-else";
   fs::create_directories(out.path() / "witnesses");
-  for (const fs::path& stage : {dead, alive, other}) {
+  for (const fs::path& stage : {dead, other}) {
     fs::create_directories(stage);
     const std::string witness = "witnesses/" + stage.filename().string().substr(13) + ".restitution.json";
     (void)out.write((stage.filename() / "report.json").string(), report_of(witness));
     (void)out.write(witness, "{}");
   }
-  const int lock = open(alive.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  ASSERT_EQ(flock(lock, LOCK_EX), 0);
   const RunResult run =
       run_carom({"gate", "frictionless-double", "--families", "generic", "--cases", "5", "--out", out.path().string()});
-  close(lock);
   EXPECT_EQ(run.exit_status, 0) << run.errors;
   EXPECT_FALSE(fs::exists(dead));
-  EXPECT_TRUE(fs::exists(alive / "report.json"));
   EXPECT_TRUE(fs::exists(other / "report.json"));
-  std::size_t witnesses = 0;
-  for (const fs::directory_entry& entry : fs::directory_iterator(out.path() / "witnesses")) {
-    EXPECT_EQ(entry.path().string().find("0123456789abcdef"), std::string::npos);
-    ++witnesses;
+  EXPECT_FALSE(fs::exists(out.path() / "witnesses" / "0123456789abcdef.restitution.json"));
+  EXPECT_TRUE(fs::exists(out.path() / "witnesses" / "of-somebody-else.restitution.json"));
+}
+
+TEST(StagedOutput, ADirectoryThatAnotherRunWritesToIsRefused) {
+  const TemporaryDirectory out;
+  const int lock = open((out.path() / ".carom-lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+  ASSERT_EQ(flock(lock, LOCK_EX), 0);
+  const std::string scene = std::string(CAROM_SOURCE_DIR) + "/docs/examples/scenes/cradle.json";
+  for (const std::vector<std::string>& arguments :
+       {finding_gate(out.path()),
+        std::vector<std::string>{"scene", scene, "--events", "5", "--out", out.path().string()}}) {
+    const RunResult run = run_carom(arguments);
+    EXPECT_EQ(run.exit_status, 2);
+    EXPECT_NE(run.errors.find("--out: another run writes to the directory " + out.path().string()), std::string::npos)
+        << run.errors;
   }
-  EXPECT_EQ(witnesses, 2U);
+  EXPECT_FALSE(fs::exists(out.path() / "report.json"));
+  close(lock);
+  EXPECT_EQ(run_carom(finding_gate(out.path())).exit_status, 1) << "nobody holds the lock, so its file is no matter";
+  EXPECT_TRUE(hidden(out.path()).empty());
+}
+
+/// Two runs at once find different witnesses, because their families differ. One of them may be refused.
+TEST(StagedOutput, RunsAtOnceLoseNoWitness) {
+  const TemporaryDirectory out;
+  for (int round = 0; round < 8; ++round) {
+    std::vector<pid_t> gates;
+    for (const char* family : {"slow", "elastic"}) {
+      std::vector<std::string> arguments = finding_gate(out.path());
+      arguments[3] = family;
+      gates.push_back(start_carom(arguments));
+    }
+    int refused = 0;
+    for (const pid_t gate : gates) {
+      const int status = wait_for(gate);
+      EXPECT_TRUE(status == 1 || status == 2) << status;
+      refused += status == 2 ? 1 : 0;
+    }
+    EXPECT_LE(refused, 1);
+    EXPECT_FALSE(listed_witnesses(out.path()).empty());
+    expect_all_listed_witnesses_stand(out.path());
+  }
+  EXPECT_TRUE(hidden(out.path()).empty());
+}
+
+TEST(StagedOutput, AForeignFileWithTheNameOfTheLockStays) {
+  const TemporaryDirectory out;
+  const std::string foreign = out.write(".carom-lock", "mine");
+  const RunResult run = run_carom(finding_gate(out.path()));
+  EXPECT_EQ(run.exit_status, 2);
+  EXPECT_NE(run.errors.find(foreign + " is not Carom's"), std::string::npos) << run.errors;
+  EXPECT_EQ(content_of(foreign), "mine");
 }
 
 TEST(StagedOutput, NothingIsPutInPlaceWhereADirectoryIsInTheWay) {

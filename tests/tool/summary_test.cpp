@@ -27,7 +27,8 @@ void expect_in(const std::string& text, const std::vector<std::string>& parts) {
 
 TEST(Summary, OfASoundSubjectIsALineOfATable) {
   const std::string text = summary_of({"gate", "frictionless-double", "--families", "head_on", "--cases", "20"}, 0);
-  expect_in(text, {"## Carom: sound\n\n1 of 1 subjects that count are sound; 20 cases of each of 1 families, seed 1, ",
+  expect_in(text, {"## Carom: sound, 4 never judged\n\n1 of 1 subjects that count are sound; 20 cases of each of 1 "
+                   "families, seed 1, ",
                    "| `frictionless-double` | sound | "});
   EXPECT_EQ(text.find("###"), std::string::npos) << text;
 }

@@ -3,12 +3,14 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
 #include <carom/collision/json/json.hpp>
 #include <carom/collision/json/object_reader.hpp>
+#include <carom/collision/json/text.hpp>
 
 namespace carom {
 namespace {
@@ -269,6 +271,47 @@ Matrix3<long double> collision_matrix_from_json(const WideJson& value) {
     matrix.row(static_cast<Eigen::Index>(i)) = row;
   }
   return matrix;
+}
+
+std::string domain_from_json(const json& domain, const std::string& place) {
+  constexpr std::size_t longest_name = 100;  // bytes
+  if (!domain.is_object()) {
+    throw FormatError(place, "expected an object");
+  }
+  std::string text;
+  for (const auto& [name, range] : domain.items()) {
+    const std::string quantity = printable_line(name, longest_name);
+    if (name.find_first_of("=,:") != std::string::npos) {
+      throw FormatError(place, "expected names of quantities, found " + quantity);
+    }
+    const auto is_end = [](const json& end) { return end.is_null() || end.is_number(); };
+    if (!range.is_array() || range.size() != 2 || !is_end(range[0]) || !is_end(range[1])) {
+      throw FormatError(place + '/' + quantity,
+                        "expected two numbers, the least and the greatest value; null for no limit");
+    }
+    const auto end = [](const json& number) { return number.is_null() ? std::string() : number.dump(); };
+    text += (text.empty() ? "" : ",") + quantity + '=' + end(range[0]) + ':' + end(range[1]);
+  }
+  return text;
+}
+
+json domain_to_json(std::string_view text) {
+  json record = json::object();
+  while (!text.empty() && text != "everything") {
+    const std::string_view part = text.substr(0, text.find(','));
+    text.remove_prefix(std::min(part.size() + 1, text.size()));
+    const std::size_t sign = part.find('=');
+    if (sign == std::string_view::npos) {
+      throw std::invalid_argument("the domain of a subject: expected ranges such as size=0.1:10, found " +
+                                  std::string(part));
+    }
+    const std::string_view range = part.substr(sign + 1);
+    const std::string_view least = range.substr(0, range.find(':'));
+    const std::string_view most = least.size() == range.size() ? least : range.substr(least.size() + 1);
+    const auto end = [](std::string_view number) { return number.empty() ? json() : json::parse(number); };
+    record[std::string(part.substr(0, sign))] = {end(least), end(most)};
+  }
+  return record;
 }
 
 }  // namespace carom

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <carom/collision/declared_effects.hpp>
+#include <carom/properties/trial/declared_effects.hpp>
 #include <carom/report/model/archive.hpp>
 
 namespace carom::report {
@@ -11,6 +12,13 @@ template <>
 struct Json<DeclaredEffects> {
   static nlohmann::json write(const DeclaredEffects& effects);
   static DeclaredEffects read(const Field& field, Reading reading);
+};
+
+/// {"restitution_threshold": 12}: the number of cases that each effect decides, if it is not 0.
+template <>
+struct Json<properties::EffectCounts> {
+  static nlohmann::json write(const properties::EffectCounts& counts);
+  static properties::EffectCounts read(const Field& field, Reading reading);
 };
 
 }  // namespace carom::report

@@ -62,6 +62,7 @@ void add_report(properties::GateReport& sum, const properties::GateReport& part)
     sum.coverage[f] += part.coverage[f];
   }
   sum.features += part.features;
+  sum.judge_error = sum.judge_error ? sum.judge_error : part.judge_error;
   for (std::size_t s = 0; s < sum.results.size(); ++s) {
     add_result(sum.results[s], part.results[s]);
   }
@@ -76,9 +77,7 @@ void complete_sum(properties::GateReport& sum, const properties::Shard& shard) {
     std::transform(sum.options.families.begin(), sum.options.families.end(), sum.sampled.begin(),
                    [&](const properties::Family* family) { return sample_of(sum.options, *family); });
   }
-  for (SubjectResult& result : sum.results) {
-    result.not_judged = properties::why_not_judged(result, sum.options.families, sum.coverage);
-  }
+  properties::state_what_was_not_judged(sum);
 }
 
 void complete_run(properties::GateReport& sum, const properties::GateOptions& options,

@@ -48,10 +48,8 @@ Settings settings_of(const GateOptions& options, std::vector<std::string> deviat
 
 Features features_of(const properties::FeatureCoverage& coverage) {
   Features features;
-  features.feasible_pairs = coverage.feasible_pairs();
-  for (const auto& [x, y] : coverage.missing_pairs()) {
-    features.missing_pairs.emplace_back(x->name, y->name);
-  }
+  features.met_pairs = coverage.met_pairs();
+  features.pairs = coverage.pairs();
   for (std::size_t i = 0; i < properties::all_features().size(); ++i) {
     features.cases[std::string(properties::all_features()[i].name)] = coverage.count(i);
   }
@@ -69,6 +67,9 @@ JudgedSubject judged_subject(SubjectResult result, const GateOptions& options, b
                                   witness.index, witness_path("", result.subject, witness.invariant)});
   }
   subject.not_claimed = not_claimed_by(result.subject);
+  if (subject.status == "sound") {
+    subject.never_judged = result.never_judged(options);
+  }
   subject.result = std::move(result);
   return subject;
 }
@@ -87,6 +88,7 @@ Run run_of(properties::GateReport report, const std::vector<bool>& counts, std::
   run.environment = std::move(environment);
   run.settings = settings_of(options, std::move(deviates), is_shard);
   run.interrupted = report.interrupted;
+  run.judge_error = report.judge_error;
   for (std::size_t f = 0; f < options.families.size(); ++f) {
     const properties::Family& family = *options.families[f];
     run.families.push_back(
@@ -103,6 +105,7 @@ Run run_of(properties::GateReport report, const std::vector<bool>& counts, std::
     if (!diagnoses[s].telling.empty()) {
       run.subjects.back().diagnosis = diagnoses[s];
     }
+    run.subjects.back().no_diagnosis = diagnoses[s].missing;
   }
   run.absent = std::move(absent);
   return run;
@@ -112,7 +115,7 @@ int Run::exit_status() const {
   bool judged = false;
   bool violated = false;
   bool ended_early = false;
-  bool failed = interrupted;
+  bool failed = interrupted || judge_error;
   for (const JudgedSubject& subject : subjects) {
     if (!subject.counts) {
       continue;
@@ -148,6 +151,7 @@ Overall overall_of(const Run& run) {
       overall.sound += subject.status == "sound" ? 1 : 0;
       overall.violated += subject.violations.size();
       overall.violating_subjects += subject.status == "violated" ? 1 : 0;
+      overall.never_judged += subject.never_judged.size();
     }
   }
   return overall;
@@ -158,7 +162,10 @@ std::string in_words(const Overall& overall) {
     return fmt::format("{} violated", overall.violated);
   }
   const bool all_sound = overall.subjects > 0 && overall.sound == overall.subjects && !overall.interrupted;
-  return all_sound ? "sound" : "not judged";
+  if (!all_sound) {
+    return "not judged";
+  }
+  return overall.never_judged == 0 ? "sound" : fmt::format("sound, {} never judged", overall.never_judged);
 }
 
 std::string file_name_of(std::string name) {

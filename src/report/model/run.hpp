@@ -57,9 +57,9 @@ struct FamilyBeyondDomain {
 
 /// The features (special values or relations) of the colliding cases of all families.
 struct Features {
-  std::uint64_t feasible_pairs = 0;
-  std::vector<std::pair<std::string, std::string>> missing_pairs;
+  std::uint64_t met_pairs = 0;                 // pairs of features that some case has
   std::map<std::string, std::uint64_t> cases;  // by feature
+  std::string pairs;                           // as in FeatureCoverage; only the report of a shard contains them
 };
 
 /// A violated invariant of a subject, as report.json lists it. Its witness is a separate file.
@@ -84,7 +84,9 @@ struct JudgedSubject {
   /// The invariants that the subject does not claim because it shows no collision matrix. None if the report that was
   /// read does not list them.
   std::optional<std::vector<std::string>> not_claimed;
+  std::vector<std::string> never_judged = {};  // of a sound subject: the claimed invariants that no case judged
   std::optional<properties::diagnosis::Diagnosis> diagnosis;  // of a subject with a violation
+  std::string no_diagnosis = {};  // why the diagnosis of a subject with a violation is missing; empty if it is not
 
   /// The reason why the subject was not judged, or not to the end; otherwise empty.
   [[nodiscard]] const std::string& why_not_judged() const {
@@ -97,6 +99,7 @@ struct Run {
   Environment environment;
   Settings settings;
   bool interrupted = false;
+  std::optional<oracles::JudgeError> judge_error = {};  // the fault of the judge that ended the run
   std::vector<RunFamily> families;
   std::vector<FamilyBeyondDomain> beyond_domain;
   Features features;
@@ -104,7 +107,8 @@ struct Run {
   std::vector<Subject> absent;           // chosen by the command line or by default, but not installed
   std::optional<Comparison> baseline{};  // of this run with an earlier one
 
-  /// 2 if a subject that counts could not be judged at all, if no subject counts, or if the run was interrupted.
+  /// 2 if a subject that counts could not be judged at all, if no subject counts, if the run was interrupted, or if
+  /// the judge failed.
   /// Otherwise 1 if a subject that counts violates an invariant or could not be judged to the end. Otherwise 0. With a
   /// baseline, known violations do not count.
   [[nodiscard]] int exit_status() const;
@@ -128,12 +132,14 @@ struct Overall {
   std::size_t sound = 0;
   std::size_t violated = 0;            // invariants, each counted once for each subject that violates it
   std::size_t violating_subjects = 0;  // subjects with any violation
+  std::size_t never_judged = 0;        // invariants, each counted once for each sound subject that claims it
   bool interrupted = false;
 };
 
 [[nodiscard]] Overall overall_of(const Run& run);
 
-/// "sound", "3 violated" or "not judged". Violations are reported even if something was not judged.
+/// "sound", "sound, 2 never judged", "3 violated" or "not judged". Violations are reported even if something was not
+/// judged.
 [[nodiscard]] std::string in_words(const Overall& overall);
 
 /// A subject's name, as a part of a file's name.

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <carom/properties/domains/draw_within.hpp>
+#include <carom/properties/trial/in_words.hpp>
 #include <carom/report/model/answer_json.hpp>
 #include <carom/report/model/comparison_record.hpp>
 #include <carom/report/model/declared_effects_json.hpp>
@@ -65,6 +66,16 @@ struct Json<Collision> {
   static json write(const Collision& collision) { return collision_to_json(collision); }
   static Collision read(const Field& field, Reading /*reading*/) {
     return collision_from_json(field.value(), field.place());
+  }
+};
+
+template <>
+struct Json<oracles::JudgeError> {
+  static json write(const oracles::JudgeError& error) {
+    return {{"what", error.what()}, {"collision", collision_to_json(error.collision())}};
+  }
+  static oracles::JudgeError read(const Field& field, Reading reading) {
+    return {field.at("what").text(), Json<Collision>::read(field.at("collision"), reading)};
   }
 };
 
@@ -186,8 +197,7 @@ void fields(A& archive, Is<FamilyBeyondDomain> auto& family) {
 
 template <class A>
 void fields(A& archive, Is<Features> auto& features) {
-  archive("feasible_pairs", features.feasible_pairs);
-  archive("missing_pairs", features.missing_pairs);
+  archive("met_pairs", features.met_pairs);
   archive("cases", features.cases);
 }
 
@@ -266,6 +276,7 @@ void fields(A& archive, Is<properties::Witness> auto& witness) {
   archive("drawn_outcome", witness.answer_as_found);
   archive("drawn_verdict", witness.verdict_as_found);
   archive("reproduced", witness.is_reproduced);
+  archive.unless_default("not_shrunk", witness.not_shrunk);
 }
 
 template <class A>
@@ -301,6 +312,7 @@ void family_fields(A& archive, const std::string& family, Is<FamilyResult> auto&
   archive("cases", result.cases);
   archive.detail("skipped", result.skipped);
   archive.detail("not_judged", result.unjudged);
+  archive.unless_default("decided_by", result.decided_by);
   archive("violated", result.violated);
   if constexpr (A::reads) {
     std::vector<std::uint64_t> parts{result.skipped, result.violated};
@@ -390,8 +402,10 @@ void judged_fields(A& archive, const Run& run, Is<JudgedSubject> auto& subject) 
         [](auto& each, const auto& family, auto& of_family) { beyond_domain_fields(each, family, of_family); });
   }
   archive.unless_default("error_beyond_domain", result.error_beyond_domain);
+  archive.unless_default("never_judged", subject.never_judged);
   archive("violations", subject.violations);
   archive.unless_default("diagnosis", subject.diagnosis);
+  archive.unless_default("no_diagnosis", subject.no_diagnosis);
 }
 
 /// The fields that every subject has, including an absent one.
@@ -448,6 +462,7 @@ void subjects_field(Reader& archive, Run& run) {
 json shard_record(const Run& run) {
   json record{{"number", run.settings.shard->number},
               {"of", run.settings.shard->of},
+              {"pairs", run.features.pairs},
               {"digits", json::array()},
               {"findings", json::array()}};
   for (const JudgedSubject& subject : run.subjects) {
@@ -486,6 +501,7 @@ void fields(A& archive, Is<Run> auto& run) {
   archive.unless_default("deviates", run.settings.deviates);
   archive.derived("exit_status", static_cast<std::uint64_t>(run.exit_status()));
   archive("interrupted", run.interrupted);
+  archive.unless_default("judge_error", run.judge_error);
   archive("families", run.families);
   archive.unless_default("beyond_domain", run.beyond_domain);
   archive.detail("features", run.features);
@@ -530,22 +546,17 @@ properties::GateOptions options_from(const Field& record, const Settings& settin
   return options;
 }
 
-properties::FeatureCoverage coverage_of(const Features& features, const Field& record) {
-  std::map<std::string, const properties::Feature*> by_name;
+properties::FeatureCoverage coverage_of(const Field& features, const Field& pairs) {
   std::vector<std::uint64_t> counts;
   for (const properties::Feature& feature : properties::all_features()) {
-    const std::string name(feature.name);
-    by_name.emplace(name, &feature);
-    counts.push_back(record.at("cases").at(name).count());
+    counts.push_back(features.at("cases").at(std::string(feature.name)).count());
   }
-  std::vector<properties::FeatureCoverage::Pair> missing;
-  for (const auto& [x, y] : features.missing_pairs) {
-    if (!by_name.contains(x) || !by_name.contains(y)) {
-      record.at("missing_pairs").fail("pairs of names of features");
-    }
-    missing.push_back({by_name.at(x), by_name.at(y)});
+  std::optional<properties::FeatureCoverage> coverage =
+      properties::FeatureCoverage::reported(std::move(counts), pairs.text());
+  if (!coverage) {
+    pairs.fail("hexadecimal digits, one for four pairs of features");
   }
-  return properties::FeatureCoverage::reported(std::move(counts), missing);
+  return *std::move(coverage);
 }
 
 /// Reads all data of the subject in the shard, except its counts.
@@ -600,7 +611,8 @@ ReadShard shard_from(const json& json_record, const std::string& file) {
   for (const RunFamily& family : shard.run.families) {
     report.coverage.push_back(family.coverage);
   }
-  report.features = coverage_of(shard.run.features, record.at("features"));
+  report.judge_error = shard.run.judge_error;
+  report.features = coverage_of(record.at("features"), record.at("shard").at("pairs"));
   for (const JudgedSubject& subject : shard.run.subjects) {
     report.results.push_back(subject.result);
     read_shard_of_subject(record.at("shard"), report.results.size() - 1, report.options, report.results.back());
@@ -622,7 +634,10 @@ json witness_record(const properties::Witness& witness, const Subject& subject, 
   record["yardstick"] = Json<oracles::Yardstick>::write(settings.yardstick);
   record["replay"] = replay_command(witness_file, subject, settings.yardstick);
   const properties::JudgedCase judged_case(witness.shrunk, true, subject.effects);
-  if (judged_case.is_valid()) {
+  if (!judged_case.is_valid()) {
+    return record;
+  }
+  const std::string why_missing = properties::why_failed([&] {
     for (const Law law : laws_with_truth) {
       if (subject.law == law || subject.law == Law::any) {
         record["truth"][std::string(name_of(law))] = truth_record(judged_case.exact(), law);
@@ -631,6 +646,9 @@ json witness_record(const properties::Witness& witness, const Subject& subject, 
     if (subject.law == Law::coulomb) {
       record["answers"]["coulomb"] = answers_record(oracles::coulomb_answers(judged_case.exact()));
     }
+  });
+  if (!why_missing.empty()) {
+    record["truth_missing"] = why_missing;
   }
   return record;
 }

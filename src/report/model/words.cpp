@@ -101,15 +101,6 @@ std::string violated_of_judged_cases(const properties::Count& count) {
 
 std::string listed(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, ", ")); }
 
-std::string missing_pairs(const Features& features, const char* before, std::size_t most_named) {
-  std::string text;
-  const auto& missing = features.missing_pairs;
-  for (std::size_t i = 0; i < std::min(missing.size(), most_named); ++i) {
-    text += fmt::format("{} {} with {}", i == 0 ? before : ",", missing[i].first, missing[i].second);
-  }
-  return text + (missing.size() > most_named ? ", …" : "");
-}
-
 std::string summary_of(const Run& run) {
   const Overall overall = overall_of(run);
   const std::size_t counted = overall.subjects;
@@ -134,12 +125,19 @@ std::string summary_of(const Run& run) {
                        sound == 1 ? "is" : "are", violated, violated == 1 ? "violates" : "violate");
     text += others == 0 ? "" : fmt::format(", and {} could not be judged to the end", others);
   }
+  if (overall.never_judged > 0) {
+    text += fmt::format("; {} {} never judged", overall.never_judged,
+                        overall.never_judged == 1 ? "claimed invariant was" : "claimed invariants were");
+  }
   const std::size_t kept = run.subjects.size() - counted;
   text += kept == 0 ? ""
                     : fmt::format("; {} more {} kept because {}", kept, kept == 1 ? "is" : "are",
                                   kept == 1 ? "it fails" : "they fail");
   text += run.absent.empty() ? "."
                              : fmt::format("; {} {} absent.", run.absent.size(), run.absent.size() == 1 ? "is" : "are");
+  if (run.judge_error) {
+    return "The judge failed. The results before: " + text;
+  }
   return run.interrupted ? "The run was interrupted. The results so far: " + text : text;
 }
 

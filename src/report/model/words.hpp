@@ -46,10 +46,6 @@ namespace carom::report {
 /// The names, separated by commas.
 [[nodiscard]] std::string listed(const std::vector<std::string>& names);
 
-/// The first `most_named` missing pairs (no case had both features), each as "a with b". `before` precedes the list,
-/// and "…" ends a shortened list. Empty if no pair is missing.
-[[nodiscard]] std::string missing_pairs(const Features& features, const char* before, std::size_t most_named);
-
 /// The result of a run in a sentence.
 [[nodiscard]] std::string summary_of(const Run& run);
 

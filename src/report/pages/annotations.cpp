@@ -52,18 +52,13 @@ std::string violation(const Run& run, const JudgedSubject& subject, const Witnes
                  message);
 }
 
-/// Omits the empty parts of the fault.
-std::string in_lines(const properties::diagnosis::Fault& fault) {
-  std::string lines = fault.what;
-  lines += fault.where.empty() ? "" : '\n' + fault.where;
-  lines += fault.look_at.empty() ? "" : "\nLook at: " + fault.look_at;
-  return lines;
-}
-
 }  // namespace
 
 std::string github_annotations(const Run& run, const std::string& out_directory) {
   std::string text;
+  if (run.judge_error) {
+    text += command("error", "the judge failed", properties::in_words(*run.judge_error));
+  }
   for (const JudgedSubject& subject : run.subjects) {
     if (!subject.counts) {
       continue;
@@ -71,7 +66,8 @@ std::string github_annotations(const Run& run, const std::string& out_directory)
     const std::string& name = subject.result.subject.name;
     if (subject.diagnosis) {
       for (const properties::diagnosis::Fault& fault : subject.diagnosis->faults) {
-        text += command("notice", "diagnosis of " + name, in_lines(fault));
+        text += command("notice", "diagnosis of " + name,
+                        fmt::format("{}", fmt::join(properties::diagnosis::lines_of(fault), "\n")));
       }
     }
     for (const Witness* witness : witnesses_by_telling(subject)) {

@@ -8,8 +8,8 @@
 namespace carom::report {
 namespace {
 
-std::string colour_of(const std::string& verdict, const Overall& overall) {
-  if (verdict == "sound") {
+std::string colour_of(bool is_sound, const Overall& overall) {
+  if (is_sound) {
     return "brightgreen";
   }
   return overall.violated > 0 ? "red" : "lightgrey";
@@ -20,8 +20,9 @@ std::string colour_of(const std::string& verdict, const Overall& overall) {
 nlohmann::json badge_record(const Run& run) {
   const Overall overall = overall_of(run);
   const std::string verdict = in_words(overall);
-  const std::string message = verdict == "sound" ? fmt::format("{} sound", overall.sound) : verdict;
-  return {{"schemaVersion", 1}, {"label", "carom"}, {"message", message}, {"color", colour_of(verdict, overall)}};
+  const bool is_sound = verdict.starts_with("sound");
+  const std::string message = is_sound ? fmt::format("{} {}", overall.sound, verdict) : verdict;
+  return {{"schemaVersion", 1}, {"label", "carom"}, {"message", message}, {"color", colour_of(is_sound, overall)}};
 }
 
 }  // namespace carom::report

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <carom/report/model/words.hpp>
+#include <carom/properties/features/coverage.hpp>
 #include <carom/report/pages/parts.hpp>
 
 namespace carom::report {
@@ -48,15 +48,11 @@ Table coverage_table(const Run& run) {
   return table;
 }
 
-std::string features_in_words(const Run& run, std::size_t most_named) {
-  const Features& features = run.features;
-  if (!run.settings.within.is_everything()) {
-    return fmt::format("{} pairs of features in colliding cases; without the domain, {} pairs are feasible",
-                       features.feasible_pairs - features.missing_pairs.size(), features.feasible_pairs);
-  }
-  return fmt::format("{} of {} pairs of features in colliding cases{}",
-                     features.feasible_pairs - features.missing_pairs.size(), features.feasible_pairs,
-                     missing_pairs(features, "; missing", most_named));
+std::string features_in_words(const Run& run) {
+  const std::string met = fmt::format("{} pairs of features in colliding cases", run.features.met_pairs);
+  return run.settings.within.is_everything()
+             ? fmt::format("{} (20,000 cases of each family have {})", met, properties::pairs_of_long_run)
+             : met;
 }
 
 Table features_table(const Run& run) {

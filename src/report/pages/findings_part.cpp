@@ -73,6 +73,10 @@ std::string in_its_family(const Run& run, const SubjectResult& result, const Wit
   return witness.family;
 }
 
+std::string diagnosis_missing(const JudgedSubject& subject) {
+  return "the diagnosis is missing, because it failed: " + subject.no_diagnosis;
+}
+
 void add_diagnosis(Document& document, const Run& run, std::size_t s) {
   const JudgedSubject& subject = run.subjects[s];
   const Diagnosis& diagnosis = *subject.diagnosis;
@@ -100,6 +104,10 @@ void add_diagnosis(Document& document, const Run& run, std::size_t s) {
 
 }  // namespace
 
+std::string not_shrunk_in_words(const Witness& witness) {
+  return "The witness is as it was drawn, because its simplification failed: " + witness.not_shrunk;
+}
+
 std::string replay_line(const Run& run, const JudgedSubject& subject, const Witness& witness,
                         const std::string& out_directory) {
   const Subject& of = subject.result.subject;
@@ -110,6 +118,9 @@ Section findings_part(const Run& run, const JudgedSubject& subject, const std::s
   const SubjectResult& result = subject.result;
   Document content;
   Facts facts = subject.diagnosis ? facts_of(run, result.subject, *subject.diagnosis) : Facts{};
+  if (!subject.no_diagnosis.empty()) {
+    facts.pairs.emplace_back("what is wrong", diagnosis_missing(subject));
+  }
   facts.pairs.emplace_back("in", families_in_words(run, result));
   content.emplace_back(std::move(facts));
   Table table{"", {{"invariant"}, {"violated in"}, {"most often in"}}, {}};
@@ -128,6 +139,9 @@ Section findings_part(const Run& run, const JudgedSubject& subject, const std::s
     words += replay_line(run, subject, first, out_directory) + '\n';
   }
   content.emplace_back(Code{std::move(words)});
+  if (!first.not_shrunk.empty()) {
+    content.emplace_back(Paragraph{not_shrunk_in_words(first)});
+  }
   if (!out_directory.empty() && witnesses.size() > 1) {
     std::string lines;
     for (const Witness* witness : std::span(witnesses).subspan(1)) {
@@ -143,6 +157,10 @@ Document diagnoses_part(const Run& run) {
   Document document;
   Document kept;
   for (std::size_t s = 0; s < run.subjects.size(); ++s) {
+    if (!run.subjects[s].no_diagnosis.empty()) {
+      document.emplace_back(
+          Section{run.subjects[s].result.subject.name, {Paragraph{diagnosis_missing(run.subjects[s])}}});
+    }
     if (run.subjects[s].diagnosis) {
       add_diagnosis(run.subjects[s].counts ? document : kept, run, s);
     }

@@ -54,7 +54,7 @@ void add_case(pugi::xml_node suite, const properties::SubjectResult& result, con
   const properties::Count count = result.count(invariant);
   if (count.violated == 0) {
     if (count.holds == 0) {
-      add(test, "skipped", {{"message", "no case in its domain"}});
+      add(test, "skipped", {{"message", "never judged: no case in its domain"}});
     }
     return;
   }
@@ -132,10 +132,13 @@ Totals add_judged(pugi::xml_node root, const Run& run, std::size_t subject) {
     add_case(suite, result, name, standing_of(run, subject, name));
   }
   const pugi::xml_node session = add_test(suite, result.subject.name, "session");
-  if (!result.error.empty() && counts) {
-    add(session, "error", {{"message", "could not be judged to the end"}, {"type", "session"}}, result.error);
-  } else if (!result.error.empty()) {
-    add(session, "skipped", {{"message", "could not be judged to the end"}}, result.error);
+  if (const std::string& why = run.subjects[subject].why_not_judged(); !why.empty()) {
+    const char* const message = result.error.empty() ? "not judged" : "could not be judged to the end";
+    if (counts) {
+      add(session, "error", {{"message", message}, {"type", "session"}}, why);
+    } else {
+      add(session, "skipped", {{"message", message}}, why);
+    }
   }
   return totals_of(suite, seconds_of(result));
 }
@@ -163,6 +166,12 @@ std::string junit_xml(const Run& run) {
   }
   for (const Subject& subject : run.absent) {
     close(add_absent(root, subject));
+  }
+  if (run.judge_error) {
+    const pugi::xml_node suite = add(root, "testsuite", {{"name", "carom"}});
+    add(add_test(suite, "carom", "judge"), "error", {{"message", "the judge failed"}, {"type", "judge"}},
+        in_words(*run.judge_error));
+    close(totals_of(suite, 0));
   }
   set_totals(root, all);
   std::ostringstream text;

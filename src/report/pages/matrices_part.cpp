@@ -172,6 +172,19 @@ Document deviations_part(const Run& run) {
                   "div"}};
 }
 
+Document never_judged_part(const Run& run) {
+  Table table{"Claimed invariants that no case judged", {{"subject"}, {"invariants"}}, {}};
+  for (const JudgedSubject& subject : run.subjects) {
+    if (!subject.never_judged.empty()) {
+      table.rows.push_back({{name_cell(subject.result.subject.name), Cell(listed(subject.never_judged), "word")}});
+    }
+  }
+  if (table.rows.empty()) {
+    return {};
+  }
+  return {Section{"Never judged", {std::move(table)}, "", "div"}};
+}
+
 std::string boundary_in_words(const FamilyResult& family) {
   if (family.judged() == 0) {
     return no_number;

@@ -16,14 +16,17 @@ enum class Subjects { counting, all };
 /// status) are first.
 [[nodiscard]] Table subjects_table(const Run& run, Subjects which);
 
-/// The errors of subjects that could not be judged to the end, each with the anchor that subjects_table links to.
+/// The reasons why subjects could not be judged, or not to the end, each with the anchor that subjects_table links to.
 [[nodiscard]] Document errors_part(const Run& run);
+
+/// The fault of the judge that ended the run; empty if there was none.
+[[nodiscard]] Document judge_error_part(const Run& run);
 
 /// One row for each family: the number of its cases that collide, rest, separate, ….
 [[nodiscard]] Table coverage_table(const Run& run);
 
-/// "52959 of 81843 pairs of features in colliding cases", with the first `most_named` pairs that are missing.
-[[nodiscard]] std::string features_in_words(const Run& run, std::size_t most_named);
+/// The number of pairs of features in colliding cases, beside that of a long run.
+[[nodiscard]] std::string features_in_words(const Run& run);
 
 /// The number of colliding cases that have each feature.
 [[nodiscard]] Table features_table(const Run& run);
@@ -33,6 +36,9 @@ enum class Subjects { counting, all };
 
 /// Each claim that a subject does not make, with the reason; empty if every subject makes every claim.
 [[nodiscard]] Document deviations_part(const Run& run);
+
+/// The claimed invariants of each sound subject that no case judged; empty if there are none.
+[[nodiscard]] Document never_judged_part(const Run& run);
 
 /// The worst backward error of each subject in each family.
 [[nodiscard]] Document families_part(const Run& run);
@@ -65,6 +71,9 @@ enum class Subjects { counting, all };
 
 /// For the end of a run: all changes since the baseline, and one line with the summary.
 [[nodiscard]] Document baseline_part(const Comparison& comparison);
+
+/// Why a witness was not simplified. Precondition: `not_shrunk` is not empty.
+[[nodiscard]] std::string not_shrunk_in_words(const properties::Witness& witness);
 
 [[nodiscard]] std::string replay_line(const Run& run, const JudgedSubject& subject, const properties::Witness& witness,
                                       const std::string& out_directory);

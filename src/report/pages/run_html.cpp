@@ -17,14 +17,15 @@ std::string meaning_of(const Run& run) {
     case exit_violated:
       return run.baseline ? "1: there are new violations" : "1: a subject violates an invariant";
     default:
-      return "2: some subjects could not be judged";
+      return run.judge_error ? "2: the judge failed" : "2: some subjects could not be judged";
   }
 }
 
 Document summary_part(const Run& run) {
   const Settings& settings = run.settings;
   Document document =
-      with({Paragraph{summary_of(run), fmt::format("result exit-{}", run.exit_status())}}, diagnoses_part(run));
+      with(with({Paragraph{summary_of(run), fmt::format("result exit-{}", run.exit_status())}}, judge_error_part(run)),
+           diagnoses_part(run));
   document.emplace_back(
       Facts{{{"exit status", meaning_of(run)},
              {"interrupted", run.interrupted ? "yes: this page shows the results so far" : "no"},
@@ -41,8 +42,7 @@ Document summary_part(const Run& run) {
 }
 
 Document features_part(const Run& run) {
-  constexpr std::size_t most_named = 20;
-  return {Paragraph{features_in_words(run, most_named) + '.'},
+  return {Paragraph{features_in_words(run) + '.'},
           Details{"Number of colliding cases with each feature", {features_table(run)}}};
 }
 
@@ -85,7 +85,7 @@ std::string run_html(const Run& run, const std::string& out_directory) {
              with({Paragraph{summary_of(*run.baseline), "result", true}}, comparison_part(*run.baseline)));
   }
   add_part("subjects", "Subjects", with({subjects_table(run, Subjects::all)}, errors_part(run)));
-  add_part("invariants", "Invariants", with(invariants_part(run), deviations_part(run)));
+  add_part("invariants", "Invariants", with(with(invariants_part(run), never_judged_part(run)), deviations_part(run)));
   add_part("families", "Families", with(families_part(run), beyond_domain_part(run, Subjects::all)));
   add_part("violations", "Violations by family and feature", violations_part(run));
   add_part("generated", "Generated cases", {coverage_table(run), Paragraph{adjusted_sentences(run)}});

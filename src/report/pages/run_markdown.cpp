@@ -23,6 +23,7 @@ std::string opening(const Run& run) {
   if (run.interrupted) {
     content.emplace_back(Paragraph{"The run was interrupted. These are the results so far.", "", true});
   }
+  content = with(std::move(content), judge_error_part(run));
   content.emplace_back(subjects_table(run, Subjects::counting));
   content = with(std::move(content), beyond_domain_part(run, Subjects::counting));
   return in_markdown({Section{"Carom: " + in_words(overall), std::move(content)}}, level - 1);
@@ -30,6 +31,10 @@ std::string opening(const Run& run) {
 
 std::string of_subject(const Run& run, const JudgedSubject& subject, const std::string& out_directory) {
   Document document;
+  if (!subject.never_judged.empty()) {
+    document.emplace_back(List{{name_cell(subject.result.subject.name)}});
+    document.emplace_back(Paragraph{fmt::format("never judged: {}", listed(subject.never_judged))});
+  }
   if (!subject.result.witnesses.empty()) {
     document.emplace_back(findings_part(run, subject, out_directory));
   }

@@ -9,16 +9,15 @@
 namespace carom::report {
 
 std::string run_text(const Run& run, const std::string& out_directory) {
-  constexpr std::size_t most_named = 5;
   Document document{Paragraph{fmt::format("Carom {}: {}, seed {}, limit {}{}", version, extent_of(run),
                                           run.settings.seed, limit_in_words(run.settings.yardstick),
                                           run.settings.yardstick.filtered ? "" : ", judged only in exact arithmetic")}};
   if (run.interrupted) {
     document.emplace_back(Section{"", {Paragraph{"INTERRUPTED: these are the results so far"}}});
   }
+  document = with(std::move(document), judge_error_part(run));
   document.emplace_back(Section{"", {coverage_table(run)}});
-  document.emplace_back(
-      Section{"", {Paragraph{features_in_words(run, most_named)}, Paragraph{adjusted_sentences(run)}}});
+  document.emplace_back(Section{"", {Paragraph{features_in_words(run)}, Paragraph{adjusted_sentences(run)}}});
   document.emplace_back(Section{"", {subjects_table(run, Subjects::all)}});
   for (const JudgedSubject& subject : run.subjects) {
     if (subject.counts && !subject.result.witnesses.empty()) {

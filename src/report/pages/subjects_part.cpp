@@ -34,6 +34,22 @@ void add_deviations(std::vector<std::string>& notes, const Subject& subject,
   }
 }
 
+/// "restitution_threshold in 120 of 4000 colliding cases". Empty if no declared effect decides a case.
+std::string decided_cases(const properties::SubjectResult& result, const Run& run) {
+  std::uint64_t colliding = 0;
+  for (const RunFamily& family : run.families) {
+    colliding += family.coverage.colliding;
+  }
+  const properties::EffectCounts decided = result.decided_by();
+  std::vector<std::string> words;
+  for (const DeclaredEffect effect : all_declared_effects) {
+    if (decided[effect] > 0) {
+      words.push_back(fmt::format("{} in {} of {} colliding cases", name_of(effect), decided[effect], colliding));
+    }
+  }
+  return listed(words);
+}
+
 /// The lines below a subject's row in a text.
 std::vector<std::string> notes_on(const JudgedSubject& subject, const Run& run) {
   const properties::SubjectResult& result = subject.result;
@@ -52,11 +68,17 @@ std::vector<std::string> notes_on(const JudgedSubject& subject, const Run& run) 
   } else if (!result.not_judged.empty()) {
     notes.push_back("not judged: " + result.not_judged);
   }
+  if (!subject.never_judged.empty()) {
+    notes.push_back("never judged: " + listed(subject.never_judged));
+  }
   if (run.settings.budget_seconds && subject.status == "sound") {
     notes.push_back(cases_judged(run, subject));
   }
   if (const std::string effects = properties::to_text(result.subject.effects); !effects.empty()) {
     notes.push_back("judged without its declared effects: " + effects);
+  }
+  if (const std::string decided = decided_cases(result, run); !decided.empty()) {
+    notes.push_back("decided by a declared effect: " + decided);
   }
   add_deviations(notes, result.subject, run.settings.deviates);
   return notes;
@@ -67,7 +89,7 @@ Row subject_row(const Run& run, std::size_t s) {
   const properties::SubjectResult& result = subject.result;
   Cell verdict(verdict_in_words(subject), "verdict " + subject.status);
   verdict.sign = subject.status == "sound" ? "✓" : subject.status == "violated" ? "✗" : "!";
-  if (!result.error.empty()) {
+  if (!subject.why_not_judged().empty()) {
     verdict.link = '#' + error_anchor(s);
   }
   return {{name_cell(result.subject.name), std::move(verdict), Cell(worst_in_words(subject), "number"),
@@ -144,16 +166,31 @@ Table subjects_table(const Run& run, Subjects which) {
 Document errors_part(const Run& run) {
   Document document;
   for (std::size_t s = 0; s < run.subjects.size(); ++s) {
-    const properties::SubjectResult& result = run.subjects[s].result;
-    if (!result.error.empty()) {
-      document.emplace_back(Section{"Why " + result.subject.name + " could not be judged to the end",
-                                    {Code{result.error}},
-                                    error_anchor(s),
-                                    "section",
-                                    "error"});
+    const std::string& why = run.subjects[s].why_not_judged();
+    if (!why.empty()) {
+      const properties::SubjectResult& result = run.subjects[s].result;
+      document.emplace_back(
+          Section{fmt::format("Why {} {}", result.subject.name,
+                              result.error.empty() ? "is not judged" : "could not be judged to the end"),
+                  {Code{why}},
+                  error_anchor(s),
+                  "section",
+                  "error"});
     }
   }
   return document;
+}
+
+Document judge_error_part(const Run& run) {
+  if (!run.judge_error) {
+    return {};
+  }
+  return {Section{"The judge failed",
+                  {Paragraph{"A fault of the judge ended the run. These are the results before it."},
+                   Code{properties::in_words(*run.judge_error)}},
+                  "judge-error",
+                  "section",
+                  "error"}};
 }
 
 std::string subjects_markdown(const Run& run) {

@@ -114,8 +114,13 @@ void add_outcome(Document& document, const Witness& witness, const properties::J
     columns.push_back(std::move(of_subject));
   }
   if (judged_case.is_valid()) {
-    for (Velocities& exact : exact_columns(judged_case.exact(), claimed)) {
-      columns.push_back(std::move(exact));
+    const std::string why_missing = properties::why_failed([&] {
+      for (Velocities& exact : exact_columns(judged_case.exact(), claimed)) {
+        columns.push_back(std::move(exact));
+      }
+    });
+    if (!why_missing.empty()) {
+      document.emplace_back(Paragraph{"The exact outcome is missing: " + why_missing});
     }
   }
   if (columns.empty()) {
@@ -177,8 +182,17 @@ Section witness_section(const Run& run, std::size_t s, const Witness& witness, c
   const auto judged_case = std::make_shared<const properties::JudgedCase>(witness.shrunk, true, result.subject.effects);
   add_outcome(numbers, witness, *judged_case, result.subject.law);
   add_sides(numbers, witness.verdict);
-  Picture picture{[&answer = witness.answer, judged_case, law = result.subject.law, anchor,
-                   title](pugi::xml_node node) { add_case_drawing(node, *judged_case, answer, law, anchor, title); }};
+  if (!witness.not_shrunk.empty()) {
+    numbers.emplace_back(Paragraph{not_shrunk_in_words(witness)});
+  }
+  Picture picture{
+      [&answer = witness.answer, judged_case, law = result.subject.law, anchor, title](pugi::xml_node node) {
+        const std::string why_missing =
+            properties::why_failed([&] { add_case_drawing(node, *judged_case, answer, law, anchor, title); });
+        if (!why_missing.empty()) {
+          add(node, "p", {}, "The drawing is missing: " + why_missing);
+        }
+      }};
   Document content{Paragraph{fmt::format("{} The subject violates this in {}. This witness comes from the family {}.",
                                          invariant.statement, violated_of_judged_cases(result.count(witness.invariant)),
                                          witness.family)},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
@@ -21,8 +22,8 @@
 #include <boost/process/environment.hpp>
 #include <boost/process/exe.hpp>
 #include <boost/process/extend.hpp>
-#include <boost/process/group.hpp>
 #include <boost/process/io.hpp>
+#include <boost/system/system_error.hpp>
 #include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -33,6 +34,7 @@
 #include <carom/collision/expects.hpp>
 #include <carom/subjects/protocol/child.hpp>
 #include <carom/subjects/protocol/mark.hpp>
+#include <carom/subjects/protocol/shortage.hpp>
 
 namespace carom::subjects::protocol {
 namespace {
@@ -43,14 +45,17 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds glance{50};
 
-/// Resets the child's signals to their defaults. On Linux, the child also ends if the thread that started it ends.
+/// Puts the child into a group of its own, and undoes what this process did to its signals. A signal that the parent of
+/// this process left ignored, as nohup does, stays ignored. On Linux, the child also ends if the thread that started it
+/// ends.
 struct AsProgramsExpect : process::extend::handler {
   template <class Executor>
   void on_exec_setup(Executor& /*unused*/) const {
+    setpgid(0, 0);
     sigset_t none;
     sigemptyset(&none);
     sigprocmask(SIG_SETMASK, &none, nullptr);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXFSZ}) {
+    for (const int signal : {SIGPIPE, SIGXFSZ}) {
       std::signal(signal, SIG_DFL);
     }
 #ifdef __linux__
@@ -88,31 +93,87 @@ std::string program_path(const std::string& name) {
   throw ChildError("'" + name + "' was not found on PATH; check the name, or give a path");
 }
 
-/// A write to a child that has ended must not end this process.
-void ignore_broken_pipes() {
-  struct sigaction current {};
-  sigaction(SIGPIPE, nullptr, &current);
-  if (current.sa_handler == SIG_DFL) {
-    std::signal(SIGPIPE, SIG_IGN);
+/// While an object lives, a write to a closed pipe on this thread fails, and sends no SIGPIPE. The host's own handling
+/// of the signal stays as it is.
+class NoSignalOfBrokenPipes {
+ public:
+  NoSignalOfBrokenPipes() {
+    sigemptyset(&pipe_);
+    sigaddset(&pipe_, SIGPIPE);
+    pthread_sigmask(SIG_BLOCK, &pipe_, &before_);
+    sigset_t pending;
+    sigpending(&pending);
+    was_pending_ = sigismember(&pending, SIGPIPE) == 1;
   }
-}
+  ~NoSignalOfBrokenPipes() {
+    const timespec at_once{};
+    if (!was_pending_) {
+      while (sigtimedwait(&pipe_, nullptr, &at_once) < 0 && errno == EINTR) {
+      }
+    }
+    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  }
+  NoSignalOfBrokenPipes(const NoSignalOfBrokenPipes&) = delete;
+  NoSignalOfBrokenPipes& operator=(const NoSignalOfBrokenPipes&) = delete;
 
-std::string end_of(int status) {
-  if (WIFSIGNALED(status)) {
-    const int signal = WTERMSIG(status);
-    return "was ended by signal " + std::to_string(signal) + " (" + strsignal(signal) + ")";
-  }
-  return "ended with status " + std::to_string(WEXITSTATUS(status));
-}
+ private:
+  sigset_t pipe_{};
+  sigset_t before_{};
+  bool was_pending_ = false;
+};
 
 }  // namespace
+
+/// A child process that this process has not waited for. While it is such a child, running or ended, the system gives
+/// its number to no other process and to no other group.
+class UnreapedChild {
+ public:
+  explicit UnreapedChild(pid_t process) : process_(process) {}
+  /// Kills the group that the child leads, and the child itself, which may have left the group. Then waits for it. If
+  /// somebody else has waited for the child, nothing is killed, because the number may be another process's.
+  ~UnreapedChild() {
+    siginfo_t ignored{};
+    if (waitid(P_PID, id(), &ignored, WEXITED | WNOHANG | WNOWAIT) != 0) {
+      return;
+    }
+    ::kill(-process_, SIGKILL);
+    ::kill(process_, SIGKILL);
+    while (waitid(P_PID, id(), &ignored, WEXITED) != 0 && errno == EINTR) {
+    }
+  }
+  UnreapedChild(const UnreapedChild&) = delete;
+  UnreapedChild& operator=(const UnreapedChild&) = delete;
+
+  [[nodiscard]] bool is_running() {
+    return end_.si_pid == 0 && waitid(P_PID, id(), &end_, WEXITED | WNOHANG | WNOWAIT) == 0 && end_.si_pid == 0;
+  }
+
+  /// Precondition: it does not run.
+  [[nodiscard]] bool has_succeeded() const { return end_.si_code == CLD_EXITED && end_.si_status == 0; }
+
+  /// The end of a sentence about its end. Precondition: it does not run.
+  [[nodiscard]] std::string how_it_ended() const {
+    if (end_.si_pid == 0) {
+      return "ended, and another part of this process took its status";
+    }
+    if (end_.si_code == CLD_EXITED) {
+      return "ended with status " + std::to_string(end_.si_status);
+    }
+    return "was ended by signal " + std::to_string(end_.si_status) + " (" + strsignal(end_.si_status) + ")";
+  }
+
+ private:
+  [[nodiscard]] id_t id() const { return static_cast<id_t>(process_); }
+
+  pid_t process_;
+  siginfo_t end_{};  // si_pid is 0 as long as no end is known
+};
 
 class ChildProcess::State {
  public:
   State(const std::vector<std::string>& words, const ChildLimits& limits, std::stop_token stop)
       : limits_(limits), stop_(std::move(stop)) {
     const std::lock_guard lock(start_mutex());
-    ignore_broken_pipes();
     for (std::optional<process::async_pipe>* pipe : {&input_, &output_, &errors_}) {
       pipe->emplace(context_);
       keep_to_this_process(**pipe);
@@ -121,21 +182,19 @@ class ChildProcess::State {
     const std::vector<std::string> arguments(words.begin() + 1, words.end());
     process::environment environment = boost::this_process::environment();
     environment.set(mark_of_children(), "1");  // operator[] of Boost 1.74 reads past the end of shorter entries
-    child_ = process::child(process::exe = program_path(words[0]), process::args = arguments, environment,
-                            process::std_in<*input_, process::std_out> * output_, process::std_err > *errors_, group_,
-                            AsProgramsExpect(), failure);
+    process::child started(process::exe = program_path(words[0]), process::args = arguments, environment,
+                           process::std_in<*input_, process::std_out> * output_, process::std_err > *errors_,
+                           AsProgramsExpect(), failure);
     if (failure) {
-      throw ChildError("'" + words[0] + "' cannot be run: " + failure.message() +
-                       "; check the path and its permissions");
+      throw ChildError("'" + words[0] + "' cannot be run: " + message_of(failure) +
+                       (shortage(failure).empty() ? "; check the path and its permissions" : ""));
     }
+    child_.emplace(started.id());
+    started.detach();
     read_errors();
   }
 
-  ~State() {
-    kill();
-    std::error_code ignored;
-    child_.wait(ignored);
-  }
+  ~State() = default;
 
   State(const State&) = delete;
   State& operator=(const State&) = delete;
@@ -177,11 +236,11 @@ class ChildProcess::State {
     if (!unread_.empty()) {
       throw ChildError("wrote more lines than there were requests: " + beginning(unread_));
     }
-    while (is_running()) {
+    while (child_->is_running()) {
       wait("did not end within ", " after the request to stop");
     }
-    if (child_.native_exit_code() != 0) {
-      throw ChildError(end_of(child_.native_exit_code()) + " after the request to stop");
+    if (!child_->has_succeeded()) {
+      throw ChildError(child_->how_it_ended() + " after the request to stop");
     }
   }
 
@@ -204,6 +263,7 @@ class ChildProcess::State {
   void write(const std::string& text) {
     text_ = text;
     is_writing_ = true;
+    const NoSignalOfBrokenPipes guard;
     asio::async_write(*input_, asio::buffer(text_), [this](const boost::system::error_code&, std::size_t) {
       // A failed write is no error, because a process that stops reading also stops replying.
       is_writing_ = false;
@@ -265,13 +325,12 @@ class ChildProcess::State {
     if (stop_.stop_requested()) {
       throw ChildError("was stopped by the user");
     }
-    context_.restart();
-    if (context_.poll_one() > 0) {
+    if (poll_one()) {
       return;
     }
     if (Clock::now() >= deadline_) {
-      if (!is_running()) {
-        throw ChildError(end_of(child_.native_exit_code()) + ", but another process keeps its output open");
+      if (!child_->is_running()) {
+        throw ChildError(child_->how_it_ended() + ", but another process keeps its output open");
       }
       const std::chrono::duration<double> seconds = limits_.timeout;
       std::string text = std::to_string(seconds.count());
@@ -282,33 +341,28 @@ class ChildProcess::State {
     run_one(glance);
   }
 
+  bool poll_one() {
+    const NoSignalOfBrokenPipes guard;
+    context_.restart();
+    return context_.poll_one() > 0;
+  }
+
   void run_one(Clock::duration at_most) {
     constexpr std::chrono::milliseconds moment{1};
+    const NoSignalOfBrokenPipes guard;
     context_.restart();
     if (context_.run_one_for(at_most) == 0 && context_.stopped()) {
       std::this_thread::sleep_for(std::min<Clock::duration>(at_most, moment));  // nothing is pending
     }
   }
 
-  bool is_running() {
-    std::error_code ignored;
-    return child_.running(ignored);
-  }
-
   std::string how_it_ended() {
     // The process may still be ending.
     const auto until = Clock::now() + std::min<Clock::duration>(limits_.timeout, std::chrono::seconds(1));
-    while (is_running() && Clock::now() < until) {
+    while (child_->is_running() && Clock::now() < until) {
       run_one(std::chrono::milliseconds(1));
     }
-    return is_running() ? std::string("closed its standard output") : end_of(child_.native_exit_code());
-  }
-
-  /// Kills the process group, and the child itself, which may have left the group.
-  void kill() {
-    std::error_code ignored;
-    group_.terminate(ignored);
-    child_.terminate(ignored);
+    return child_->is_running() ? std::string("closed its standard output") : child_->how_it_ended();
   }
 
   ChildLimits limits_;
@@ -317,8 +371,7 @@ class ChildProcess::State {
   std::optional<process::async_pipe> input_;
   std::optional<process::async_pipe> output_;
   std::optional<process::async_pipe> errors_;
-  process::group group_;
-  process::child child_;
+  std::optional<UnreapedChild> child_;
   Clock::time_point deadline_;
 
   std::string text_;
@@ -336,8 +389,19 @@ class ChildProcess::State {
   std::string kept_errors_;
 };
 
-ChildProcess::ChildProcess(const std::vector<std::string>& words, const ChildLimits& limits, std::stop_token stop)
-    : state_((CAROM_EXPECTS(!words.empty()), std::make_unique<State>(words, limits, std::move(stop)))) {}
+ChildProcess::ChildProcess(const std::vector<std::string>& words, const ChildLimits& limits, std::stop_token stop) {
+  CAROM_EXPECTS(!words.empty());
+  const auto fail = [&](const std::error_code& error) {
+    throw ChildError("'" + words[0] + "' cannot be run: " + message_of(error));
+  };
+  try {
+    state_ = std::make_unique<State>(words, limits, std::move(stop));
+  } catch (const std::system_error& error) {
+    fail(error.code());
+  } catch (const boost::system::system_error& error) {
+    fail({error.code().value(), std::generic_category()});
+  }
+}
 
 ChildProcess::~ChildProcess() = default;
 

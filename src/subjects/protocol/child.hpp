@@ -26,12 +26,12 @@ class ChildError : public std::runtime_error {
 };
 
 /// A program that reads and writes lines, started without a shell in its own process group. It inherits this process's
-/// environment and the mark of mark.hpp. Use the object only on the thread that made it. On Linux, the program always
-/// ends with this process.
+/// environment and the mark of mark.hpp. The destructor ends the program and its group. Nothing else in this process
+/// may wait for the program, and no handling of a signal changes. Use the object only on the thread that made it. On
+/// Linux, the program always ends with this process.
 class ChildProcess {
  public:
-  /// From the first construction on, this process ignores SIGPIPE, unless it handles SIGPIPE already. Precondition:
-  /// `words` is not empty. Throws ChildError if the program cannot be run.
+  /// Precondition: `words` is not empty. Throws ChildError if the program cannot be run.
   ChildProcess(const std::vector<std::string>& words, const ChildLimits& limits, std::stop_token stop);
 
   ~ChildProcess();

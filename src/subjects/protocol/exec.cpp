@@ -33,6 +33,9 @@ class Conversation {
 
   [[nodiscard]] std::vector<Answer> solve(std::span<const Collision> collisions) {
     std::vector<Answer> answers;
+    if (collisions.empty()) {
+      return answers;  // a failure names a collision
+    }
     answers.reserve(collisions.size());
     std::string requests;
     for (std::size_t i = 0; i < collisions.size(); ++i) {

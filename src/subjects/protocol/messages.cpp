@@ -100,28 +100,6 @@ std::string matrix_text(const std::optional<Matrix3<long double>>& matrix, Preci
   return fmt::format(",\"C\":[{},{},{}]", row(0), row(1), row(2));
 }
 
-/// "size=0.1:10,mass_ratio=:100" from {"size": [0.1, 10], "mass_ratio": [null, 100]}.
-std::string domain_from(const json& domain) {
-  if (!domain.is_object()) {
-    throw FormatError("/domain", "expected an object");
-  }
-  std::string text;
-  for (const auto& [name, range] : domain.items()) {
-    if (name.find_first_of("=,:") != std::string::npos) {
-      throw FormatError("/domain", "expected names of quantities, found " + printable_line(name, longest_name));
-    }
-    const auto is_end = [](const json& end) { return end.is_null() || end.is_number(); };
-    if (!range.is_array() || range.size() != 2 || !is_end(range[0]) || !is_end(range[1])) {
-      throw FormatError("/domain/" + printable_line(name, longest_name),
-                        "expected two numbers, the least and the greatest value; null for no limit");
-    }
-    const auto end = [](const json& number) { return number.is_null() ? "" : number.dump(); };
-    text += fmt::format("{}{}={}:{}", text.empty() ? "" : ",", printable_line(name, longest_name), end(range[0]),
-                        end(range[1]));
-  }
-  return text;
-}
-
 DeclaredEffects effects_from(const json& claims) {
   if (!claims.is_object()) {
     throw FormatError("/claims", "expected an object");
@@ -158,24 +136,6 @@ Numbers numbers_from(const json& form, Precision precision) {
     throw FormatError("/numbers", "hex has the bits of binary64, but the precision is extended; expected decimal");
   }
   return Numbers::hex;
-}
-
-/// The object that `domain_from` reads back.
-json domain_record(std::string_view text) {
-  json record = json::object();
-  while (!text.empty()) {
-    const std::string_view part = text.substr(0, text.find(','));
-    text.remove_prefix(std::min(part.size() + 1, text.size()));
-    const std::size_t sign = part.find('=');
-    const std::size_t colon = part.find(':');
-    if (sign == std::string_view::npos || colon == std::string_view::npos) {
-      continue;  // "everything"
-    }
-    const auto end = [](std::string_view number) { return number.empty() ? json() : json::parse(number); };
-    record[std::string(part.substr(0, sign))] = {end(part.substr(sign + 1, colon - sign - 1)),
-                                                 end(part.substr(colon + 1))};
-  }
-  return record;
 }
 
 }  // namespace
@@ -230,7 +190,7 @@ Introduction introduction_from(std::string_view line) {
     }
   }
   if (reply.contains("domain")) {
-    introduction.domain = domain_from(reply.at("domain"));
+    introduction.domain = domain_from_json(reply.at("domain"), "/domain");
   }
   if (reply.contains("claims")) {
     introduction.effects = effects_from(reply.at("claims"));
@@ -306,7 +266,7 @@ std::string introduction_reply(const Introduction& introduction) {
     reply["numbers"] = "hex";
   }
   if (!introduction.domain.empty()) {
-    reply["domain"] = domain_record(introduction.domain);
+    reply["domain"] = domain_to_json(introduction.domain);
   }
   for (const DeclaredEffect effect : all_declared_effects) {
     if (introduction.effects[effect] != 0) {

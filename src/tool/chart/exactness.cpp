@@ -35,10 +35,8 @@ std::vector<Collision> colliding(const Generate& generate, std::size_t count) {
 
 oracles::Yardstick yardstick_of(const Subject& subject, double limit_ulps) {
   oracles::Yardstick yardstick;
-  yardstick.unit_roundoff = unit_roundoff(subject.precision);
-  yardstick.least_size = least_size_known_to_a_roundoff(subject.precision);
   yardstick.limit_ulps = limit_ulps;
-  return yardstick;
+  return yardstick.in(subject.precision);
 }
 
 void add_result(report::ExactnessBuilder& builder, const oracles::ExactCase& posed, const Subject& subject,

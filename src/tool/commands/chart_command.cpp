@@ -229,7 +229,7 @@ int chart_subjects(const ChartArguments& arguments) {
   // If gnuplot fails, the numbers are still written.
   const std::exception_ptr undrawn = try_to_draw(pictures_of(measurements), stage);
   staged.put_in_place("chart.json");
-  remove_abandoned_stages(arguments.out);
+  staged.remove_abandoned_stages();
   fmt::print("{}", tables);
   if (undrawn) {
     std::fflush(stdout);

@@ -6,6 +6,7 @@
 #include <new>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -13,12 +14,15 @@
 #include <fmt/format.h>
 
 #include <carom/collision/json/text.hpp>
+#include <carom/properties/trial/in_words.hpp>
 #include <carom/properties/trial/nearest_name.hpp>
 #include <carom/report/model/version.hpp>
+#include <carom/subjects/protocol/shortage.hpp>
 
 #include "commands/commands.hpp"
 #include "io/memory_reserve.hpp"
 #include "io/standard_output.hpp"
+#include "io/usage_error.hpp"
 
 namespace carom::tool {
 namespace {
@@ -49,6 +53,28 @@ std::string meant_words(const CLI::App& app) {
   return lines;
 }
 
+constexpr const char* no_value = "expected a value, found an empty text; is a variable not set?";
+
+/// Lets every option and every other word of the command refuse an empty text, such as the value of an unset variable.
+void refuse_empty_texts(CLI::App& command) {
+  for (CLI::Option* option : command.get_options()) {
+    if (option->get_type_size() != 0) {
+      option->check([](const std::string& text) { return text.empty() ? std::string(no_value) : std::string(); });
+    }
+  }
+}
+
+/// The option in the first word "--option="; empty if there is none. CLI11 would take the next word as its value.
+std::string option_without_value(int argc, char** argv) {
+  for (int i = 1; i < argc && std::string_view(argv[i]) != "--"; ++i) {
+    const std::string word = argv[i];
+    if (word.starts_with("--") && word.find('=') == word.size() - 1) {
+      return word.substr(0, word.size() - 1);
+    }
+  }
+  return "";
+}
+
 int run_command(int argc, char** argv, const std::vector<void (*)(CLI::App&, Chosen&)>& commands) {
   CLI::App app("Carom checks rigid-body collision impulses against exact arithmetic.", "carom");
   app.set_version_flag("--version", report::version);
@@ -56,6 +82,12 @@ int run_command(int argc, char** argv, const std::vector<void (*)(CLI::App&, Cho
   Chosen chosen;
   for (const auto add : commands) {
     add(app, chosen);
+  }
+  for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    refuse_empty_texts(*command);
+  }
+  if (const std::string option = option_without_value(argc, argv); !option.empty()) {
+    throw UsageError(fmt::format("{}: {}", option, no_value));
   }
   try {
     app.parse(argc, argv);
@@ -77,7 +109,7 @@ int run_command(int argc, char** argv, const std::vector<void (*)(CLI::App&, Cho
   }
   const int status = chosen();
   if (has_run_out_of_memory()) {
-    std::fputs(out_of_memory, stderr);
+    print_out_of_memory();
     return exit_usage;
   }
   flush_output();
@@ -88,7 +120,7 @@ int run_command(int argc, char** argv, const std::vector<void (*)(CLI::App&, Cho
 /// exit status still reports the error.
 void complain(const std::string& what) {
   if (has_run_out_of_memory()) {
-    std::fputs(out_of_memory, stderr);  // the cause of any error that followed
+    print_out_of_memory();  // the cause of any error that followed
     return;
   }
   constexpr std::size_t longest = 20'000;
@@ -102,14 +134,19 @@ int run_program(int argc, char** argv, const std::vector<void (*)(CLI::App&, Cho
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   try {
+    require_stack();
     return run_command(argc, argv, commands);
   } catch (const std::bad_alloc&) {
-    std::fputs(out_of_memory, stderr);
+    print_out_of_memory();
   } catch (const std::system_error& error) {
     if (std::ferror(stdout) != 0 && error.code() == std::errc::broken_pipe) {
       end_by_closed_pipe();
     }
-    complain((std::ferror(stdout) != 0 ? "standard output: " : "") + std::string(error.what()));
+    const std::string short_resource = subjects::protocol::shortage(error.code());
+    complain((std::ferror(stdout) != 0 ? "standard output: " : "") + std::string(error.what()) +
+             (short_resource.empty() ? "" : "; " + short_resource));
+  } catch (const oracles::JudgeError& error) {
+    complain(properties::in_words(error));
   } catch (const std::exception& error) {
     complain(error.what());
   } catch (...) {

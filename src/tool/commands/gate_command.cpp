@@ -45,7 +45,7 @@ struct GateArguments {
   std::vector<std::string> families;
   std::optional<properties::Domain> within = {};  // none: the domain that the subjects declare
   std::uint64_t seed = 1;
-  std::uint64_t cases = 1000;
+  std::uint64_t cases = properties::default_cases;
   std::optional<std::chrono::nanoseconds> budget;  // in place of `cases`
   bool fail_fast = false;
   YardstickArguments judged;
@@ -216,7 +216,7 @@ int gate(const GateArguments& arguments) {
   }
   report::Run run = as_run(journal ? journaled_gate(selection.subjects, options, *journal, as_run)
                                    : properties::run_gate(selection.subjects, options));
-  const bool is_finished = !run.interrupted;
+  const bool is_finished = !run.interrupted && !run.judge_error;
   const int status = present_run(
       std::move(run), baseline,
       {out, arguments.format, !arguments.annotations.empty(), arguments.summary, [&] { commands_stopped.reset(); }},

@@ -51,7 +51,8 @@ GateReport journaled_gate(const std::vector<Subject>& subjects, const GateOption
   std::optional<GateReport> sum;
   std::uint64_t already_finished = 0;
   std::uint64_t before = 0;
-  for (std::uint64_t i = 1; i <= parts && !(sum && options.stop.stop_requested()); ++i) {
+  const auto is_over = [&] { return sum && (options.stop.stop_requested() || sum->judge_error); };
+  for (std::uint64_t i = 1; i <= parts && !is_over(); ++i) {
     GateOptions of_part = options;
     of_part.shard = options.shard.part(i, parts);
     of_part.shrinks = false;
@@ -61,7 +62,7 @@ GateReport journaled_gate(const std::vector<Subject>& subjects, const GateOption
       ++already_finished;
     } else {
       part = run_gate(subjects, of_part);
-      if (!part->interrupted) {
+      if (!part->interrupted && !part->judge_error) {
         for (properties::SubjectResult& result : part->results) {
           result.witnesses.clear();  // the worst violations suffice to find them again
         }

@@ -211,7 +211,7 @@ void run_all(std::vector<std::unique_ptr<LawRun>>& runs, const SceneArguments& a
 }
 
 /// Draws the pictures that compare the laws, and puts the files of all laws in place.
-void put_in_place(StagedOutput& staged, const SceneArguments& arguments, std::vector<Written>& all) {
+void put_in_place(StagedOutput& staged, std::vector<Written>& all) {
   if (all.size() > 1) {
     std::vector<SampledLaw> sampled;
     for (const Written& written : all) {
@@ -222,7 +222,7 @@ void put_in_place(StagedOutput& staged, const SceneArguments& arguments, std::ve
     all.front().undrawn = all.front().undrawn ? all.front().undrawn : undrawn;
   }
   staged.put_in_place("scene.json");
-  remove_abandoned_stages(arguments.out);
+  staged.remove_abandoned_stages();
 }
 
 void print_laws(const SceneArguments& arguments, const std::vector<Written>& all) {
@@ -270,7 +270,7 @@ int run_scene_file(const SceneArguments& arguments) {
     run.reset();
   }
   if (staged) {
-    put_in_place(*staged, arguments, all);
+    put_in_place(*staged, all);
   }
   print_laws(arguments, all);
   for (const Written& written : all) {

@@ -12,6 +12,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <carom/subjects/protocol/shortage.hpp>
+
 #include "io/usage_error.hpp"
 
 namespace carom::tool {
@@ -21,7 +23,8 @@ constexpr std::size_t buffer_size = std::size_t{1} << 16;
 constexpr int glance = 50;  // interval between checks for a request to stop [ms]
 
 [[noreturn]] void fail_to_read(const std::string& file, int error) {
-  throw UsageError(fmt::format("{}: the file cannot be read: {}", file, std::generic_category().message(error)));
+  throw UsageError(fmt::format("{}: the file cannot be read: {}", file,
+                               subjects::protocol::message_of({error, std::generic_category()})));
 }
 
 }  // namespace

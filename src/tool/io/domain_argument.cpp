@@ -29,10 +29,7 @@ properties::Domain domain_from_file(const std::string& option, const std::string
 }  // namespace
 
 properties::Domain domain_from_argument(const std::string& option, const std::string& text) {
-  if (const std::optional<properties::Domain> named = properties::domain_named(text)) {
-    return *named;
-  }
-  if (text.find('=') == std::string::npos) {
+  if (!properties::domain_named(text) && text.find('=') == std::string::npos && !text.starts_with('{')) {
     return domain_from_file(option, text);
   }
   try {

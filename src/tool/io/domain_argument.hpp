@@ -9,8 +9,8 @@
 
 namespace carom::tool {
 
-/// The domain that the command line's `option` names: a domain that ships with Carom, ranges such as
-/// "size=0.1:10,mass_ratio=:100", or a JSON file of ranges. Throws UsageError.
+/// The domain that the command line's `option` names: a text of `properties::domain_from`, or a JSON file of ranges.
+/// Throws UsageError.
 [[nodiscard]] properties::Domain domain_from_argument(const std::string& option, const std::string& text);
 
 /// The domain that the subjects declare. A subject that declares none is meant for everything. Throws UsageError if two

@@ -27,6 +27,19 @@ void drop_repeats(const sigset_t& signals) {
   }
 }
 
+/// The signals that ask for a stop. A signal that the parent left ignored, as nohup leaves SIGHUP, is none of them.
+sigset_t awaited_signals() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXCPU}) {
+    struct sigaction inherited {};
+    if (sigaction(signal, nullptr, &inherited) == 0 && inherited.sa_handler != SIG_IGN) {
+      sigaddset(&signals, signal);
+    }
+  }
+  return signals;
+}
+
 }  // namespace
 
 std::stop_token stop_on_interrupt() {
@@ -37,11 +50,7 @@ std::stop_token stop_on_interrupt() {
   }
   is_waiting = true;
   keep_memory_for_the_report(source);
-  sigset_t signals;
-  sigemptyset(&signals);
-  sigaddset(&signals, SIGINT);
-  sigaddset(&signals, SIGTERM);
-  sigaddset(&signals, SIGHUP);
+  const sigset_t signals = awaited_signals();
   // All later threads block the signals. One thread waits for the signals, so no code runs in a handler.
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   std::thread([signals] {
@@ -50,8 +59,11 @@ std::stop_token stop_on_interrupt() {
       source.request_stop();
     }
     drop_repeats(signals);
-    // This thread receives the next signal, whose default action ends the program.
-    pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
+    // This thread receives the next signal, whose default action ends the program. SIGXCPU stays blocked, because the
+    // system repeats it each second until the hard limit ends the program.
+    sigset_t ending = signals;
+    sigdelset(&ending, SIGXCPU);
+    pthread_sigmask(SIG_UNBLOCK, &ending, nullptr);
     for (;;) {
       pause();
     }

@@ -44,8 +44,7 @@ std::vector<fs::path> parts_in(const fs::path& folder) {
 
 Journal::Journal(fs::path folder, report::RunFacts facts, std::uint64_t shards)
     : folder_(std::move(folder)), facts_(std::move(facts)) {
-  make_directories(folder_);
-  remove_abandoned_stages(folder_);
+  StagedOutput(folder_).remove_abandoned_stages();
   for (const fs::path& file : parts_in(folder_)) {
     if (!file.string().ends_with(fmt::format("-of-{}.json", shards))) {
       throw UsageError(fmt::format("--journal: {} belongs to another run: it is not one of {} parts; {}",

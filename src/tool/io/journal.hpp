@@ -22,8 +22,8 @@ class Journal {
   /// names the file and the place if the file is no such report, or belongs to another run.
   [[nodiscard]] std::optional<properties::GateReport> finished(const properties::Shard& part) const;
 
-  /// Keeps the part that `run` is. Precondition: the run is a shard, and was not interrupted. Throws UsageError if the
-  /// file cannot be written.
+  /// Keeps the part that `run` is. Precondition: the run is a shard, and was judged to its end. Throws UsageError if
+  /// the file cannot be written.
   void keep(const report::Run& run) const;
 
   /// Removes the parts, and the folder if nothing else is in it.

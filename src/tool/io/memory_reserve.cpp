@@ -9,6 +9,7 @@
 #include <exception>
 #include <mutex>
 #include <new>
+#include <string>
 
 #include <gmp.h>
 #include <sys/mman.h>
@@ -17,11 +18,15 @@
 
 #include <carom/report/model/exit_status.hpp>
 
+#include "io/usage_error.hpp"
+
 namespace carom::tool {
 namespace {
 
 /// The largest reserve [bytes]. The reports of a gate over all families and subjects need a third of it.
 constexpr std::size_t most_reserved = std::size_t{64} << 20U;
+
+constexpr rlim_t kibibyte = 1024;
 
 struct Reserve {
   std::mutex mutex;
@@ -61,8 +66,13 @@ void when_new_fails() {
   }
 }
 
+rlim_t limit_of(__rlimit_resource_t resource) {
+  rlimit limit{};
+  return getrlimit(resource, &limit) == 0 ? limit.rlim_cur : RLIM_INFINITY;
+}
+
 [[noreturn]] void end_without_memory() {
-  std::fputs(out_of_memory, stderr);
+  print_out_of_memory();
   _exit(report::exit_usage);
 }
 
@@ -89,26 +99,32 @@ void* allocated_for_gmp(const Allocate& allocate) {
 
 /// The size of the reserve [bytes]. It is at most a quarter of the limit on memory, so that the program can start.
 std::size_t reserved_size() {
-  rlimit limit{};
   constexpr rlim_t part = 4;
-  if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) {
-    return std::min<std::size_t>(most_reserved, limit.rlim_cur / part);
-  }
-  return most_reserved;
+  const rlim_t limit = limit_of(RLIMIT_AS);
+  return limit == RLIM_INFINITY ? most_reserved : std::min<std::size_t>(most_reserved, limit / part);
 }
 
-/// Grows the stack of this thread to 1 MiB, several times its need. A stack that cannot grow later crashes the program.
+constexpr std::size_t page = 4096;
+constexpr std::size_t grown_pages = 128;  // several times the need of the main thread
+
+/// Grows the stack of this thread. A stack that cannot grow later crashes the program.
 void grow_stack() {
-  constexpr std::size_t page = 4096;
-  constexpr std::size_t pages = 256;
-  volatile char touched[page * pages];
-  for (std::size_t i = 0; i < pages; ++i) {
+  volatile char touched[page * grown_pages];
+  for (std::size_t i = 0; i < grown_pages; ++i) {
     touched[i * page] = 0;
     static_cast<void>(touched[i * page]);
   }
 }
 
 }  // namespace
+
+void require_stack() {
+  constexpr rlim_t least = 2 * page * grown_pages;  // with the environment, and with what is on the stack already
+  if (const rlim_t limit = limit_of(RLIMIT_STACK); limit < least) {
+    throw UsageError("the stack is short: at most " + std::to_string(limit / kibibyte) +
+                     " KiB may be used (ulimit -s), expected at least " + std::to_string(least / kibibyte) + " KiB");
+  }
+}
 
 void keep_memory_for_the_report(const std::stop_source& stop) {
   grow_stack();
@@ -127,6 +143,18 @@ void keep_memory_for_the_report(const std::stop_source& stop) {
                             return allocated_for_gmp([=] { return std::realloc(old, size); });
                           },
                           [](void* memory_of_gmp, std::size_t) { std::free(memory_of_gmp); });
+}
+
+void print_out_of_memory() {
+  std::fputs("carom: there is not enough memory", stderr);
+  if (const rlim_t limit = limit_of(RLIMIT_AS); limit != RLIM_INFINITY) {
+    constexpr std::size_t size = 100;
+    char text[size];
+    std::snprintf(text, size, ": at most %llu KiB may be used (ulimit -v)",
+                  static_cast<unsigned long long>(limit / kibibyte));
+    std::fputs(text, stderr);
+  }
+  std::fputs("\n", stderr);
 }
 
 bool has_run_out_of_memory() { return has_run_out; }

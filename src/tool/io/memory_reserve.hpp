@@ -11,8 +11,11 @@ namespace carom::tool {
 /// thread is started.
 void keep_memory_for_the_report(const std::stop_source& stop);
 
-/// The message for exhausted memory. Printing it allocates no memory.
-inline constexpr const char* out_of_memory = "carom: there is not enough memory\n";
+/// Throws UsageError if the limit on the stack is too low for this program and its threads.
+void require_stack();
+
+/// Prints on standard error that memory is exhausted, and its limit. This allocates no memory.
+void print_out_of_memory();
 
 /// Whether an allocation failed, so that a stop was requested.
 [[nodiscard]] bool has_run_out_of_memory();

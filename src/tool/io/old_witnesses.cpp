@@ -12,7 +12,6 @@
 #include <carom/properties/invariants/invariant.hpp>
 
 #include "io/json_file.hpp"
-#include "io/staged_output.hpp"
 #include "io/usage_error.hpp"
 
 namespace carom::tool {
@@ -61,9 +60,9 @@ bool is_witness_path(const fs::path& path) {
 
 }  // namespace
 
-std::vector<fs::path> old_witnesses(const fs::path& directory) {
+std::vector<fs::path> old_witnesses(const fs::path& directory, const StagedOutput& staged) {
   std::vector<fs::path> old = listed_witnesses(directory / report_name);
-  for (const fs::path& stage : abandoned_stages(directory)) {
+  for (const fs::path& stage : staged.abandoned_stages()) {
     const std::vector<fs::path> listed = listed_witnesses(stage / report_name);
     old.insert(old.end(), listed.begin(), listed.end());
   }

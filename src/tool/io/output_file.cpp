@@ -7,13 +7,15 @@
 
 #include <fmt/format.h>
 
+#include <carom/subjects/protocol/shortage.hpp>
+
 #include "io/usage_error.hpp"
 
 namespace carom::tool {
 
 void fail_to_write(const std::filesystem::path& path, int error) {
-  throw UsageError(
-      fmt::format("--out: {} cannot be written: {}", path.string(), std::generic_category().message(error)));
+  throw UsageError(fmt::format("--out: {} cannot be written: {}", path.string(),
+                               subjects::protocol::message_of({error, std::generic_category()})));
 }
 
 void write_file(const std::filesystem::path& path, const std::string& text) {
@@ -56,7 +58,7 @@ void make_directories(const std::filesystem::path& directory) {
                       directory.string()));
     }
     throw UsageError(fmt::format("--out: the directory {} cannot be created: {}; choose another directory",
-                                 directory.string(), error.message()));
+                                 directory.string(), subjects::protocol::message_of(error)));
   }
 }
 

@@ -37,10 +37,10 @@ void write_reports(const report::Run& run, const std::string& out, StagedOutput&
   write_file(stage / "junit.xml", report::junit_xml(run));
   write_file(stage / "report.html", report::run_html(run, out));
   write_file(stage / "report.json", in_json(report::report_record(run), 2));
-  const std::vector<fs::path> old = old_witnesses(out);
+  const std::vector<fs::path> old = old_witnesses(out, staged);
   staged.put_in_place("report.json");
   remove_old_witnesses(out, old);
-  remove_abandoned_stages(out);
+  staged.remove_abandoned_stages();
 }
 
 void print_run(const report::Run& run, const Presentation& presentation) {

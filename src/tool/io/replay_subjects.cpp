@@ -17,11 +17,13 @@ namespace {
 
 using subjects::protocol::spelling_count;
 
-/// Runs the task. An exception becomes a UsageError that names the subject.
+/// Runs the task. An exception becomes a UsageError that names the subject, unless it is a fault of the judge.
 template <class Task>
 auto in_its_name(const Subject& subject, const Task& task) {
   try {
     return task();
+  } catch (const oracles::JudgeError&) {
+    throw;
   } catch (const std::exception& error) {
     throw UsageError(fmt::format("{}: {}", subject.name, error.what()));
   }

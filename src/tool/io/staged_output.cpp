@@ -14,6 +14,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <carom/subjects/protocol/shortage.hpp>
+
 #include "io/output_file.hpp"
 #include "io/usage_error.hpp"
 
@@ -24,6 +26,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view stage_prefix = ".carom-stage-";
 constexpr std::size_t stage_digits = 16;
+constexpr const char* lock_name = ".carom-lock";
 
 std::string new_stage_name() {
   std::random_device random;
@@ -35,17 +38,51 @@ bool is_stage_name(const std::string& name) {
          name.find_first_not_of("0123456789abcdef", stage_prefix.size()) == std::string::npos;
 }
 
-/// Opens the directory, but no symbolic link; -1 if it cannot be opened.
-int opened_directory(const fs::path& path) {
-  return open(path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
-}
-
-/// Whether the path still names the open directory.
+/// Whether the path still names the open file.
 bool stands_at(int descriptor, const fs::path& path) {
   struct stat opened {};
   struct stat named {};
   return fstat(descriptor, &opened) == 0 && lstat(path.c_str(), &named) == 0 && opened.st_dev == named.st_dev &&
          opened.st_ino == named.st_ino;
+}
+
+/// Whether the open file may be a lock: no other file is empty, and is removed after the run.
+bool is_empty_file(int descriptor) {
+  struct stat facts {};
+  return fstat(descriptor, &facts) == 0 && S_ISREG(facts.st_mode) && facts.st_size == 0;
+}
+
+/// The lock file of the directory, open and locked; -1 if the file system has no locks. Throws UsageError if another
+/// run holds the lock.
+int locked_file(const fs::path& directory) {
+  const fs::path path = directory / lock_name;
+  constexpr mode_t as_umask_permits = 0666;
+  for (;;) {
+    const int file = open(path.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, as_umask_permits);
+    if (file < 0) {
+      fail_to_write(path, errno);
+    }
+    if (!is_empty_file(file)) {
+      close(file);
+      throw UsageError(
+          fmt::format("--out: {} is not Carom's; move it away, or choose another directory", path.string()));
+    }
+    if (flock(file, LOCK_EX | LOCK_NB) != 0) {
+      const int error = errno;
+      close(file);
+      if (error == EWOULDBLOCK) {
+        throw UsageError(fmt::format(
+            "--out: another run writes to the directory {}; wait until it ends, or choose another directory",
+            directory.string()));
+      }
+      unlink(path.c_str());
+      return -1;
+    }
+    if (stands_at(file, path)) {
+      return file;
+    }
+    close(file);  // the run that ended removed the file before it was locked here
+  }
 }
 
 void bring_to_disk(const fs::path& path) {
@@ -65,10 +102,14 @@ void bring_to_disk(const fs::path& path) {
 /// The files of the stage, as paths relative to the stage.
 std::vector<fs::path> files_below(const fs::path& stage) {
   std::vector<fs::path> files;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(stage)) {
-    if (!entry.is_directory()) {
-      files.push_back(entry.path().lexically_relative(stage));
+  std::error_code error;
+  for (fs::recursive_directory_iterator entry(stage, error), end; !error && entry != end; entry.increment(error)) {
+    if (!entry->is_directory()) {
+      files.push_back(entry->path().lexically_relative(stage));
     }
+  }
+  if (error) {
+    fail_to_write(stage, error.value());
   }
   std::sort(files.begin(), files.end());
   return files;
@@ -96,58 +137,36 @@ void move_file(const fs::path& from, const fs::path& to, const fs::path& stage_n
   }
 }
 
-/// An abandoned stage. The lock keeps other processes from treating it as abandoned.
-class LockedStage {
- public:
-  explicit LockedStage(const fs::path& path) : descriptor_(opened_directory(path)) {
-    struct stat facts {};
-    is_abandoned_ = descriptor_ >= 0 && fstat(descriptor_, &facts) == 0 && facts.st_uid == geteuid() &&
-                    flock(descriptor_, LOCK_EX | LOCK_NB) == 0;
-  }
-  ~LockedStage() {
-    if (descriptor_ >= 0) {
-      close(descriptor_);
-    }
-  }
-  LockedStage(const LockedStage&) = delete;
-  LockedStage& operator=(const LockedStage&) = delete;
-
-  [[nodiscard]] bool is_abandoned() const { return is_abandoned_; }
-
- private:
-  int descriptor_;
-  bool is_abandoned_ = false;
-};
+bool is_own_directory(const fs::path& path) {
+  struct stat facts {};
+  return lstat(path.c_str(), &facts) == 0 && S_ISDIR(facts.st_mode) && facts.st_uid == geteuid();
+}
 
 }  // namespace
 
 StagedOutput::StagedOutput(fs::path directory) : directory_(std::move(directory)) {
   make_directories(directory_);
-  // Until the stage is locked, another process may remove it as abandoned.
-  constexpr int most_tries = 100;
-  for (int tries = 0; tries < most_tries; ++tries) {
-    stage_ = directory_ / new_stage_name();
-    if (mkdir(stage_.c_str(), S_IRWXU) != 0) {
-      throw UsageError(fmt::format("--out: the directory {} cannot be created: {}; choose another directory",
-                                   stage_.string(), std::generic_category().message(errno)));
-    }
-    lock_ = opened_directory(stage_);
-    if (lock_ < 0) {
-      continue;
-    }
-    // If the file system has no locks, no process treats a stage as abandoned.
-    if ((flock(lock_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) && stands_at(lock_, stage_)) {
-      return;
-    }
-    close(lock_);
+  lock_ = locked_file(directory_);
+  stage_ = directory_ / new_stage_name();
+  if (mkdir(stage_.c_str(), S_IRWXU) != 0) {
+    const int error = errno;
+    release_lock();
+    throw UsageError(fmt::format("--out: the directory {} cannot be created: {}; choose another directory",
+                                 stage_.string(), subjects::protocol::message_of({error, std::generic_category()})));
   }
-  throw UsageError(fmt::format("--out: the directory {} cannot be created; choose another directory", stage_.string()));
 }
 
 StagedOutput::~StagedOutput() {
   std::error_code ignored;
   fs::remove_all(stage_, ignored);
-  close(lock_);
+  release_lock();
+}
+
+void StagedOutput::release_lock() const {
+  if (lock_ >= 0) {
+    unlink((directory_ / lock_name).c_str());  // before the lock ends, so that the file is nobody else's lock
+    close(lock_);
+  }
 }
 
 void StagedOutput::put_in_place(const std::string& last) {
@@ -174,23 +193,25 @@ void StagedOutput::put_in_place(const std::string& last) {
   bring_to_disk(directory_);
 }
 
-std::vector<fs::path> abandoned_stages(const fs::path& directory) {
+std::vector<fs::path> StagedOutput::abandoned_stages() const {
   std::vector<fs::path> stages;
+  if (lock_ < 0) {
+    return stages;  // other runs may be alive
+  }
   std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::directory_iterator(directory, ignored)) {
-    if (is_stage_name(entry.path().filename().string()) && LockedStage(entry.path()).is_abandoned()) {
-      stages.push_back(entry.path());
+  for (const fs::directory_entry& entry : fs::directory_iterator(directory_, ignored)) {
+    const fs::path& path = entry.path();
+    if (is_stage_name(path.filename().string()) && path.filename() != stage_.filename() && is_own_directory(path)) {
+      stages.push_back(path);
     }
   }
   return stages;
 }
 
-void remove_abandoned_stages(const fs::path& directory) {
-  for (const fs::path& stage : abandoned_stages(directory)) {
-    if (const LockedStage locked(stage); locked.is_abandoned()) {
-      std::error_code ignored;
-      fs::remove_all(stage, ignored);
-    }
+void StagedOutput::remove_abandoned_stages() const {
+  for (const fs::path& stage : abandoned_stages()) {
+    std::error_code ignored;
+    fs::remove_all(stage, ignored);
   }
 }
 

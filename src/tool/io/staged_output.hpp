@@ -8,12 +8,15 @@
 namespace carom::tool {
 
 /// The files of a run, which appear in the directory of --out together or not at all. They are written into a stage, a
-/// temporary directory inside that directory. When all files are complete, they replace the previous files.
+/// temporary directory inside that directory. When all files are complete, they replace the previous files. One run at
+/// a time writes to a directory: the object holds a lock on it, which the kernel releases if the process is killed. On
+/// a file system without locks, runs are not kept apart.
 class StagedOutput {
  public:
-  /// Makes the directory, with its parents, and the stage. Throws UsageError if one of them cannot be made.
+  /// Makes the directory, with its parents, and the stage. Throws UsageError if one of them cannot be made, or if
+  /// another run holds the lock.
   explicit StagedOutput(std::filesystem::path directory);
-  /// Removes the files that were not put in place.
+  /// Removes the files that were not put in place, and releases the lock.
   ~StagedOutput();
   StagedOutput(const StagedOutput&) = delete;
   StagedOutput& operator=(const StagedOutput&) = delete;
@@ -25,16 +28,18 @@ class StagedOutput {
   /// Throws UsageError if a file cannot be renamed. If possible, it throws before the first rename.
   void put_in_place(const std::string& last);
 
+  /// The stages that killed runs left behind in the directory.
+  [[nodiscard]] std::vector<std::filesystem::path> abandoned_stages() const;
+
+  /// Removes the abandoned stages. A stage that cannot be removed stays.
+  void remove_abandoned_stages() const;
+
  private:
+  void release_lock() const;
+
   std::filesystem::path directory_;
   std::filesystem::path stage_;
-  int lock_ = -1;  // the stage, open and locked for as long as its writer lives
+  int lock_ = -1;  // the open file that is locked; -1 if the file system has no locks
 };
-
-/// The stages in the directory that ended runs left behind. No process holds a lock on them.
-[[nodiscard]] std::vector<std::filesystem::path> abandoned_stages(const std::filesystem::path& directory);
-
-/// Removes the abandoned stages. A stage that cannot be removed stays.
-void remove_abandoned_stages(const std::filesystem::path& directory);
 
 }  // namespace carom::tool

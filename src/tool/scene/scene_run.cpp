@@ -17,14 +17,6 @@ constexpr double rounding_limit_in_double = 1e-12;
 /// The states are stored in binary64, so an impulse of a higher precision is judged as binary64.
 Precision judged_precision(const scene::Scene& scene) { return std::min(scene.precision, Precision::binary64); }
 
-oracles::Yardstick yardstick_of(Precision precision) {
-  oracles::Yardstick yardstick;
-  yardstick.unit_roundoff = unit_roundoff(precision);
-  yardstick.least_size = least_size_known_to_a_roundoff(precision);
-  yardstick.limit_ulps = oracles::default_limit_ulps;
-  return yardstick;
-}
-
 bool turns(const scene::Change& change, bool is_polyhedron) {
   const Vector3<double>& before =
       is_polyhedron ? change.angular_velocity_before : change.before.turning.angular_velocity;
@@ -38,7 +30,7 @@ SceneRun::SceneRun(const scene::Scene& scene, const SceneOptions& options)
       simulation_(scene),
       first_(simulation_.state()),
       ledger_(first_),
-      judge_(scene.law, judged_precision(scene), options.judge_every, yardstick_of(judged_precision(scene))),
+      judge_(scene.law, judged_precision(scene), options.judge_every, oracles::Yardstick().in(judged_precision(scene))),
       samples_(first_, sample_count),
       has_turned_(simulation_.size(), false) {
   simulation_.stop_on(options.stop);

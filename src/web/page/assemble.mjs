@@ -67,13 +67,15 @@ const closed = "default-src 'none'; base-uri 'none'; form-action 'none'; require
   + 'trusted-types carom';
 const frame = '<!DOCTYPE html><meta charset="utf-8">'
   + `<meta http-equiv="Content-Security-Policy" content="${closed}; ${within}"><script>${framed}</script>`;
+// The worker's code is strict, so a function of the solver cannot ask for its caller.
+const worker = `'use strict';\n${readFileSync(judge, 'utf8')}\n${bundled('worker.mjs')}`;
 const contents = {
   policy: `${closed}; ${within.replace('script-src', `script-src ${digest(script)}`)}; style-src ${digest(css)}`,
   style: css,
   docs: escaped(docs),
   frame: escaped(frame),
   examples: JSON.stringify(examples.map(example)).replaceAll('<', '\\u003c'),
-  worker: packed(Buffer.concat([readFileSync(judge), Buffer.from(`\n${bundled('worker.mjs')}`)])),
+  worker: packed(worker),
   wasm: packed(readFileSync(wasm)),
   script,
 };

@@ -11,13 +11,18 @@ const period = 100;  // milliseconds between two looks at the clock
 let port;
 let compiled;  // the judge, as a promise
 let worker;
+let channel;  // the frame's end of the channel to the worker
 let batch;  // the collisions that the judge asks about
 let index;  // of the collision that the solver works on, or null
 let since;
 
 function end() {
   worker?.terminate();
-  worker = undefined;
+  if (channel) {
+    channel.onmessage = null;  // what the ended worker told may still arrive
+    channel.close();
+  }
+  worker = channel = undefined;
   batch = undefined;
   index = null;
 }
@@ -37,20 +42,23 @@ function address_of(code) {
   return trusted.createScriptURL(URL.createObjectURL(new Blob([code], { type: 'text/javascript' })));
 }
 
+/** Starts a worker. Returns the worker and its end of the channel. */
 function start(code) {
   end();
   worker = new Worker(address_of(code));
-  worker.onmessage = heard;
   worker.onerror = (event) => event.preventDefault();  // a solver's timers may throw
+  const { port1, port2 } = new MessageChannel();
+  channel = port1;
+  channel.onmessage = heard;
+  return { started: worker, its_end: port2 };
 }
 
 /** Starts a worker with the judge. The frame keeps the compiled judge, so that the next worker starts faster. */
 async function open({ id, code, wasm }) {
-  start(code);
-  const started = worker;
+  const { started, its_end } = start(code);
   try {
     compiled ??= unpacked(wasm).then((bytes) => WebAssembly.compile(bytes));
-    started.postMessage({ id, action: 'open', module: await compiled });
+    started.postMessage({ id, module: await compiled }, [its_end]);
   } catch (error) {
     port.postMessage({ id, action: 'open', error: error.message });
   }
@@ -92,7 +100,7 @@ function asked({ data: { action, ...message } }) {
   } else if (action === 'locate') {
     locate(message);
   } else {
-    worker?.postMessage({ action, ...message });
+    channel?.postMessage({ action, ...message });
   }
 }
 

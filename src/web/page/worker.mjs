@@ -3,21 +3,28 @@
 import { introduce } from '../npm/solver/introduction.mjs';
 import { make_judge } from '../npm/solver/judge.mjs';
 import { local_session } from '../npm/solver/local_session.mjs';
+import { lock_down } from './lock_down.mjs';
 
-const post = self.postMessage.bind(self);
-// A solver cannot speak for the judge, or end the worker.
-for (const name of ['postMessage', 'close']) {
-  Object.defineProperty(self, name, { value: undefined });
-}
-
+let port;  // to the frame, and the only way to it: nothing that the solver can reach holds it
 let judge;
 let address; // of the solver's text
 let told = 0; // when progress was last told, in milliseconds
 let thrown;  // the first defect of the solver's code that it threw
 
+const post = (message) => port.postMessage(message);
+
 function line_of(error) {
   const [, line] = String(error?.stack).split(address)[1]?.match(/^:(\d+)/) ?? [];
   return line && Number(line);
+}
+
+/** What an error tells. It may be any value of the solver, with getters that throw. */
+function words_of(error) {
+  try {
+    return { error: String(error?.message ?? error), kind: String(error?.name), line: line_of(error) };
+  } catch {
+    return { error: 'it threw an error that cannot be read' };
+  }
 }
 
 function noted(error) {
@@ -64,6 +71,9 @@ function tell_progress(done, all) {
 }
 
 const actions = {
+  __proto__: null,
+
+  /** Makes the judge. No code of a solver has run yet, and none that runs later can change what the judge uses. */
   async open({ module }) {
     const instantiateWasm = (imports, done) => {
       const instance = new WebAssembly.Instance(module, imports);
@@ -72,6 +82,10 @@ const actions = {
     };
     judge = await make_judge(createCaromJudge, { instantiateWasm });
     judge.progress = tell_progress;
+    // A solver cannot end the worker. It has nobody to post to, either.
+    delete self.close;
+    delete self.postMessage;
+    lock_down();
   },
 
   /** Judges a little, so that the browser has compiled the judge before the reader waits for it. */
@@ -101,10 +115,16 @@ const actions = {
   ask: ({ request }) => judge(request),
 };
 
-self.addEventListener('message', async ({ data: { id, action, ...details } }) => {
+async function hear({ id, action, ...details }) {
   try {
     post({ id, reply: await actions[action](details), thrown });
   } catch (error) {
-    post({ id, action, error: String(error?.message ?? error), kind: error?.name, line: line_of(error) });
+    post({ id, action, ...words_of(error) });
   }
-});
+}
+
+self.addEventListener('message', ({ data, ports }) => {
+  [port] = ports;
+  port.onmessage = ({ data: asked }) => hear(asked);
+  hear({ ...data, action: 'open' });
+}, { once: true });

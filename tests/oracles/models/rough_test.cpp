@@ -167,7 +167,7 @@ TEST_F(CertifiedRough, HasNoNegativeShareOfFriction) {
 TEST_F(CertifiedRough, IsMadeOfTheAnswersOfItsLaws) {
   parts.point_stopped.a.velocity[0] += 1;
   EXPECT_EQ(said_of({Rational(3, 4), Rational(6), Rational(0)}),
-            "the truth does not satisfy the angular momentum of A");
+            "the truth of `rough` does not satisfy the angular momentum of A");
 }
 
 /// A contact that slips with (1, 0, 0) and approaches by a rounding error: V⁻ = (1, −2⁻⁵³, 0). Up to this error, P_I =

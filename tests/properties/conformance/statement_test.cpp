@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -87,8 +89,8 @@ TEST(Statements, FollowTheOptions) {
   EXPECT_FALSE(invariants_of(all).contains("energy"));
   EXPECT_TRUE(invariants_of(all).contains("restitution"));
   for (const Statement& statement : all) {
-    EXPECT_EQ(statement.yardstick.limit_ulps, 64);
-    EXPECT_EQ(statement.yardstick.unit_roundoff, unit_roundoff(Precision::binary64));
+    EXPECT_EQ(statement.suite->yardstick.limit_ulps, 64);
+    EXPECT_EQ(statement.suite->yardstick.unit_roundoff, unit_roundoff(Precision::binary64));
   }
 }
 
@@ -108,7 +110,9 @@ TEST(Statements, LeaveOutADeviationInItsFamilyAlone) {
 
 TEST(Statements, AreJudgedExactlyWhereThatIsAskedFor) {
   const Subject idle = idle_callable(Law::any);
-  const auto is_exact = [&](bool option) { return !statements(idle, {.exact = option}).at(0).yardstick.filtered; };
+  const auto is_exact = [&](bool option) {
+    return !statements(idle, {.exact = option}).at(0).suite->yardstick.filtered;
+  };
   EXPECT_FALSE(is_exact(false));
   EXPECT_TRUE(is_exact(true));
   {
@@ -125,10 +129,45 @@ TEST(Statements, AreJudgedExactlyWhereThatIsAskedFor) {
   }
 }
 
-TEST(Statements, RefuseWhatWouldTestNothing) {
+TEST(Statements, AreOfTheDomainThatIsChosenOrDeclared) {
+  const auto within = [](const Subject& subject, const std::string& text) {
+    return statements(subject, {.within = text}).at(0).suite->within;
+  };
+  Subject idle = idle_callable(Law::any);
+  EXPECT_EQ(within(idle, ""), properties::Domain());
+  EXPECT_EQ(within(idle, "games"), *properties::domain_named("games"));
+  EXPECT_EQ(within(idle, R"({"size": [0.1, 10]})"), properties::domain_from("size=0.1:10"));
+  idle.domain = "size=0.1:10,restitution=0.5";
+  EXPECT_EQ(within(idle, ""), properties::domain_from("size=0.1:10,restitution=0.5"));
+  EXPECT_EQ(within(idle, "everything"), properties::Domain());
+  // A family without a case in the domain is left out, unless an option names it.
+  EXPECT_FALSE(families_of(statements(idle)).contains("elastic"));
+  EXPECT_THROW((void)statements(idle, {.families = {"elastic"}}), std::invalid_argument);
+}
+
+TEST(Statements, RefuseWrongOptions) {
   const Subject idle = idle_callable(Law::any);
-  EXPECT_THROW((void)statements(idle, {.families = {"generics"}}), std::invalid_argument);
-  EXPECT_THROW((void)statements(idle, {.deviates = {"energies"}}), std::invalid_argument);
+  const auto message = [&](const Options& options) -> std::string {
+    try {
+      (void)statements(idle, options);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return {};
+  };
+  const std::vector<std::pair<Options, const char*>> wrong{
+      {{.families = {"generics"}}, "Options::families: there is no family 'generics'"},
+      {{.deviates = {"energies"}}, "Options::deviates: there is no invariant \"energies\""},
+      {{.within = "game"}, "Options::within: 'game' names no quantity"},
+      {{.within = R"({"size": 3})"}, "Options::within: /size: expected two numbers"},
+      {{.digits = 0}, "Options: digits: expected an integer from 1 to 18, found 0"},
+      {{.limit_ulps = -1}, "Options: limit_ulps: expected a positive number"},
+      {{.effects = {{"slopp", 1}}},
+       "Options::effects: there is no effect slopp; expected one of restitution_threshold"},
+      {{.effects = {{"slop", -1}}}, "Options::effects: slop: expected a positive number"}};
+  for (const auto& [options, expected] : wrong) {
+    EXPECT_TRUE(message(options).starts_with(expected)) << message(options);
+  }
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <cmath>
 #include <span>
 #include <string>
 #include <variant>
@@ -51,6 +52,41 @@ TEST(Diagnosis, OfSlenderBodiesNamesTheInverseInertiaInWorldAxes) {
   const Diagnosis others =
       diagnosis_of(subjects::subject_named("reflection-in-basis-double").value(), options, {"near_head_on", "head_on"});
   EXPECT_EQ(others.faults.at(0).look_at.find("world axes"), std::string::npos) << others.faults.at(0).look_at;
+}
+
+/// The subject, with its answers changed.
+Subject changed(const char* name, double (*change)(double)) {
+  Subject subject = subjects::subject_named(name).value();
+  subject.open = [sound = subject.open, change]() -> Session {
+    return [session = sound(), change](std::span<const Collision> collisions) mutable {
+      std::vector<Answer> answers = session(collisions);
+      for (Answer& answer : answers) {
+        if (auto* outcome = std::get_if<ReportedOutcome>(&answer)) {
+          static_cast<Outcome<long double>&>(*outcome) = map_outcome<long double>(
+              *outcome, [&](long double x) { return static_cast<long double>(change(static_cast<double>(x))); });
+        }
+      }
+      return answers;
+    };
+  };
+  return subject;
+}
+
+TEST(Diagnosis, OfBinary32InDoublesNamesThePrecision) {
+  GateOptions options;
+  options.cases = 100;
+  const auto fault = [&](double (*change)(double)) {
+    return diagnosis_of(changed("frictionless-double", change), options, {"generic", "head_on"}).faults.at(0);
+  };
+  const Fault narrow = fault([](double x) { return static_cast<double>(static_cast<float>(x)); });
+  EXPECT_TRUE(
+      narrow.what.ends_with("answers fits binary32, but it claims binary64: it computes or stores velocities in "
+                            "single precision."))
+      << narrow.what;
+  // Numbers of few digits tell nothing.
+  for (const auto change : {+[](double) { return 0.0; }, +[](double x) { return std::nearbyint(x); }}) {
+    EXPECT_EQ(fault(change).what.find("binary32"), std::string::npos) << fault(change).what;
+  }
 }
 
 /// The subject changes A's spin by 5 % too much if A's greatest moment exceeds 3 times the least. This error loses no

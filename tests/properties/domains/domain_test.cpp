@@ -139,7 +139,11 @@ TEST(Domain, IsReadFromItsText) {
   EXPECT_EQ(domain_from("friction=0:"), Domain());
   for (const NamedDomain& named : named_domains()) {
     EXPECT_EQ(domain_from(to_text(domain_from(named.ranges))), domain_from(named.ranges)) << named.name;
+    EXPECT_EQ(domain_from(named.name), domain_from(named.ranges));
   }
+  EXPECT_EQ(domain_from(R"({"size": [0.1, 10], "mass_ratio": [null, 100]})"),
+            domain_from("size=0.1:10,mass_ratio=:100"));
+  EXPECT_EQ(domain_from("{}"), Domain());
 }
 
 TEST(Domain, NamesTheWrongPartOfAText) {
@@ -156,6 +160,10 @@ TEST(Domain, NamesTheWrongPartOfAText) {
       {"restitution=:2", "restitution: expected two numbers from 0 to 1, the lesser first, found :2"},
       {"mass_ratio=0.5:", "mass_ratio: expected two numbers from 1 to infinity, the lesser first, found 0.5:"},
       {"size=1:2,size=1:3", "size occurs twice"},
+      {"game", "'game' names no quantity; expected QUANTITY=LEAST:MOST"},
+      {"{\"size\": [1]}", "/size: expected two numbers, the least and the greatest value"},
+      {"{\"size\": [2, 1]}", "size: expected two numbers from 0 to infinity, the lesser first, found 2:1"},
+      {"{\"size\"", "not JSON"},
   };
   for (const auto& [text, said] : expected) {
     try {

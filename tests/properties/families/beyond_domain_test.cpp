@@ -39,7 +39,7 @@ TEST(BeyondDomain, IsOfFamiliesOfItsOwn) {
   for (const Family& family : all_families()) {
     EXPECT_FALSE(family.is_beyond_domain()) << family.name;
   }
-  ASSERT_EQ(families_beyond_domain().size(), 2U);
+  ASSERT_EQ(families_beyond_domain().size(), 3U);
   for (const Family& family : families_beyond_domain()) {
     EXPECT_TRUE(family.is_beyond_domain()) << family.name;
     EXPECT_EQ(family_named(family.name), &family);
@@ -64,6 +64,14 @@ TEST(BeyondDomain, HasMomentsThatNoBodyHas) {
   EXPECT_GE(drawn.least, 1);
   EXPECT_LT(drawn.least, 10);
   EXPECT_GT(drawn.greatest, 1e15);
+}
+
+TEST(BeyondDomain, HasNeedlesUpToAMillionTimesAsLongAsWide) {
+  const Drawn drawn = drawn_of(*family_named("needle_tip"));
+  EXPECT_EQ(drawn.colliding, 400);
+  // A needle is 10 to 10⁶ times as long as wide, and its widths vary by a factor of 3.
+  EXPECT_LT(drawn.least, 1e3);
+  EXPECT_GT(drawn.greatest, 1e11);
 }
 
 /// No body of `physical` has a moment above the sum of the others, except by rounding.

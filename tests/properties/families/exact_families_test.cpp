@@ -39,7 +39,7 @@ TEST(Families, ApproachAsTheyPromise) {
   EXPECT_GE(count("separating", Approach::separating), 198);
   for (const char* family :
        {"physical", "inelastic", "elastic", "mass_ratio", "immovable_a", "immovable_b", "driven_wall", "zero_lever",
-        "common_velocity", "long_normal", "long_quaternion", "needle_tip"}) {
+        "common_velocity", "long_normal", "long_quaternion", "near_special", "needle_tip"}) {
     // One case in four gets features. A few of these features stop both bodies.
     EXPECT_GE(count(family, Approach::colliding), 190) << family;
   }

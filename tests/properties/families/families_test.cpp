@@ -144,7 +144,9 @@ TEST(Families, StrikeNeedlesOnTheirTips) {
   double smallest_angle = 1;
   std::uint64_t walls = 0;
   for (std::uint64_t i = 0; i < cases; ++i) {
-    const Collision c = unit::case_of("needle_tip", i).collision;
+    const Case one = unit::case_of("needle_tip", i);
+    EXPECT_TRUE(one.convex_uniform) << i;
+    const Collision& c = one.collision;
     const Vector3<double> v = relative_velocity(c);
     EXPECT_LT(c.normal.dot(v), 0) << i;
     EXPECT_LT(sine(c.normal, v), 0.11) << i;
@@ -173,8 +175,8 @@ TEST(Families, StrikeNeedlesOnTheirTips) {
 
 TEST(Families, CallOnlyConvexUniformBodiesConvexAndUniform) {
   for (const auto& [family, one] : unit::valid_cases(50)) {
-    EXPECT_EQ(one.convex_uniform, family == "physical" || family == "needle_tip" || family == "collinear_spheres" ||
-                                      family == "spin_alone" || family == "chung_ooi")
+    EXPECT_EQ(one.convex_uniform,
+              family == "physical" || family == "collinear_spheres" || family == "spin_alone" || family == "chung_ooi")
         << family;
   }
 }

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -37,20 +38,20 @@ struct ShownSolve {
   }
 };
 
-ShownSolve shown_solve(std::string_view family, std::uint64_t index) {
+ShownSolve shown_solve(std::string_view family, std::uint64_t index, Law law = Law::reflection) {
   ShownSolve result{unit::case_of(family, index), {}};
   const oracles::ExactCase exact_case(result.one.collision);
   result.outcome = exact_case.approach() == oracles::Approach::colliding
-                       ? unit::reported_outcome_with_matrix(exact_case, Law::reflection)
-                       : unit::reported_outcome(exact_case, Law::reflection);
+                       ? unit::reported_outcome_with_matrix(exact_case, law)
+                       : unit::reported_outcome(exact_case, law);
   return result;
 }
 
-std::vector<NamedVerdict> verdicts_on(const ShownSolve& one, const Matrix& matrix, bool filtered) {
+std::vector<NamedVerdict> verdicts_on(const ShownSolve& one, const std::optional<Matrix>& matrix, bool filtered) {
   oracles::Yardstick yardstick;
   yardstick.filtered = filtered;
   Subject subject;
-  subject.law = Law::reflection;
+  subject.law = Law::any;
   subject.precision = Precision::binary64;
   subject.shows_collision_matrix = true;
   Claim claim = claim_of(subject, yardstick);
@@ -70,7 +71,7 @@ Verdict verdict_of(std::string_view invariant, const ShownSolve& one, const Matr
   return {};
 }
 
-std::set<std::string_view> violated(const ShownSolve& one, const Matrix& matrix, bool filtered) {
+std::set<std::string_view> violated(const ShownSolve& one, const std::optional<Matrix>& matrix, bool filtered) {
   std::set<std::string_view> names;
   for (const auto& [invariant, verdict] : verdicts_on(one, matrix, filtered)) {
     EXPECT_FALSE(verdict.is_undecided) << invariant->name;
@@ -82,6 +83,13 @@ std::set<std::string_view> violated(const ShownSolve& one, const Matrix& matrix,
 }
 
 using Names = std::set<std::string_view>;
+
+/// A long double within an ulp of a number.
+long double close_to(const oracles::Rational& number) {
+  const double rough = oracles::to_double(number);
+  return static_cast<long double>(rough) +
+         static_cast<long double>(oracles::to_double(oracles::Rational(number - oracles::Rational(rough))));
+}
 
 double inverse_mass_of(const ShownSolve& one) { return oracles::inverse_mass(one.one.collision); }
 
@@ -140,17 +148,19 @@ Matrix asymmetric(const ShownSolve& one) {
 
 TEST(ShownMatrix, IsToBeSymmetric) { expect_violated(asymmetric, {"matrix_used"}); }
 
-TEST(ShownMatrix, IsPrintedBesideItsTranspose) {
+TEST(ShownMatrix, IsPrintedBesideTheExactMatrix) {
   const ShownSolve one = shown_solve("physical", 3);
   const Matrix c = asymmetric(one);
   const Verdict verdict = verdict_of("matrix_used", one, c, true);
-  const Vector left(c(2, 1), c(0, 2), c(1, 0));
-  const Vector right(c(1, 2), c(2, 0), c(0, 1));
-  ASSERT_EQ(verdict.left.size(), 3U);
-  ASSERT_EQ(verdict.right.size(), 3U);
-  for (std::size_t i = 0; i < 3; ++i) {  // printed numbers are rounded to binary64
-    EXPECT_DOUBLE_EQ(verdict.left[i], static_cast<double>(left[static_cast<Eigen::Index>(i)]));
-    EXPECT_DOUBLE_EQ(verdict.right[i], static_cast<double>(right[static_cast<Eigen::Index>(i)]));
+  EXPECT_EQ(verdict.detail, "C and K");
+  EXPECT_NEAR(verdict.residual, static_cast<double>((c - one.matrix()).norm()), 1e-12 * verdict.residual);
+  ASSERT_EQ(verdict.left.size(), 9U);
+  ASSERT_EQ(verdict.right.size(), 9U);
+  for (std::size_t i = 0; i < 9; ++i) {  // printed numbers are rounded to binary64
+    const auto row = static_cast<Eigen::Index>(i / 3);
+    const auto column = static_cast<Eigen::Index>(i % 3);
+    EXPECT_DOUBLE_EQ(verdict.left[i], static_cast<double>(c(row, column)));
+    EXPECT_DOUBLE_EQ(verdict.right[i], static_cast<double>(one.matrix()(row, column)));
   }
 }
 
@@ -162,14 +172,81 @@ TEST(ShownMatrix, IsToBeDefiniteAlsoAcrossTheImpulse) {
         const Vector across = f.cross(std::abs(f[0]) < 0.5L ? Vector::UnitX() : Vector::UnitY()).normalized();
         return one.matrix() - across * across.transpose() * (2 * across.dot(one.matrix() * across));
       },
-      {"definite"});
+      {"definite", "matrix_used"});
 }
 
-/// A long double within an ulp of a number.
-long double close_to(const oracles::Rational& number) {
-  const double rough = oracles::to_double(number);
-  return static_cast<long double>(rough) +
-         static_cast<long double>(oracles::to_double(oracles::Rational(number - oracles::Rational(rough))));
+/// The planted error changes C, but not C N. Without friction, the impulse lies along N and does not show the error.
+void expect_violated_without_friction(
+    const std::function<Matrix(const Matrix& c, const Vector& n, double lambda)>& off) {
+  for (std::uint64_t i = 0; i < 10; ++i) {
+    const ShownSolve one = shown_solve("generic", i, Law::frictionless);
+    if (!one.outcome.collision_matrix) {
+      continue;
+    }
+    const Vector n = one.one.collision.normal.cast<long double>().normalized();
+    const Matrix planted = off(one.matrix(), n, inverse_mass_of(one));
+    EXPECT_LT((planted * n - one.matrix() * n).norm(), 1e-15L * one.matrix().norm());
+    for (const bool filtered : {true, false}) {
+      EXPECT_EQ(verdict_of("matrix_used", one, one.matrix(), filtered).status, Status::holds) << i;
+      EXPECT_EQ(verdict_of("matrix_used", one, planted, filtered).detail, "C and K") << i;
+    }
+  }
+}
+
+TEST(ShownMatrix, IsToBeExactAcrossTheNormal) {
+  expect_violated_without_friction([](const Matrix& c, const Vector& n, double) -> Matrix {
+    const Vector cn = c * n;
+    return c - (c - cn * cn.transpose() / n.dot(cn)) / 2;  // half of the Schur complement is missing
+  });
+}
+
+/// Eq. 27 of the note.
+TEST(ShownMatrix, HasTheInverseMassOnceAcrossTheNormal) {
+  expect_violated_without_friction([](const Matrix& c, const Vector& n, double lambda) -> Matrix {
+    return c + (Matrix::Identity() - n * n.transpose()) * lambda;
+  });
+}
+
+/// C may differ from K by exactly the permitted rounding.
+TEST(ShownMatrix, IsExactUpToThePermittedRounding) {
+  const ShownSolve one = shown_solve("generic", 0);
+  const oracles::ExactCase exact_case(one.one.collision);
+  const double allowance = oracles::default_limit_ulps * unit_roundoff(Precision::binary64);
+  const long double rounding = allowance * exact_case.collision_matrix_sensitivity(allowance);
+  const Matrix nearest =
+      exact_case.collision_matrix().unaryExpr([](const oracles::Rational& x) { return close_to(x); });
+  for (const bool filtered : {true, false}) {
+    const auto status = [&](long double share) {
+      Matrix matrix = nearest;
+      matrix(0, 1) += share * rounding;
+      return verdict_of("matrix_used", one, matrix, filtered);
+    };
+    EXPECT_NE(status(0.999L).detail, "C and K") << filtered;
+    EXPECT_EQ(status(1.001L).detail, "C and K") << filtered;
+  }
+}
+
+/// A colliding contact without a matrix violates each invariant of the matrix that applies to it.
+TEST(ShownMatrix, IsNotToBeMissingWhereTheContactCollides) {
+  for (const bool filtered : {true, false}) {
+    const ShownSolve one = shown_solve("physical", 3);
+    ASSERT_TRUE(one.outcome.collision_matrix);
+    EXPECT_EQ(violated(one, std::nullopt, filtered), (Names{"definite", "matrix_used", "well_conditioned"}));
+    for (const char* family : {"separating", "resting", "both_immovable"}) {
+      EXPECT_EQ(violated(shown_solve(family, 0), std::nullopt, filtered), Names{}) << family;
+    }
+    const double allowance = oracles::default_limit_ulps * unit_roundoff(Precision::binary64);
+    int grazing = 0;
+    for (std::uint64_t i = 0; i < 40; ++i) {
+      const ShownSolve near = shown_solve("grazing", i);
+      const oracles::ExactCase exact_case(near.one.collision);
+      if (exact_case.approach() == oracles::Approach::colliding && exact_case.is_grazing(allowance)) {
+        EXPECT_EQ(violated(near, std::nullopt, filtered), Names{}) << i;
+        ++grazing;
+      }
+    }
+    EXPECT_GT(grazing, 0);
+  }
 }
 
 /// C = x I has the eigenvalue x. The least x that is permitted is λ minus the permitted rounding of C.

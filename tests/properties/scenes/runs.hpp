@@ -17,12 +17,7 @@
 
 namespace carom::unit {
 
-[[nodiscard]] inline oracles::Yardstick yardstick_of(Precision precision) {
-  oracles::Yardstick yardstick;
-  yardstick.unit_roundoff = unit_roundoff(precision);
-  yardstick.least_size = least_size_known_to_a_roundoff(precision);
-  return yardstick;
-}
+[[nodiscard]] inline oracles::Yardstick yardstick_of(Precision precision) { return oracles::Yardstick().in(precision); }
 
 /// Changes an event before the checkers receive it. Returns false to withhold the event from them.
 using Alter = std::function<bool(scene::Event&)>;

@@ -63,7 +63,9 @@ Answer with_effects(Session& session, Collision c, const DeclaredEffects& effect
   };
   change(c.a, outcome->a);
   change(c.b, outcome->b);
+  const auto matrix = outcome->collision_matrix;
   *outcome = reported(map_outcome<double>(*outcome, [](long double x) { return static_cast<double>(x); }));
+  outcome->collision_matrix = matrix;
   return answer;
 }
 
@@ -209,18 +211,112 @@ TEST(DeclaredEffects, AreNotJudgedAtTheirLimit) {
   EXPECT_EQ(reason(0.5), std::nullopt);
 }
 
-/// All contacts approach at the threshold, so no outcome is judged, and the subject is not sound.
+GateOptions options_within(const char* within, std::uint64_t cases = 20) {
+  GateOptions options;
+  options.cases = cases;
+  options.families = {family_named("generic"), family_named("physical")};
+  options.within = domain_from(within);
+  options.shrinks = false;
+  return options;
+}
+
+std::string why_not_judged(const Subject& subject, const GateOptions& options) {
+  const SubjectResult result = run_gate({subject}, options).results.at(0);
+  EXPECT_EQ(result.error, "");
+  EXPECT_EQ(result.violated_invariants(), std::vector<std::string>{});
+  EXPECT_EQ(result.is_sound(), result.not_judged.empty());
+  return result.not_judged;
+}
+
+/// The domain that the message names.
+std::string domain_in(const std::string& why) {
+  const std::string option = "--within ";
+  const std::size_t at = why.find(option);
+  return at == std::string::npos ? "" : why.substr(at + option.size());
+}
+
+/// All contacts approach at the threshold, so no outcome is judged.
 TEST(DeclaredEffects, LeaveASubjectWithoutAVerdictIfMostCasesLieAtALimit) {
   Subject subject = *subjects::subject_named("frictionless-double");
   subject.effects = only(DeclaredEffect::restitution_threshold, 0.5);
-  GateOptions options;
-  options.cases = 20;
-  options.families = {family_named("generic")};
+  GateOptions options = options_within("");
+  options.families = {family_named("elastic")};
   options.within.ranges[LimitedQuantity::approach] = {0.5 - 0x1p-49, 0.5 + 0x1p-49};
-  const SubjectResult result = run_gate({subject}, options).results.at(0);
-  EXPECT_FALSE(result.is_sound());
-  EXPECT_NE(result.not_judged.find("cases lie at a declared threshold or slop"), std::string::npos)
-      << result.not_judged;
+  const std::string why = why_not_judged(subject, options);
+  EXPECT_EQ(why.find("the declared restitution_threshold 0.5 m/s decides 20 of 20 colliding cases"), 0U) << why;
+}
+
+/// The solver has the effects that it declares, so it violates nothing.
+TEST(DeclaredEffects, ThatDecideMoreThanATenthLeaveASubjectWithoutAVerdict) {
+  for (const DeclaredEffect effect : {DeclaredEffect::restitution_threshold, DeclaredEffect::slop,
+                                      DeclaredEffect::max_speed, DeclaredEffect::max_angular_velocity}) {
+    const DeclaredEffects effects = only(effect, 2);
+    const Subject subject = with_effects("frictionless-double", effects, effects);
+    const std::string why = why_not_judged(subject, options_within("", 40));
+    EXPECT_EQ(why.find("the declared " + to_text(effects) + " decides "), 0U) << why;
+    const std::string domain = domain_in(why);
+    ASSERT_NE(domain, "") << why;
+    EXPECT_EQ(why_not_judged(subject, options_within(domain.c_str(), 40)), "") << domain;
+  }
+}
+
+TEST(DeclaredEffects, HaveADomainInsideThatOfTheRun) {
+  const DeclaredEffects effects = only(DeclaredEffect::restitution_threshold, 2);
+  const Subject subject = with_effects("frictionless-double", effects, effects);
+  EXPECT_EQ(domain_in(why_not_judged(subject, options_within("size=0.1:10,approach=1:8"))), "size=0.1:10,approach=2:8");
+  const std::string why = why_not_judged(subject, options_within("approach=0.1:1.5"));
+  EXPECT_NE(why.find("no domain was found in which it decides less"), std::string::npos) << why;
+}
+
+/// A slop of this size excuses every answer.
+TEST(DeclaredEffects, DoNotExcuseASolverThatDoesNothing) {
+  Subject idle;
+  idle.name = "idle";
+  idle.law = Law::frictionless;
+  idle.effects = only(DeclaredEffect::slop, 1e300);
+  idle.open = [] {
+    return Session([](std::span<const Collision> collisions) {
+      std::vector<Answer> answers;
+      for (const Collision& c : collisions) {
+        answers.push_back(validate(c).empty() ? Answer(reported(unchanged(c))) : Answer(Refused{"invalid"}));
+      }
+      return answers;
+    });
+  };
+  const std::string why = why_not_judged(idle, options_within(""));
+  EXPECT_EQ(why.find("the declared slop 1e+300 m/s decides "), 0U) << why;
+  const GateReport faster = run_gate({idle}, options_within(domain_in(why).c_str()));
+  EXPECT_GT(faster.results.at(0).count("restitution").violated, 0U) << why;
+}
+
+/// Damping hides nothing, because the gate divides the answer by what damping keeps of it.
+TEST(DeclaredEffects, OfDampingDecideNoCase) {
+  DeclaredEffects damping;
+  damping[DeclaredEffect::linear_damping] = damping[DeclaredEffect::angular_damping] = 1 - 0x1p-53;
+  const SubjectResult right = judged(with_effects("frictionless-double", damping, damping));
+  EXPECT_TRUE(right.is_sound()) << right.not_judged;
+  EXPECT_EQ(right.decided_by(), EffectCounts{});
+  for (const Precision precision : {Precision::binary32, Precision::binary64}) {
+    Subject zeros = with_effects("frictionless-double", damping, damping);
+    zeros.precision = precision;
+    zeros.open = [] {
+      return Session([](std::span<const Collision> collisions) {
+        return std::vector<Answer>(collisions.size(), ReportedOutcome());
+      });
+    };
+    const SubjectResult wrong = judged(zeros);
+    EXPECT_GT(wrong.count("backward_error").violated, 0U);
+    EXPECT_GT(wrong.count("separating_untouched").violated, 0U);
+  }
+}
+
+/// A twentieth of the cases may lie below a threshold.
+TEST(DeclaredEffects, ThatDecideFewCasesAreJudged) {
+  const DeclaredEffects effects = only(DeclaredEffect::restitution_threshold, 1e-6);
+  const Subject subject = with_effects("frictionless-double", effects, effects);
+  const SubjectResult result = judged(subject);
+  EXPECT_TRUE(result.is_sound()) << result.not_judged;
+  EXPECT_GT(result.decided_by()[DeclaredEffect::restitution_threshold], 0U);
 }
 
 TEST(DeclaredEffects, AreRefusedIfTheyAreNotValid) {

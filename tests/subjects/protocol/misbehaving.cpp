@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include <carom/collision/json/json.hpp>
+#include <carom/collision/validate.hpp>
 #include <carom/subjects/catalogue.hpp>
 #include <carom/subjects/protocol/hex_lines.hpp>
 #include <carom/subjects/protocol/messages.hpp>
@@ -211,7 +212,7 @@ int run(int argc, char** argv) {
         changed["protocol"] = 2;
       } else if (fault.starts_with("domain=")) {
         changed["domain"] = json::parse(fault.substr(fault.find('=') + 1));
-      } else if (fault.starts_with("claims=")) {
+      } else if (fault.starts_with("claims=") || fault.starts_with("idle=")) {
         changed["claims"] = json::parse(fault.substr(fault.find('=') + 1));
       } else if (fault == "hang-at-start") {
         hang();
@@ -223,8 +224,10 @@ int run(int argc, char** argv) {
     } else if (request.at("cmd") == "solve") {
       const auto id = request.at("id").get<std::uint64_t>();
       const Collision collision = collision_from_json(request.at("collision"));
-      std::string reply =
-          subjects::protocol::answer_reply(id, session(std::span(&collision, 1)).at(0), introduction.precision);
+      const bool is_idle = fault.starts_with("idle=") && validate(collision).empty();
+      std::string reply = subjects::protocol::answer_reply(
+          id, is_idle ? Answer(reported(unchanged(collision))) : session(std::span(&collision, 1)).at(0),
+          introduction.precision);
       if (fault == "crash-where-bouncy" && collision.restitution > 0.7 && collision.restitution < 0.8) {
         std::cerr << "assertion failed: restitution <= 0.7" << std::endl;
         std::abort();

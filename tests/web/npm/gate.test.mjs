@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 import assert from 'node:assert';
+import { spawn } from 'node:child_process';
 import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import test from 'node:test';
@@ -107,6 +108,10 @@ for (const [words, message] of [
   [['gate', './sound.mjs', '--families', 'generics'], /generics.*did you mean 'generic'\?/],
   [['gate', './sound.mjs', '--within', 'size=10:1'], /--within|within/],
   [['gate', './sound.mjs', '--deviates', 'enrgy'], /enrgy.*did you mean 'energy'\?/],
+  [['gate', './sound.mjs', '--out='], /--out: expected a value, found an empty text; is a variable not set\?/],
+  [['gate', './sound.mjs', '--within', ''], /--within: expected a value/],
+  [['gate', ''], /SOLVER: expected a value/],
+  [['replay', './absent.json', '--subject', ''], /--subject: expected a value/],
   [['gate', './absent.mjs'], /\.\/absent\.mjs: there is no such file/],
   [['gate'], /SOLVER is missing/],
   [['gate', 'canon'], /there is no engine 'canon'; did you mean 'cannon'\?/],
@@ -165,7 +170,8 @@ test('a domain from a file is a domain', async () => {
   assert.match(stdout, /"size": \[\s*0\.5,\s*2/);
 });
 
-test('Ctrl-C reports what was judged', { skip: process.platform === 'win32' }, async () => {
+/** Starts a long gate. Returns its process after the solver has answered many collisions. */
+async function started(...more) {
   const name = module('slow.mjs', `import { solve as sound } from './sound.mjs';
     export const law = 'frictionless';
     let count = 0;
@@ -173,15 +179,44 @@ test('Ctrl-C reports what was judged', { skip: process.platform === 'win32' }, a
       if (++count === 30000) console.log('now');
       return sound(collision);
     }`);
-  const { spawn } = await import('node:child_process');
   const words = ['node_modules/carom/carom.mjs', 'gate', name, '--cases', '1000000', '--jobs', '1', '--format', 'json'];
-  const child = spawn(process.execPath, words, { cwd: folder });
-  let stdout = '';
-  child.stdout.on('data', (text) => { stdout += text; });
-  child.stderr.once('data', () => child.kill('SIGINT'));
-  const status = await new Promise((resolve) => child.on('close', resolve));
+  const child = spawn(process.execPath, [...words, ...more], { cwd: folder });
+  await new Promise((resolve) => child.stderr.once('data', resolve));
+  return child;
+}
+
+const ended = (child) => new Promise((resolve) => child.on('close', resolve));
+
+for (const signal of ['SIGINT', 'SIGHUP']) {
+  test(`${signal} reports what was judged`, { skip: process.platform === 'win32' }, async () => {
+    const child = await started();
+    let stdout = '';
+    child.stdout.on('data', (text) => { stdout += text; });
+    child.kill(signal);
+    assert.strictEqual(await ended(child), 2);
+    assert.strictEqual(JSON.parse(stdout).interrupted, true);
+  });
+}
+
+test('a directory that another run writes to is refused', async () => {
+  const other = await started('--out', 'shared');
+  const words = ['gate', './wrong.mjs', ...few, '--out', 'shared'];
+  const { status, stderr } = await carom(folder, ...words);
   assert.strictEqual(status, 2);
-  assert.strictEqual(JSON.parse(stdout).interrupted, true);
+  assert.match(stderr, /^carom: --out: another run writes to the directory shared; /);
+  other.kill('SIGKILL');
+  await ended(other);
+  assert.strictEqual((await carom(folder, ...words)).status, 1, 'a killed run locks nothing');
+  assert.deepStrictEqual(readdirSync(join(folder, 'shared')).filter((name) => name.startsWith('.')), []);
+});
+
+test('a foreign file with the name of the lock stays', async () => {
+  mkdirSync(join(folder, 'occupied'));
+  writeFileSync(join(folder, 'occupied', '.carom-lock-npm'), 'mine');
+  const { status, stderr } = await carom(folder, 'gate', './sound.mjs', ...few, '--out', 'occupied');
+  assert.strictEqual(status, 2);
+  assert.match(stderr, /another run writes to the directory occupied/);
+  assert.strictEqual(readFileSync(join(folder, 'occupied', '.carom-lock-npm'), 'utf8'), 'mine');
 });
 
 test('the lists', async () => {

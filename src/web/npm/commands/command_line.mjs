@@ -41,6 +41,12 @@ function parsed(words, options) {
 export function read_command_line(words, own_options, { positional = '', least = 0, most = 0 } = {}) {
   const options = { ...own_options, ...help };
   const { values, positionals } = parsed(words, options);
+  const is_empty = (text) => text === '';
+  const empty = Object.keys(values).find((name) => is_empty(values[name]));
+  if (empty !== undefined || positionals.some(is_empty)) {
+    throw new UsageError(`${empty === undefined ? positional || 'argument' : `--${empty}`}: expected a value, found an `
+      + 'empty text; is a variable not set?');
+  }
   const read = Object.fromEntries(Object.entries(values).map(([name, value]) =>
     [name, read_option(options[name], `--${name}`, value)]));
   if (read.help) {
