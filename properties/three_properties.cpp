@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include <carom/collision/validate.hpp>
 #include <carom/properties/diagnosis/binary32.hpp>
 #include <carom/properties/diagnosis/evidence.hpp>
 #include <carom/properties/diagnosis/without_effects.hpp>
@@ -128,6 +129,9 @@ std::vector<ViolatedCase> violated_near(const detail::PropertyAnswer& answered, 
                                         const detail::Ask& ask) {
   std::vector<ViolatedCase> violated{{0, Case{answered.collision}, answered.answer}};
   for (const Collision& neighbour : neighbours_of(answered.collision)) {
+    if (quantity_outside(claim.within, neighbour) || !validate(neighbour).empty()) {
+      continue;  // the solver need not answer it
+    }
     const ReportedOutcome answer = ask(neighbour);
     if (verdict_on(claim, neighbour, answer).verdict.status == Status::violated) {
       violated.push_back({violated.size(), Case{neighbour}, answer});
@@ -143,8 +147,8 @@ std::vector<diagnosis::Fault> faults_of_outcomes(std::vector<ViolatedCase> viola
   const auto outcome_of = [](const ViolatedCase& one) -> const ReportedOutcome& {
     return std::get<ReportedOutcome>(one.answer);
   };
+  const Claim others = claim_of(options, answered.precision, is_of_outcome);
   const auto is_right_but_for_matrix = [&](const ViolatedCase& one) {
-    const Claim others = claim_of(options, answered.precision, is_of_outcome);
     return outcome_of(one).collision_matrix &&
            verdict_on(others, one.one.collision, outcome_of(one)).verdict.status != Status::violated;
   };
@@ -193,7 +197,7 @@ std::vector<diagnosis::Fault> faults_of(const detail::PropertyAnswer& answered, 
 
 namespace detail {
 
-Ruling ruling(const PropertyAnswer& answered, const PropertyOptions& options) {
+Ruling ruling(const PropertyAnswer& answered, const PropertyOptions& options) try {
   const Property& property = property_named(answered.property);
   const Claim claim = claim_of(property, options, answered.precision);
   const auto [invariant, verdict] = verdict_on(claim, answered.collision, answered.answer);
@@ -203,6 +207,8 @@ Ruling ruling(const PropertyAnswer& answered, const PropertyOptions& options) {
   return {false, true,
           std::string(property.title) + ": " + std::string(invariant->name) + " is violated.\n" +
               violation_in_words(answered.collision, answered.answer, verdict)};
+} catch (const oracles::JudgeError& error) {
+  throw oracles::JudgeError(properties::in_words(error), error.collision());  // a property shows what() alone
 }
 
 std::string diagnosed(const PropertyAnswer& answered, const PropertyOptions& options, const Ask& ask) {

@@ -12,6 +12,7 @@
 #include <carom/oracles/judge/permitted_noise.hpp>
 #include <carom/oracles/judge/permitted_residual.hpp>
 #include <carom/oracles/numbers/norm.hpp>
+#include <carom/oracles/numbers/quantities.hpp>
 
 namespace carom::oracles {
 namespace {
@@ -141,6 +142,16 @@ double part_by_curvature(const equation::Energy& /*energy*/, const ExactCase& ex
                       of_body(c.b, OutcomeVector::velocity_of_b, OutcomeVector::angular_velocity_of_b));
 }
 
+/// The lever arm moves by α (‖P‖ + ‖X‖ + s), and Δv by α (‖v̂‖ + ‖v⁻‖). If r = 0 and Δv is of the order of rounding, the
+/// slopes of r × m Δv vanish, and the product of both changes remains.
+double part_by_curvature(const equation::AngularMomentum& of, const ExactCase& exact_case, const LiftedOutcome& outcome,
+                         double allowance) {
+  const Body& body = of.of_a ? exact_case.collision().a : exact_case.collision().b;
+  const OutcomeVector k = of.of_a ? OutcomeVector::velocity_of_a : OutcomeVector::velocity_of_b;
+  const double size = outcome.norms()[k] + exact_case.bounds().norms_before()[k];
+  return allowance * length_of_lever_arm(body, exact_case.collision().point) * body.mass * size;
+}
+
 /// F has an error of δ = α m (‖v̂‖ + ‖v⁻‖), with the mass and the velocities of the body whose velocity change gives F.
 /// If the slopes vanish, ‖N × F‖² has an error of ‖N‖² δ², and (μ N·F)² one of μ² ‖N‖² δ².
 double part_by_curvature(const equation::FrictionCone& cone, const ExactCase& exact_case, const LiftedOutcome& outcome,
@@ -163,15 +174,14 @@ double part_by_curvature(const equation::ImpulseBound& bound, const ExactCase& e
   double of_bound = 0;
   if (bound.of == ImpulseBoundOf::approach) {
     of_impulse *= norm_of(c.normal);
-    of_bound = (1 + c.restitution) * exact_case.normal_velocity_sensitivity();
+    of_bound = exact_case.normal_velocity_sensitivity();
   } else {
-    const bool by_tangential = bound.of == ImpulseBoundOf::velocity_by_tangential_restitution;
     for (const Body* body : {&c.a, &c.b}) {
-      const double arm = norm_of(lever_arm<double>(*body, c.point)) + norm_of(c.point) + length_of_position(*body);
+      const double arm = norm_of(lever_arm<double>(*body, c.point)) + length_of_lever_arm(*body, c.point);
       of_bound += norm_of(body->velocity) + norm_of(body->angular_velocity) * arm;
     }
-    of_bound *= 1 + (by_tangential ? c.tangential_restitution : c.restitution);
   }
+  of_bound *= factor_of(bound.of, c);
   return allowance * (of_impulse * of_impulse + of_bound * of_bound);
 }
 

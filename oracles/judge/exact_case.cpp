@@ -29,10 +29,6 @@ Vector3<T> torque_arm(const BasicBody<T>& body, const BasicCollision<T>& c) {
   return lever_arm(body, c.point).cross(c.normal);
 }
 
-/// The length by which rounding moves a lever arm, divided by the allowance. A lever arm moves with both positions, so
-/// both lengths count, not the length of the difference.
-double reach(const Body& body, const Collision& c) { return norm_of(c.point) + length_of_position(body); }
-
 /// Beyond the range of numbers, a part of second order is left out.
 void drop_infinite(Sensitivity& scale) {
   for (const OutcomeVector k : all_outcome_vectors) {
@@ -76,7 +72,9 @@ void add_change_of_matrix(const Collision& c, const Vector3<double>& impulse, co
 
 /// [δr]ᵀ J⁻¹ [δr], the change of K of second order, changes F. The first order vanishes if r × N = 0.
 void add_second_order_of_arms(const Collision& c, const Vector3<double>& impulse, Sensitivity& scale) {
-  const auto squared = [&](const Body& body) { return reach(body, c) * reach(body, c); };
+  const auto squared = [&](const Body& body) {
+    return length_of_lever_arm(body, c.point) * length_of_lever_arm(body, c.point);
+  };
   add_change_of_matrix(c, impulse, squared, scale);
 }
 
@@ -85,7 +83,7 @@ Sensitivity second_order_scale(const Collision& c) {
   double speed = 0;
   double lambda = 0;
   for (const Body* body : {&c.a, &c.b}) {
-    speed += norm_of(body->velocity) + norm_of(body->angular_velocity) * reach(*body, c);
+    speed += norm_of(body->velocity) + norm_of(body->angular_velocity) * length_of_lever_arm(*body, c.point);
     lambda += body->immovable ? 0 : 1 / body->mass;
   }
   const double impulse = 2 * speed / lambda;  // not used if both bodies are immovable
@@ -94,7 +92,7 @@ Sensitivity second_order_scale(const Collision& c) {
   };
   const auto of_spin = [&](const Body& body) {
     return norm_of(body.angular_velocity) +
-           (body.immovable ? 0 : impulse * reach(body, c) / body.principal_inertia.minCoeff());
+           (body.immovable ? 0 : impulse * length_of_lever_arm(body, c.point) / body.principal_inertia.minCoeff());
   };
   Sensitivity scale{};
   scale[OutcomeVector::velocity_of_a] = of_velocity(c.a);
@@ -361,7 +359,9 @@ const Sensitivity& ExactCase::second_order_from_rest() const {
     // |N·V⁻| and its rounding are at most the allowance times the sensitivity each, and λ ‖F‖ ≤ (1 + ε) |N·V⁻| / ‖N‖.
     const double impulse =
         (1 + c.restitution) * 2 * normal_velocity_sensitivity() / (normal * oracles::inverse_mass(c));
-    const auto crossed = [&](const Body& body) { return 2 * reach(body, c) * norm_of(lever_arm(body, c.point)); };
+    const auto crossed = [&](const Body& body) {
+      return 2 * length_of_lever_arm(body, c.point) * norm_of(lever_arm(body, c.point));
+    };
     Sensitivity scale{};
     add_change_of_matrix(c, c.normal * (impulse / normal), crossed, scale);
     drop_infinite(scale);

@@ -47,7 +47,7 @@ bool PermittedInputs::first_order_is_blind(const Collision& c, double allowance,
     if (body->immovable) {
       continue;
     }
-    const double rounding = a_good_part * allowance * (norm_of(c.point) + length_of_position(*body));
+    const double rounding = a_good_part * allowance * length_of_lever_arm(*body, c.point);
     if ((length > 0 && rounding > length) ||
         rounding > std::sqrt(body->principal_inertia.minCoeff()) / std::sqrt(body->mass)) {
       return true;

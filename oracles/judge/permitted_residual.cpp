@@ -29,13 +29,12 @@ class Residual {
   }
   /// The impulse contains no lever arm. So only the bound moves: (b + δ)² − b² for a bound b that moves by δ.
   double operator()(const equation::ImpulseBound& bound) const {
-    const bool by_tangential = bound.of == ImpulseBoundOf::velocity_by_tangential_restitution;
-    const double whole = 1 + (by_tangential ? collision_.tangential_restitution : collision_.restitution);
-    const double length = whole * norm_of(collision_.normal);
+    const double factor = factor_of(bound.of, collision_);
+    const double length = factor * norm_of(collision_.normal);
     return bound.of == ImpulseBoundOf::approach ? growth_of_square(length * std::abs(inputs_.normal_velocity().centre),
                                                                    length * inputs_.normal_velocity().radius)
-                                                : growth_of_square(whole * norm_of(inputs_.relative_velocity().centre),
-                                                                   whole * inputs_.relative_velocity().radius);
+                                                : growth_of_square(factor * norm_of(inputs_.relative_velocity().centre),
+                                                                   factor * inputs_.relative_velocity().radius);
   }
   double operator()(const equation::ReflectionPlane&) const {
     const VectorBall before = cross(inputs_.unit_normal(), inputs_.relative_velocity());

@@ -101,6 +101,13 @@ enum class ImpulseBoundOf {
                                                   : ImpulseBoundOf::velocity_by_restitution;
 }
 
+/// 1 + ε, or 1 + e_t, by which the bound multiplies the velocity.
+template <class T>
+[[nodiscard]] T factor_of(ImpulseBoundOf bound, const BasicCollision<T>& c) {
+  return T(1) +
+         (bound == ImpulseBoundOf::velocity_by_tangential_restitution ? c.tangential_restitution : c.restitution);
+}
+
 /// Each struct maps (collision, outcome) to the two sides of an equation or inequality, in any field T. `name()` has a
 /// value if the equation is affine in the outcome. F is computed from the velocity change of A if `read_off_a`,
 /// otherwise from that of B. Precondition: this body is movable.
@@ -193,7 +200,8 @@ struct NonPenetration {
 struct PartingSpeed {
   bool collides;  // N·V⁻ < 0
 
-  /// The derivatives with respect to the outcome are those of NonPenetration.
+  /// The derivatives with respect to the outcome are those of NonPenetration. The truth satisfies the inequality only
+  /// if `collides` is right.
   [[nodiscard]] static constexpr std::optional<AffineEquation> name() { return AffineEquation::non_penetration; }
 
   template <class T>
@@ -304,14 +312,13 @@ struct ImpulseBound {
     const BasicBody<T>& body = read_off_a ? c.a : c.b;
     const T share = inverse_mass(c) * body.mass;
     const Vector3<T> impulse = share * Vector3<T>((read_off_a ? after.a : after.b).velocity - body.velocity);
-    const T whole =
-        T(1) + (of == ImpulseBoundOf::velocity_by_tangential_restitution ? c.tangential_restitution : c.restitution);
+    const T factor = factor_of(of, c);
     const T squared = impulse.dot(impulse);
     if (of == ImpulseBoundOf::approach) {
-      const T limit = whole * normal_velocity_before(c);
+      const T limit = factor * normal_velocity_before(c);
       return {Scalar1<T>(squared * c.normal.dot(c.normal)), Scalar1<T>(limit * limit)};
     }
-    const Vector3<T> limit = whole * relative_velocity<T>(c, unchanged(c));
+    const Vector3<T> limit = factor * relative_velocity<T>(c, unchanged(c));
     return {Scalar1<T>(squared), Scalar1<T>(limit.dot(limit))};
   }
 };

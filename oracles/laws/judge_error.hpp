@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -21,5 +22,20 @@ class JudgeError : public std::logic_error {
  private:
   std::shared_ptr<const Collision> collision_;  // shared, so that copying the exception cannot throw
 };
+
+/// judge(), which calls no subject. Any exception but a lack of memory is a fault of the judge, and names the
+/// collision.
+template <class Judge>
+auto on_collision(const Collision& collision, const Judge& judge) {
+  try {
+    return judge();
+  } catch (const JudgeError&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw JudgeError(error.what(), collision);
+  }
+}
 
 }  // namespace carom::oracles

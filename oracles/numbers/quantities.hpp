@@ -24,6 +24,12 @@ struct Quantity {
 /// The length ‖q‖ of the position q = X of a body: ‖X‖ + s, with the extent s.
 [[nodiscard]] inline double length_of_position(const Body& body) { return norm_of(body.position) + extent_of(body); }
 
+/// ‖P‖ plus the length of the position: if both are rounded by a relative η, the lever arm r = P − X moves by at most η
+/// times this length. Both lengths count, not the length of the difference.
+[[nodiscard]] inline double length_of_lever_arm(const Body& body, const Vector3<double>& point) {
+  return norm_of(point) + length_of_position(body);
+}
+
 [[nodiscard]] std::vector<Quantity> quantities_of(const Collision& collision);
 
 /// Σ_q ‖∂y/∂q‖ ‖q‖ over the quantities q, with Frobenius norms, for a vector y with `components` components.

@@ -94,7 +94,7 @@ bool Examination::holds(const Case& one) {
   if (first_ && !properties::is_as_bad(verdict, one.collision, first_->verdict, first_->one.collision)) {
     return true;
   }
-  last_ = {one, std::move(verdict), answer_};
+  last_ = {one, std::move(verdict), answer_, has_thrown_};
   first_ = first_ ? std::move(first_) : last_;
   return false;
 }
@@ -110,6 +110,7 @@ Verdict Examination::verdict_of_session(const properties::AboutSession& about, c
 
 Verdict Examination::verdict_on(const Case& one) {
   answer_ = ReportedOutcome();
+  has_thrown_ = false;
   if (const auto outside = properties::quantity_outside(claim_.within, one.collision)) {
     return skipped("the collision is outside of the domain, by its " + std::string(name_of(*outside)));
   }
@@ -129,6 +130,7 @@ Verdict Examination::verdict_on(const Case& one) {
                             : single_verdict(properties::try_case(judged_case, claim_, solve));
   } catch (const SubjectEnded& ended) {
     answer_ = Skipped{ended.how};
+    has_thrown_ = true;
     has_failed_ = !ended.can_continue;
     return {.status = Status::violated, .detail = ended.how};
   }
@@ -162,7 +164,7 @@ Finding Examination::finding(const std::string& test) {
 }
 
 std::string Examination::violation() {
-  const auto& [one, found, found_answer] = *last_;
+  const auto& [one, found, found_answer, has_ended] = *last_;
   std::optional<Verdict> verdict;
   if (!has_failed_) {
     claim_.yardstick.filtered = false;  // the report shows numbers from exact arithmetic

@@ -42,7 +42,7 @@ class Examination {
   [[nodiscard]] properties::Verdict verdict_of_session(const properties::AboutSession& about,
                                                        const Collision& collision);
   /// Whether the subject threw in the last violation.
-  [[nodiscard]] bool has_ended() const { return last_ && std::holds_alternative<Skipped>(last_->answer); }
+  [[nodiscard]] bool has_ended() const { return last_ && last_->has_ended; }
   [[nodiscard]] std::string violation();
   [[nodiscard]] std::string why_skipped() const;
 
@@ -50,12 +50,14 @@ class Examination {
   properties::Claim claim_;
   Session session_;
   Answer answer_;
+  bool has_thrown_ = false;  // in place of its last answer
   bool has_failed_ = false;  // then the session cannot continue
   std::exception_ptr error_of_judge_;
   struct Violation {
     properties::Case one;
     properties::Verdict verdict;
     Answer answer;
+    bool has_ended;  // the subject threw
   };
   std::optional<Violation> first_;
   std::optional<Violation> last_;

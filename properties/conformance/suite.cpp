@@ -8,6 +8,7 @@
 #include <carom/properties/conformance/closing_lines.hpp>
 #include <carom/properties/conformance/finding.hpp>
 #include <carom/properties/conformance/suite.hpp>
+#include <carom/properties/trial/in_words.hpp>
 
 namespace carom::conformance {
 namespace {
@@ -28,6 +29,15 @@ void show(const Finding& finding, const Place& place) {
         << finding.text << "  this test alone: --gtest_filter=" << name_of_this_test();
   } else if (finding.status == properties::Status::skipped) {
     GTEST_SKIP() << finding.text;
+  }
+}
+
+/// Shows a fault of the judge as one, with its collision.
+void show_finding(const Place& place, const std::function<Finding()>& finding) {
+  try {
+    show(finding(), place);
+  } catch (const oracles::JudgeError& error) {
+    ADD_FAILURE_AT(place.file, place.line) << properties::in_words(error);
   }
 }
 
@@ -58,11 +68,11 @@ bool add_suite(const char* name, const char* file, int line, const std::function
     const std::vector<Statement> all = make();
     for (const Statement& statement : all) {
       add_test(tests, "Holds/" + name_of(statement), in_words(statement), place,
-               [statement, place] { show(find(statement, name_of_this_test()), place); });
+               [statement, place] { show_finding(place, [&] { return find(statement, name_of_this_test()); }); });
     }
     // It comes last, because the other tests show which invariants are judged.
     add_test(tests, "JudgesEachInvariant", "", place,
-             [all, place] { show(finding_of_judged(all, name_of_this_test()), place); });
+             [all, place] { show_finding(place, [&] { return finding_of_judged(all, name_of_this_test()); }); });
   } catch (const std::exception& error) {
     add_test(tests, "Holds/options", "", place,
              [place, why = std::string(error.what())] { ADD_FAILURE_AT(place.file, place.line) << why; });

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
-#include <exception>
-#include <new>
 #include <set>
 #include <utility>
 
 #include <carom/properties/diagnosis/diagnosis.hpp>
 #include <carom/properties/diagnosis/faults.hpp>
+#include <carom/properties/trial/in_words.hpp>
 
 namespace carom::properties::diagnosis {
 namespace {
@@ -96,12 +95,9 @@ std::vector<Diagnosis> diagnose_all(const GateReport& report) {
     if (report.results[s].violated_invariants().empty()) {
       return;
     }
-    try {
-      diagnoses[s] = diagnose(report.results[s], report);
-    } catch (const std::bad_alloc&) {
-      throw;
-    } catch (const std::exception& error) {
-      diagnoses[s].missing = error.what();
+    const std::string fault = why_failed([&] { diagnoses[s] = diagnose(report.results[s], report); });
+    if (!fault.empty()) {
+      diagnoses[s].missing = fault;
     }
   });
   return diagnoses;

@@ -32,7 +32,7 @@ struct Fault {
 /// The lines of the faults, each after `indent`, and at most `most` lines.
 [[nodiscard]] std::string in_words(std::span<const Fault> faults, const std::string& indent, std::size_t most);
 
-/// What is wrong with the collision matrices that a subject shows.
+/// The kinds of faults of the collision matrices that a subject shows.
 enum class MatrixFault {
   missing,        // a contact that collides has none
   out_of_bounds,  // not positive definite, or too large

@@ -64,7 +64,7 @@ bool lacks_matrix(const ViolatedCase& one) {
   return outcome != nullptr && !outcome->collision_matrix;
 }
 
-/// What is wrong with the shown matrices. Precondition: the outcomes are right.
+/// The kind of fault of the shown matrices. Precondition: the outcomes are right.
 MatrixFault matrix_fault(const SubjectResult& result, std::span<const ViolatedCase> examples) {
   if (std::ranges::any_of(examples, lacks_matrix)) {
     return MatrixFault::missing;
@@ -193,7 +193,8 @@ class FaultSearch {
       }
       std::ranges::set_difference(of_matrix, others, std::back_inserter(matrix_alone_[f]));
     }
-    // The matrix of a wrong computation also violates invariants in cases with a right outcome.
+    // A wrong computation also forms a wrong matrix in cases where the outcome is right by chance: C is wrong across F
+    // only. So the matrix is a fault of its own if most violated cases have a right outcome.
     constexpr std::size_t least_share = 2;
     if (size_of(matrix_alone_) >= std::max<std::size_t>(least_violated, size_of(violations_.violated) / least_share)) {
       add(fault_of_matrix(matrix_fault(result_, examples_)), matrix_alone_);

@@ -18,7 +18,7 @@ V axis_of(const Q& q) { return q.tail<3>(); }
 /// The place in the quaternion of the greatest component of its axis.
 int place_of_axis(const Q& q) { return 1 + place_of_least(negated(V(axis_of(q).cwiseAbs()))); }
 
-/// q without its component `place`, of the least length that keeps the others.
+/// q with its component `place` set to zero.
 Q without(Q q, int place) {
   q[place] = 0;
   return q;

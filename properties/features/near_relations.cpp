@@ -34,7 +34,7 @@ double distance_of_spin(const Collision& c, const Body& b) {
                length(rest_of_approach(c, b, speed_by_spin(c, b))));
 }
 
-/// The greater of the distances, or 0 if it is not small.
+/// Vectors that are nearly zero.
 std::vector<Near> near_zeros() {
   return {
       {"at_origin",

@@ -6,6 +6,7 @@
 
 #include <carom/properties/domains/draw_within.hpp>
 #include <carom/properties/gate/decided_by_effects.hpp>
+#include <carom/properties/trial/in_words.hpp>
 
 namespace carom::properties {
 namespace {
@@ -52,12 +53,13 @@ bool decides(DeclaredEffect effect, const JudgedCase& one, const Subject& subjec
     return one.decided_by_approach(yardstick)[effect];
   }
   ExactAnswer answer = lift(reported(one.exact().nearest_truth(subject.law)));
-  return take_out_effects(answer, subject.effects, one.exact(), subject.law, yardstick.rounding())[effect];
+  return take_out_effects(answer, subject.effects, one.exact(), subject.law, yardstick.allowance())[effect];
 }
 
 /// Draws a few cases of each family within the domain. The share is empty if there are none.
 Share share_within(const Domain& within, DeclaredEffect effect, const Subject& subject, const GateOptions& options) {
   constexpr std::uint64_t cases_of_family = 8;
+  const oracles::Yardstick yardstick = options.yardstick.in(subject.precision);
   Share share;
   for (const Family* family : options.families) {
     if (!family->is_valid || !has_cases_within(within, *family, options.seed)) {
@@ -67,7 +69,7 @@ Share share_within(const Domain& within, DeclaredEffect effect, const Subject& s
       const JudgedCase one(drawn_case_within(within, *family, options.seed, index), true, subject.effects);
       if (one.is_valid() && one.collides()) {
         ++share.colliding;
-        share.decided += decides(effect, one, subject, options.yardstick) ? 1 : 0;
+        share.decided += decides(effect, one, subject, yardstick) ? 1 : 0;
       }
     }
   }
@@ -78,15 +80,20 @@ bool is_empty(const Domain& domain) {
   return std::ranges::any_of(domain.ranges, [](const Range& range) { return range.least > range.most; });
 }
 
+/// No verdict depends on this hint. So a fault of the judge costs the hint alone.
 std::string where_it_decides_less(DeclaredEffect effect, const Subject& subject, const GateOptions& options) {
-  for (const Domain& within : narrowed(options.within, effect, subject.effects[effect])) {
-    const Share share = is_empty(within) ? Share{} : share_within(within, effect, subject, options);
-    if (share.colliding > 0 && !is_more_than_a_tenth(share.decided, share.colliding)) {
-      return fmt::format("it decides {} of {} drawn cases with --within {}", share.decided, share.colliding,
-                         to_text(within));
+  std::string where = "no domain was found in which it decides less";
+  const std::string fault = why_failed([&] {
+    for (const Domain& within : narrowed(options.within, effect, subject.effects[effect])) {
+      const Share share = is_empty(within) ? Share{} : share_within(within, effect, subject, options);
+      if (share.colliding > 0 && !is_more_than_a_tenth(share.decided, share.colliding)) {
+        where = fmt::format("it decides {} of {} drawn cases with --within {}", share.decided, share.colliding,
+                            to_text(within));
+        return;
+      }
     }
-  }
-  return "no domain was found in which it decides less";
+  });
+  return fault.empty() ? where : "no domain was sought, because the judge failed: " + fault;
 }
 
 }  // namespace

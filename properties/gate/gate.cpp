@@ -179,15 +179,7 @@ class Worker {
       if (!task || is_over_for_all(task->number)) {
         break;
       }
-      const std::deque<JudgedCase> cases = cases_in(*task);
-      for (std::size_t s = 0; s < examinees_.size(); ++s) {
-        if (!run_->finds.was_found_before(s, task->number)) {
-          run_unless_failed(s, [&] {
-            judge_task(examinees_[s], *task, cases, tallies_[s]);
-            note_find(s);
-          });
-        }
-      }
+      run_unless_judge_failed([&] { judge_all(*task); });
       run_->progress.add(task->last - task->first);
     }
     for (std::size_t s = 0; s < examinees_.size(); ++s) {
@@ -213,6 +205,19 @@ class Worker {
     return run_->options.relations_every > 0 ? run_->options.relations_every : (subject.is_program() ? of_programs : 1);
   }
 
+  /// f(), unless a fault of the judge ended the run. Keeps a fault of f.
+  template <class F>
+  void run_unless_judge_failed(const F& f) {
+    if (run_->judge_fault.is_set()) {
+      return;
+    }
+    try {
+      f();
+    } catch (const oracles::JudgeError& error) {
+      run_->judge_fault.set(error);
+    }
+  }
+
   /// A subject that throws is not judged further, and its results so far stay. A fault of the judge is kept apart.
   template <class F>
   void run_unless_failed(std::size_t subject, const F& f) {
@@ -224,14 +229,26 @@ class Worker {
         tallies_[subject].error = exception.what();
       }
     };
-    try {
-      f();
-    } catch (const SubjectError& error) {
-      note(error);
-    } catch (const SessionFailure& failure) {
-      note(failure);
-    } catch (const oracles::JudgeError& error) {
-      run_->judge_fault.set(error);
+    run_unless_judge_failed([&] {
+      try {
+        f();
+      } catch (const SubjectError& error) {
+        note(error);
+      } catch (const SessionFailure& failure) {
+        note(failure);
+      }
+    });
+  }
+
+  void judge_all(const Task& task) {
+    const std::deque<JudgedCase> cases = cases_in(task);
+    for (std::size_t s = 0; s < examinees_.size(); ++s) {
+      if (!run_->finds.was_found_before(s, task.number)) {
+        run_unless_failed(s, [&] {
+          judge_task(examinees_[s], task, cases, tallies_[s]);
+          note_find(s);
+        });
+      }
     }
   }
 
@@ -262,12 +279,14 @@ class Worker {
     const Family& family = *run_->options.families[task.family];
     std::deque<JudgedCase> cases;
     for (std::uint64_t i = 0; i < task.last - task.first; ++i) {
-      cases.emplace_back(drawn_case_within(run_->options.within, family, run_->options.seed, task.case_number(i)),
-                         run_->options.yardstick.filtered);
-      coverage_[task.family] += coverage_of(cases.back());
-      if (cases.back().is_valid()) {
-        look_at(task.family, task.case_number(i), cases.back());
-      }
+      const Case drawn = drawn_case_within(run_->options.within, family, run_->options.seed, task.case_number(i));
+      oracles::on_collision(drawn.collision, [&] {
+        const JudgedCase& one = cases.emplace_back(drawn, run_->options.yardstick.filtered);
+        coverage_[task.family] += coverage_of(one);
+        if (one.is_valid()) {
+          look_at(task.family, task.case_number(i), one);
+        }
+      });
     }
     return cases;
   }

@@ -72,7 +72,8 @@ std::deque<JudgedCase> with_effects(const Claim& claim, const std::deque<JudgedC
   std::deque<JudgedCase> own;
   for (const JudgedCase& one : cases) {
     if (claim.effects != DeclaredEffects{}) {
-      own.emplace_back(one.generated(), claim.yardstick.filtered, claim.effects);
+      oracles::on_collision(one.generated().collision,
+                            [&] { own.emplace_back(one.generated(), claim.yardstick.filtered, claim.effects); });
     }
   }
   return own;
@@ -98,12 +99,14 @@ void drop_unclaimed(Judgement& judgement, const Claim& claim, const Family& fami
 }  // namespace
 
 void FirstViolation::add_to(SubjectTally& tally, const Claim& claim) const {
-  if (is_of_new_case) {
-    tally.add(asked.family, asked.index, JudgedCase(asked.one, claim.yardstick.filtered, claim.effects), asked.answer,
-              judgement, claim);
-  } else {
-    tally.add(asked.family, asked.index, asked.one, asked.answer, judgement.verdicts.back());
-  }
+  oracles::on_collision(asked.one.collision, [&] {
+    if (is_of_new_case) {
+      tally.add(asked.family, asked.index, JudgedCase(asked.one, claim.yardstick.filtered, claim.effects), asked.answer,
+                judgement, claim);
+    } else {
+      tally.add(asked.family, asked.index, asked.one, asked.answer, judgement.verdicts.back());
+    }
+  });
 }
 
 bool is_asked_again(std::uint64_t index) { return index % one_asked_again_of == 0; }
@@ -192,9 +195,11 @@ void judge_task(Examinee& examinee, const Task& task, const std::deque<JudgedCas
       examinee.first_violation = {task.number, asked(), std::move(judgement), true};
       return;
     }
-    tally.add(task.family, index, cases[i], batch.answers[i], judgement, claim);
-    keep_if_least(tally.families[task.family].boundary,
-                  boundary_by(*examinee.families[task.family], index, cases[i].generated().collision, judgement));
+    oracles::on_collision(collisions[i], [&] {
+      tally.add(task.family, index, cases[i], batch.answers[i], judgement, claim);
+      keep_if_least(tally.families[task.family].boundary,
+                    boundary_by(*examinee.families[task.family], index, collisions[i], judgement));
+    });
     if (std::any_of(replies.begin(), replies.end(),
                     [](const Answer& reply) { return std::holds_alternative<Failed>(reply); })) {
       const std::vector<Collision> asked_besides = trials[i].questions();

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 #include <chrono>
-#include <new>
 #include <string_view>
 
 #include <carom/properties/families/beyond_domain.hpp>
 #include <carom/properties/gate/witness.hpp>
 #include <carom/properties/search/shrink.hpp>
 #include <carom/properties/trial/answers.hpp>
+#include <carom/properties/trial/in_words.hpp>
 #include <carom/properties/trial/restarts.hpp>
 
 namespace carom::properties {
@@ -105,16 +105,15 @@ void add_witnesses(GateReport& report) {
   options.workers.run(found.size(), [&](std::size_t i) {
     SubjectResult& result = report.results[found[i].subject];
     Witness& witness = result.witnesses[found[i].witness];
-    try {
+    const std::string fault = why_failed([&] {
       if (options.shrinks && !options.stop.stop_requested()) {
         Claim claim = claim_of(result.subject, options.yardstick);
         claim.within = options.within;
         witness = shrunk_witness(result.subject, claim, witness, options.within);
       }
-    } catch (const std::bad_alloc&) {
-      throw;
-    } catch (const std::exception& error) {
-      witness.not_shrunk = error.what();  // it stays as it was found
+    });
+    if (!fault.empty()) {
+      witness.not_shrunk = fault;  // it stays as it was found
     }
   });
 }

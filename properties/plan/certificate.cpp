@@ -36,9 +36,8 @@ double smaller(double x, double y) { return std::min(x, y); }
 
 oracles::Yardstick ulps_of_binary64(double limit_ulps) {
   oracles::Yardstick yardstick;
-  yardstick.unit_roundoff = unit_roundoff(Precision::binary64);
   yardstick.limit_ulps = limit_ulps;
-  return yardstick;
+  return yardstick.in(Precision::binary64);
 }
 
 /// Every claimed invariant of one outcome.
@@ -110,8 +109,7 @@ Result Certifier::judge(const Candidate& candidate, const Answer& answer) const 
     result.digits = oracles::nearest_answer(exact(), answers_of_coulomb(), *reported).digits;
   }
   if (!demand_.digits) {
-    oracles::Yardstick of_candidate = ulps_;
-    of_candidate.unit_roundoff = unit_roundoff(candidate.subject.precision);
+    const oracles::Yardstick of_candidate = ulps_.in(candidate.subject.precision);
     if (const std::optional<Unjudged> why = reason_unjudged(exact(), of_candidate)) {
       result.failure = in_words(*why);
     } else if (!is_allowed) {

@@ -25,7 +25,6 @@ void ImpulseJudge::record(const scene::Event& event) {
   if (!event.has_impulse || every_ == 0 || impulses_++ % every_ != 0) {
     return;
   }
-  ++judged_;
   ReportedOutcome outcome;
   const auto widen = [](const BodyVelocity<double>& body) -> BodyVelocity<long double> {
     return {body.velocity.cast<long double>(), body.angular_velocity.cast<long double>()};
@@ -36,6 +35,7 @@ void ImpulseJudge::record(const scene::Event& event) {
   const JudgedCase judged_case({event.collision, true});
   const Trial trial(judged_case, claim_, lift(Answer(outcome)), no_relations);
   const Judgement judgement = trial.judge(std::span<ExactAnswer>{}, worst_backward_error_);
+  ++judged_;
   bool is_bad = false;
   for (const NamedVerdict& named : judgement.verdicts) {
     if (named.verdict.status == Status::holds) {

@@ -33,8 +33,7 @@ class Restarts {
 
 /// A session that continues after a failure: the answer is Failed, and the subject is started again. Throws
 /// SessionFailure if `restarts` forbids this, if the subject cannot start again, or if a stop is requested. Throws
-/// SubjectError if the subject cannot start at first. `restarts` must
-/// outlive the session.
+/// SubjectError if the subject cannot start at first. `restarts` must outlive the session.
 [[nodiscard]] Session open_restarting(const Subject& subject, Restarts& restarts, std::stop_token stop = {});
 
 }  // namespace carom::properties

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 #include <cmath>
-#include <new>
 #include <stdexcept>
 #include <string>
 
 #include <carom/collision/expects.hpp>
 #include <carom/collision/validate.hpp>
+#include <carom/oracles/laws/judge_error.hpp>
 #include <carom/properties/invariants/verdicts.hpp>
 #include <carom/properties/trial/trial.hpp>
 
@@ -78,21 +78,6 @@ std::optional<Verdict> verdict_on_outcome(const Invariant& invariant, const Evid
     return outside_domain("a declared limit shortens a velocity; `backward_error` judges the outcome");
   }
   return of_outcome != nullptr ? of_outcome->check(evidence) : of_matrix->check(evidence);
-}
-
-/// judge(), which calls no subject. Any exception but a lack of memory is a fault of the judge, and names the
-/// collision.
-template <class Judge>
-auto on_collision(const Collision& collision, const Judge& judge) {
-  try {
-    return judge();
-  } catch (const oracles::JudgeError&) {
-    throw;
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const std::exception& error) {
-    throw oracles::JudgeError(error.what(), collision);
-  }
 }
 
 std::vector<Deviation> deviations_of(const Subject& subject) {
@@ -214,7 +199,7 @@ Trial::Trial(const JudgedCase& judged_case, const Claim& claim, ExactAnswer answ
       questions_(claim.invariants.size()) {
   CAROM_EXPECTS(judged_case.effects() == claim.effects);
   if (std::holds_alternative<oracles::LiftedOutcome>(answer_) && judged_case.is_valid()) {
-    on_collision(judged_case.generated().collision, [this] { prepare(); });
+    oracles::on_collision(judged_case.generated().collision, [this] { prepare(); });
   }
 }
 
@@ -324,8 +309,8 @@ Judgement Trial::judge(std::span<ExactAnswer> answers, double known_backward_err
 /// on. The answers are valid until the next call.
 template <class AnswersTo>
 Judgement Trial::judge_by(const AnswersTo& answers_to, double known_backward_error) const {
-  return on_collision(judged_case_->generated().collision,
-                      [&] { return judgement_by(answers_to, known_backward_error); });
+  return oracles::on_collision(judged_case_->generated().collision,
+                               [&] { return judgement_by(answers_to, known_backward_error); });
 }
 
 template <class AnswersTo>

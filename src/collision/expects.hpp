@@ -4,9 +4,9 @@
 /// CAROM_EXPECTS(condition, values…) states a precondition. If the condition is false, a checked build prints the
 /// place, the condition and the values, and aborts. Any other build does not evaluate the condition.
 ///
-/// A build is checked if CAROM_CHECK_PRECONDITIONS is 1, or if neither this macro nor NDEBUG is defined. A program may
-/// mix checked and unchecked units: a check changes no result, type or layout. The linker keeps one copy of an inline
-/// function, checked or not.
+/// A build is checked if CAROM_CHECK_PRECONDITIONS is 1, or if neither this macro nor NDEBUG is defined. All units of a
+/// program that share inline functions of Carom must agree, by the one-definition rule: an installed library of a
+/// default build has 0. Only precondition_tests mixes, and relies on a linker that keeps the first copy.
 #ifndef CAROM_CHECK_PRECONDITIONS
 #ifdef NDEBUG
 #define CAROM_CHECK_PRECONDITIONS 0

@@ -51,3 +51,9 @@ function(write_lines_of_plan consumer folder variable)
   file(WRITE ${folder}/lines_of_plan.hpp "${lines}")
   set(${variable} ${folder}/lines_of_plan.hpp PARENT_SCOPE)
 endfunction()
+
+# Writes the suite of docs/guide/conformance.md that tests my_solver.hpp.
+function(write_suite consumer file)
+  lines_of(${consumer}/../../docs/guide/conformance.md "    #include <carom/conformance.hpp>\n" ";\n" suite)
+  file(WRITE ${file} "${suite}")
+endfunction()

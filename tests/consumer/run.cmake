@@ -11,11 +11,10 @@ set(pages ${CONSUMER}/../..)
 lines_of(${pages}/docs/guide/use-from-cpp.md "    #include <carom/impulse/reflection.hpp>\n" "\n    }\n" example)
 file(WRITE ${WORK}/page_example.cpp "${example}")
 lines_of(${pages}/docs/guide/use-from-cpp.md "    -1.5" "\n" printed)
-write_lines_of_plan(${CONSUMER} ${WORK} lines_of_plan)
 
 # The solvers and the gate need neither GoogleTest nor RapidCheck.
 run(${CMAKE_COMMAND} -S ${CONSUMER} -B ${WORK}/build -G Ninja -DCMAKE_PREFIX_PATH=${WORK}/installed
-    -DCMAKE_BUILD_TYPE=Debug -DPAGE_EXAMPLE=${WORK}/page_example.cpp -DLINES_OF_PLAN=${lines_of_plan}
+    -DCMAKE_BUILD_TYPE=Debug -DPAGE_EXAMPLE=${WORK}/page_example.cpp
     -DCMAKE_DISABLE_FIND_PACKAGE_GTest=ON -DCMAKE_DISABLE_FIND_PACKAGE_rapidcheck=ON)
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${WORK}/build/solve)
@@ -62,9 +61,28 @@ lines_of(${pages}/README.md "    #include <carom/properties/three_properties.hpp
 file(WRITE ${kit}/readme_property.cpp "${property}")
 lines_of(${guide} "    #include <carom/properties/three_properties.hpp>\n" "\n    }\n" property)
 lines_of(${guide} "    RC_GTEST_PROP(MySolver, NeverPenetratesHere" "\n    }\n" chosen)
-file(WRITE ${kit}/guide_properties.cpp "${property}${chosen}")
-lines_of(${guide} "    #include <carom/conformance.hpp>\n" ";\n" suite)
-file(WRITE ${kit}/my_test.cpp "${suite}")
+lines_of(${guide} "carom::properties::momentum_conservation(my_solver, c, {.precision" "})" call)
+lines_of(${guide} "return {outcome, matrix};" ";" shown)
+file(WRITE ${kit}/guide_properties.cpp "${property}${chosen}
+RC_GTEST_PROP(MySolver, ConservesMomentumInGames, (const carom::Collision& c)) {
+  RC_ASSERT(${call});
+}
+
+#include <carom/impulse/collision_matrix.hpp>
+
+// The wrong solver turns the signs of its matrix.
+carom::SolvedOutcome<double> my_solver_with_matrix(const carom::Collision& c) {
+  const carom::Outcome<double> outcome = my_solver(c);
+  const double sign = std::getenv(\"MY_SOLVER\") == nullptr ? 1 : -1;
+  const carom::Matrix3<double> matrix = sign * carom::impulse::collision_matrix(carom::impulse::make_contact<double>(c));
+  ${shown}
+}
+
+RC_GTEST_PROP(MySolver, HasADefiniteMatrix, (const carom::Collision& c)) {
+  RC_ASSERT(carom::properties::positive_definiteness(my_solver_with_matrix, c));
+}
+")
+write_suite(${CONSUMER} ${kit}/my_test.cpp)
 lines_of(${guide} "    CAROM_CONFORMANCE(MySolverInGames" ";\n" suite)
 file(WRITE ${kit}/my_options.cpp "#include <carom/conformance.hpp>\n#include \"my_solver.hpp\"\n${suite}")
 lines_of(${guide} "    cmake_minimum_required" "gtest_main)\n" project)
@@ -98,10 +116,22 @@ function(expect_lines page first last)
   endforeach()
 endfunction()
 
-foreach(program readme_property guide_properties)
-  run_kit(right 0 seed=2 ${program})
+# Runs one property or suite alone. It must hold for the right solver, and fail for the wrong one.
+function(tell_apart program parameters filter)
+  run_kit(right 0 ${parameters} ${program} --gtest_filter=${filter})
+  expect_output("[  PASSED  ] ")
+  if(output MATCHES "Running 0 tests")
+    message(FATAL_ERROR "${program} has no test ${filter}")
+  endif()
+  run_kit(wrong 1 ${parameters} ${program} --gtest_filter=${filter})
+  expect_output("[  FAILED  ] ")
+endfunction()
+foreach(property ConservesMomentum NeverPenetratesHere ConservesMomentumInGames HasADefiniteMatrix)
+  tell_apart(guide_properties seed=2 MySolver.${property})
 endforeach()
-run_kit(wrong 1 seed=2 guide_properties)
+tell_apart(readme_property seed=2 MySolver.NeverPenetrates)
+tell_apart(my_test "seed=1 max_success=10" MySolver/*_in_generic)
+tell_apart(my_test "seed=1 max_success=10" MySolverInGames/*_in_generic)
 run_kit(wrong 1 seed=2 readme_property)
 expect_lines(${pages}/README.md "      A: mass 1, " "allowed ")
 # RapidCheck's string reproduces the same collision without shrinking.

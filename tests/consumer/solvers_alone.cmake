@@ -23,11 +23,9 @@ if(NOT folders STREQUAL "collision;impulse")
   message(FATAL_ERROR "installed: ${folders}")
 endif()
 
-write_lines_of_plan(${CONSUMER} ${WORK} lines_of_plan)
 function(configure_consumer expected components)
   run_expecting(${expected} ${CMAKE_COMMAND} -S ${CONSUMER} -B ${WORK}/consumer -G Ninja ${nothing_else}
-                -DCMAKE_PREFIX_PATH=${WORK}/installed -DCMAKE_BUILD_TYPE=Debug -DCOMPONENTS=${components}
-                -DLINES_OF_PLAN=${lines_of_plan})
+                -DCMAKE_PREFIX_PATH=${WORK}/installed -DCMAKE_BUILD_TYPE=Debug -DCOMPONENTS=${components})
   set(output "${output}" PARENT_SCOPE)
 endfunction()
 configure_consumer(1 kit)

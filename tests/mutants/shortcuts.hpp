@@ -33,8 +33,9 @@ inline void PrintTo(const Shortcut& shortcut, std::ostream* out) { *out << short
 
 /// The cases of a default run with this seed that reject each shortcut, of which at most `most` are counted. A case
 /// rejects a shortcut if its answer differs from that of the built-in solver and violates an invariant of one outcome.
-/// So a gate, which judges relations too, rejects at least these.
+/// So a gate, which judges relations too, rejects at least these. The run ends once all but `most_missed` shortcuts
+/// have `most` cases.
 [[nodiscard]] std::vector<std::uint64_t> rejecting_cases(std::span<const double> thresholds, std::uint64_t seed,
-                                                         std::uint64_t most);
+                                                         std::uint64_t most, std::size_t most_missed = 0);
 
 }  // namespace carom::mutants

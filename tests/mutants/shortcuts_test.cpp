@@ -22,13 +22,14 @@ const Shortcut& shortcut_named(std::string_view name) {
   return *std::ranges::find(all_shortcuts(), name, &Shortcut::name);
 }
 
-/// Of the forty shortcuts, two may be missed: a threshold below about 10⁻¹² is within the permitted rounding.
+/// Two of the forty shortcuts may be missed, because a threshold below about 10⁻¹² is within the permitted rounding.
 class Shortcuts : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(Shortcuts, AreRejectedInTenCasesEach) {
   constexpr std::uint64_t wanted = 10;
   const std::vector<double> thresholds = drawn_thresholds(seed_of_thresholds);
-  const std::vector<std::uint64_t> rejecting = rejecting_cases(thresholds, GetParam(), wanted);
+  constexpr std::size_t most_missed = 2;
+  const std::vector<std::uint64_t> rejecting = rejecting_cases(thresholds, GetParam(), wanted, most_missed);
   std::string missed;
   std::size_t found = 0;
   for (std::size_t i = 0; i < rejecting.size(); ++i) {
@@ -39,7 +40,7 @@ TEST_P(Shortcuts, AreRejectedInTenCasesEach) {
                 std::to_string(rejecting[i]) + " cases\n";
     }
   }
-  EXPECT_GE(found, 38U) << missed;
+  EXPECT_GE(found, all_shortcuts().size() - most_missed) << missed;
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, Shortcuts, testing::Values(1, 2, 3));

@@ -12,12 +12,12 @@ import time
 
 from bare_debian import SKIPPED, BareDebian, Unavailable
 
-# For each component: the arguments of cmake, and the programs of /consumer that must exit with 0.
+# For each component: the arguments of cmake, and the programs of tests/consumer that must exit with 0.
 USES = {
     "impulse": ("-DCOMPONENTS=impulse", ["/tmp/consumer/solve", "/tmp/consumer/batch"]),
     "judge": ("-DCOMPONENTS=judge", ["/tmp/consumer/judge"]),
     "report": ("-DCOMPONENTS=report", ["/tmp/consumer/report"]),
-    "kit": ("", ["env 'RC_PARAMS=seed=1 max_success=10' /tmp/consumer/sound_test"]),
+    "kit": ("-DCOMPONENTS=kit", ["env 'RC_PARAMS=seed=1 max_success=10' /tmp/consumer/my_test"]),
     "program": ("-DCOMPONENTS=program", ["/tmp/consumer/builtin", "carom gate frictionless-double --cases 5",
                                          "carom scene x 2>&1 | grep carom-scene"]),
     "scenes": ("-DCOMPONENTS=scenes", ["/tmp/consumer/scene", "carom scene /source/docs/examples/scenes/cradle.json"]),
@@ -41,8 +41,7 @@ def needs(source, component):
 def try_component(work, source, component):
     """The error as a text, or None."""
     debian = BareDebian(work / "base", work / component)
-    debian.binds |= {"/source": source, "/consumer": source / "tests/consumer"}
-    consumer = "/consumer/conformance" if component == "kit" else "/consumer"
+    debian.binds["/source"] = source
     arguments, programs = USES[component]
     commands = [
         f"apt-get update && apt-get install -y --no-install-recommends g++ cmake ninja-build {' '.join(sorted(needs(source, component)))}",
@@ -50,7 +49,7 @@ def try_component(work, source, component):
         "cmake --install /tmp/build --prefix /usr",
     ]
     if arguments is not None:
-        commands.append(f"cmake -S {consumer} -B /tmp/consumer -G Ninja -DCMAKE_BUILD_TYPE=Debug {arguments} "
+        commands.append(f"cmake -S /source/tests/consumer -B /tmp/consumer -G Ninja -DCMAKE_BUILD_TYPE=Debug {arguments} "
                         "&& cmake --build /tmp/consumer")
     commands += programs
     log_file = work / f"{component}.log"

@@ -63,7 +63,7 @@ def check_program(system):
 
 def check_libraries(system):
     system.expect("apt-get install -y --no-install-recommends /packages/libcarom-*-dev_*.deb g++ cmake ninja-build")
-    system.expect("cmake -S /consumer -B /tmp/consumer -G Ninja -DCMAKE_BUILD_TYPE=Debug && cmake --build /tmp/consumer")
+    system.expect("cmake -S /source/tests/consumer -B /tmp/consumer -G Ninja -DCMAKE_BUILD_TYPE=Debug && cmake --build /tmp/consumer")
     for program in ("solve", "batch", "judge", "report", "builtin", "scene"):
         system.expect(f"/tmp/consumer/{program}")
 
@@ -79,7 +79,7 @@ def main(packages, work, source):
         return SKIPPED
     try:
         check_program(system)
-        system.debian.binds["/consumer"] = source / "tests/consumer"
+        system.debian.binds["/source"] = source
         check_libraries(system)
     except Failure as failure:
         print(f"package_test: {failure}", file=sys.stderr)

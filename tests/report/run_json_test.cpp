@@ -9,6 +9,7 @@
 #include <carom/report/model/exit_status.hpp>
 #include <carom/report/model/merged_run.hpp>
 #include <carom/report/model/run_json.hpp>
+#include <carom/report/pages/pages.hpp>
 
 namespace carom::report {
 namespace {
@@ -61,6 +62,27 @@ ReadShard read_back(const properties::GateReport& report) {
     shard.report.results[0].witnesses.push_back(witness_from(record, witness.invariant));
   }
   return shard;
+}
+
+TEST(JudgeFault, GivesExitStatusTwoAndStandsInEachFormOfTheReport) {
+  properties::GateReport report = judged_report();
+  Collision collision;
+  collision.a.mass = 1234.5;
+  report.judge_error = oracles::JudgeError("a wrong formula", collision);
+  const report::Run run = run_with(report, false);
+  EXPECT_EQ(run.exit_status(), exit_usage);
+  const std::string record = report_record(run).dump();
+  for (const std::string& form :
+       {run_text(run, ""), run_markdown(run, ""), run_html(run, ""), junit_xml(run), record}) {
+    for (const char* part : {"a wrong formula", "1234.5"}) {
+      EXPECT_NE(form.find(part), std::string::npos) << part << " in\n" << form;
+    }
+  }
+  const std::optional<oracles::JudgeError> read =
+      shard_from(json::parse(report_record(run_with(report, true)).dump()), "shard").report.judge_error;
+  ASSERT_TRUE(read);
+  EXPECT_STREQ(read->what(), "a wrong formula");
+  EXPECT_EQ(read->collision().a.mass, 1234.5);
 }
 
 TEST(RunJson, IsTheSameOfAShardThatIsTheWhole) {

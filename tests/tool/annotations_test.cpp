@@ -114,7 +114,8 @@ TEST(Annotations, OfWhatIsKnownFromTheBaselineAreNoErrors) {
 TEST(Annotations, LeaveOutWhatIsExpectedToFail) {
   const std::vector<Command> commands = commands_of({"gate", "--families", "near_head_on", "--cases", "20"});
   ASSERT_EQ(commands.size(), 1U);
-  EXPECT_EQ(commands[0].title, "carom: sound");
+  EXPECT_TRUE(commands[0].title.starts_with("carom: sound, ")) << commands[0].title;
+  EXPECT_TRUE(commands[0].title.ends_with(" never judged")) << commands[0].title;
 }
 
 TEST(Annotations, OfASubjectThatCannotBeJudgedSayWhy) {

@@ -17,7 +17,7 @@ TEST(Badge, OfTheGatesOwnReport) {
   const std::string file = (out.path() / "badge.json").string();
   const RunResult printed = run_carom({"badge", report});
   EXPECT_EQ(printed.exit_status, 0);
-  EXPECT_EQ(nlohmann::json::parse(printed.output).at("message"), "1 sound");
+  EXPECT_EQ(nlohmann::json::parse(printed.output).at("message"), "1 sound, 4 never judged");
   EXPECT_EQ(run_carom({"badge", report, "--out", file}).exit_status, 0);
   EXPECT_EQ(content_of(file), printed.output);
 }

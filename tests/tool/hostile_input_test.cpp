@@ -135,9 +135,10 @@ TEST(HostileInput, WhatIsShortIsNamedWithItsLimit) {
   for (const auto& [limit, says] : {Short{"-s 64", "the stack is short: at most 64 KiB may be used (ulimit -s)"},
                                     Short{"-n 5", "files are short: at most 5 may be open (ulimit -n)"},
                                     Short{"-v 30000", "at most 30000 KiB may be used (ulimit -v)"}}) {
-    const RunResult run = run_program(
-        "/bin/sh", {"-c", std::string("ulimit ") + limit + R"(; exec "$0" "$@" 3>&- 4>&-)", carom_program(), "gate",
-                    "frictionless-double", "--families", "generic", "--cases", "20", "--out", out.path().string()});
+    const RunResult run =
+        run_program("/bin/sh", {"-c", std::string("exec 3>&- 4>&-; ulimit ") + limit + R"(; exec "$0" "$@")",
+                                carom_program(), "gate", "frictionless-double", "--families", "generic", "--cases",
+                                "20", "--out", out.path().string()});
     EXPECT_EQ(run.exit_status, 2) << limit;
     EXPECT_NE(run.errors.find(says), std::string::npos) << limit << ": " << run.errors;
   }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <array>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -227,6 +228,51 @@ TEST(StagedOutput, AForeignFileWithTheNameOfTheLockStays) {
   EXPECT_EQ(run.exit_status, 2);
   EXPECT_NE(run.errors.find(foreign + " is not Carom's"), std::string::npos) << run.errors;
   EXPECT_EQ(content_of(foreign), "mine");
+}
+
+std::string text_of_lock(pid_t process) {
+  std::array<char, 256> host{};
+  EXPECT_EQ(gethostname(host.data(), host.size() - 1), 0);
+  return std::to_string(process) + " native " + host.data() + '\n';
+}
+
+pid_t killed_run() {
+  const pid_t run = start_carom({"--version"});
+  (void)wait_for(run);
+  return run;
+}
+
+/// tests/web/npm/output_folder.test.mjs tests the other order.
+TEST(StagedOutput, ADirectoryThatARunOfTheNpmPackageWritesToIsRefused) {
+  const TemporaryDirectory out;
+  for (const std::string& text : {text_of_lock(getpid()), std::string("1 x another machine\n"), std::string("mine")}) {
+    const std::string lock = out.write(".carom-lock-npm", text);
+    const RunResult run = run_carom(finding_gate(out.path()));
+    EXPECT_EQ(run.exit_status, 2);
+    EXPECT_NE(run.errors.find("another run writes to the directory " + out.path().string()), std::string::npos);
+    EXPECT_NE(run.errors.find("If there is no such run, remove " + lock), std::string::npos) << run.errors;
+    EXPECT_EQ(content_of(lock), text);
+    EXPECT_EQ(hidden(out.path()), std::vector<std::string>{".carom-lock-npm"});
+    EXPECT_FALSE(fs::exists(out.path() / "report.json"));
+  }
+  (void)out.write(".carom-lock-npm", text_of_lock(killed_run()));
+  EXPECT_EQ(run_carom(finding_gate(out.path())).exit_status, 1) << "a killed run locks nothing";
+}
+
+TEST(StagedOutput, TheLockNamesTheRun) {
+  const TemporaryDirectory out;
+  const std::string lock = out.write(".carom-lock", text_of_lock(killed_run()));
+  const pid_t gate = start_carom(
+      {"gate", "frictionless-double", "--families", "generic", "--cases", "1000000000", "--out", out.path().string()});
+  const std::string expected = text_of_lock(gate);
+  for (int tries = 0; tries < 1000 && content_of(lock) != expected; ++tries) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  EXPECT_EQ(content_of(lock), expected);
+  kill(gate, SIGKILL);
+  (void)wait_for(gate);
+  EXPECT_EQ(run_carom(finding_gate(out.path())).exit_status, 1) << "the file of a killed run is no matter";
+  EXPECT_TRUE(hidden(out.path()).empty());
 }
 
 TEST(StagedOutput, NothingIsPutInPlaceWhereADirectoryIsInTheWay) {

@@ -308,7 +308,13 @@ json domain_to_json(std::string_view text) {
     const std::string_view range = part.substr(sign + 1);
     const std::string_view least = range.substr(0, range.find(':'));
     const std::string_view most = least.size() == range.size() ? least : range.substr(least.size() + 1);
-    const auto end = [](std::string_view number) { return number.empty() ? json() : json::parse(number); };
+    const auto end = [&](std::string_view number) {
+      const json parsed = number.empty() ? json() : json::parse(number, nullptr, false);
+      if (!number.empty() && !parsed.is_number()) {
+        throw std::invalid_argument("the domain of a subject: expected numbers in " + std::string(part));
+      }
+      return parsed;
+    };
     record[std::string(part.substr(0, sign))] = {end(least), end(most)};
   }
   return record;

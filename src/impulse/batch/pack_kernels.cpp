@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 // Compiled once for each instruction set, which CAROM_INSTRUCTION_SET names.
 
-// This unit checks no preconditions, because a check calls a function that is not inlined. solve.cpp checks the
-// preconditions.
-#undef CAROM_CHECK_PRECONDITIONS
-#define CAROM_CHECK_PRECONDITIONS 0
-
+// The preconditions of packs are not checked in any build, because a comparison of packs has no single answer
+// (expects.hpp). solve.cpp checks the preconditions of each contact.
 #include <carom/impulse/batch/pack_kernels.hpp>
 #include <carom/impulse/batch/solve_packs.hpp>
 #include <carom/impulse/laws.hpp>

@@ -157,12 +157,15 @@ Overall overall_of(const Run& run) {
   return overall;
 }
 
+bool is_sound_throughout(const Overall& overall) {
+  return overall.violated == 0 && overall.subjects > 0 && overall.sound == overall.subjects && !overall.interrupted;
+}
+
 std::string in_words(const Overall& overall) {
   if (overall.violated > 0) {
     return fmt::format("{} violated", overall.violated);
   }
-  const bool all_sound = overall.subjects > 0 && overall.sound == overall.subjects && !overall.interrupted;
-  if (!all_sound) {
+  if (!is_sound_throughout(overall)) {
     return "not judged";
   }
   return overall.never_judged == 0 ? "sound" : fmt::format("sound, {} never judged", overall.never_judged);

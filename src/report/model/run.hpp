@@ -138,6 +138,9 @@ struct Overall {
 
 [[nodiscard]] Overall overall_of(const Run& run);
 
+/// Whether the run ended, and found every subject sound.
+[[nodiscard]] bool is_sound_throughout(const Overall& overall);
+
 /// "sound", "sound, 2 never judged", "3 violated" or "not judged". Violations are reported even if something was not
 /// judged.
 [[nodiscard]] std::string in_words(const Overall& overall);

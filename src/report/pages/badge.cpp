@@ -20,7 +20,7 @@ std::string colour_of(bool is_sound, const Overall& overall) {
 nlohmann::json badge_record(const Run& run) {
   const Overall overall = overall_of(run);
   const std::string verdict = in_words(overall);
-  const bool is_sound = verdict.starts_with("sound");
+  const bool is_sound = is_sound_throughout(overall);
   const std::string message = is_sound ? fmt::format("{} {}", overall.sound, verdict) : verdict;
   return {{"schemaVersion", 1}, {"label", "carom"}, {"message", message}, {"color", colour_of(is_sound, overall)}};
 }

@@ -156,13 +156,11 @@ int list_features(const std::string& format) {
         "# The features\n\nPrinted by `carom features --format markdown`; a test fails if this page "
         "differs.\n\nFeatures are properties that collisions in scenes often have and random collisions do not: "
         "special values, relations between fields, near values and relations, and magnitudes. A near feature holds at "
-        "a "
-        "relative distance of 10⁻ᵏ from the special value, with k from 1 to 15. Each feature is a predicate of a valid "
-        "collision. "
-        "Carom evaluates it in binary64, like a condition in a solver. A feature with the prefix `a.` or `b.` is about "
-        "that body. The families `structured` and `near_special` combine features. The report of a gate counts the "
-        "features and their "
-        "pairs.\n\n| feature | kind | what holds | why it is here |\n| --- | --- | --- | --- |\n");
+        "a relative distance of 10⁻ᵏ from the special value, with k from 1 to 15. Each feature is a predicate of a "
+        "valid collision. Carom evaluates it in binary64, like a condition in a solver. A feature with the prefix "
+        "`a.` or `b.` is about that body. The families `structured` and `near_special` combine features. The report of "
+        "a gate counts the features and their pairs.\n\n| feature | kind | what holds | why it is here |\n| --- | --- "
+        "| --- | --- |\n");
   }
   for (const properties::Feature& feature : properties::all_features()) {
     if (format == "markdown") {

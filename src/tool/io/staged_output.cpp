@@ -2,8 +2,11 @@
 #include "io/staged_output.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <csignal>
 #include <random>
+#include <regex>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -27,6 +30,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view stage_prefix = ".carom-stage-";
 constexpr std::size_t stage_digits = 16;
 constexpr const char* lock_name = ".carom-lock";
+constexpr const char* npm_lock_name = ".carom-lock-npm";
 
 std::string new_stage_name() {
   std::random_device random;
@@ -46,10 +50,62 @@ bool stands_at(int descriptor, const fs::path& path) {
          opened.st_ino == named.st_ino;
 }
 
-/// Whether the open file may be a lock: no other file is empty, and is removed after the run.
-bool is_empty_file(int descriptor) {
+/// The text of the open file; empty if the file is too long for a lock, or cannot be read.
+std::string short_text_of(int file) {
+  std::array<char, 1024> text{};
+  const ssize_t length = pread(file, text.data(), text.size(), 0);
+  return length < 0 || length == ssize_t{text.size()} ? std::string() : std::string(text.data(), length);
+}
+
+std::string this_host() {
+  std::array<char, 256> name{};
+  return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
+}
+
+/// The text of a lock: the process that holds it, a mark of its own, and its machine.
+const std::regex& lock_text() {
+  static const std::regex text(R"((\d{1,9}) \S+ (.*)\n)");
+  return text;
+}
+
+/// Whether the run that wrote the text of a lock was killed. The answer is no if it ran on another machine.
+bool is_dead(const std::string& text) {
+  std::smatch parts;
+  return std::regex_match(text, parts, lock_text()) && parts[2] == this_host() && kill(std::stoi(parts[1]), 0) != 0 &&
+         errno == ESRCH;
+}
+
+/// Whether the open file may be a lock of this program: it is empty, or names a run.
+bool may_be_lock(int descriptor) {
   struct stat facts {};
-  return fstat(descriptor, &facts) == 0 && S_ISREG(facts.st_mode) && facts.st_size == 0;
+  return fstat(descriptor, &facts) == 0 && S_ISREG(facts.st_mode) &&
+         (facts.st_size == 0 || std::regex_match(short_text_of(descriptor), lock_text()));
+}
+
+/// Writes this process into the lock, where the npm package finds it. On a full disk, the lock stays empty, and the npm
+/// package takes it for that of a living run.
+bool name_this_process(int lock) {
+  const std::string text = fmt::format("{} native {}\n", getpid(), this_host());
+  return ftruncate(lock, 0) == 0 &&
+         (pwrite(lock, text.data(), text.size(), 0) == static_cast<ssize_t>(text.size()) || ftruncate(lock, 0) == 0);
+}
+
+/// Whether a run of the npm package may write to the directory. Each of the two programs makes its own lock before it
+/// looks for the other's, so one of two runs at once sees the other.
+bool is_locked_by_npm(const fs::path& directory) {
+  const int lock = open((directory / npm_lock_name).c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  if (lock < 0) {
+    return errno != ENOENT;
+  }
+  const std::string text = short_text_of(lock);
+  close(lock);
+  return !is_dead(text);
+}
+
+[[noreturn]] void fail_as_locked(const fs::path& directory, const std::string& advice = "") {
+  throw UsageError(
+      fmt::format("--out: another run writes to the directory {}; wait until it ends, or choose another directory{}",
+                  directory.string(), advice));
 }
 
 /// The lock file of the directory, open and locked; -1 if the file system has no locks. Throws UsageError if another
@@ -62,7 +118,7 @@ int locked_file(const fs::path& directory) {
     if (file < 0) {
       fail_to_write(path, errno);
     }
-    if (!is_empty_file(file)) {
+    if (!may_be_lock(file)) {
       close(file);
       throw UsageError(
           fmt::format("--out: {} is not Carom's; move it away, or choose another directory", path.string()));
@@ -71,14 +127,17 @@ int locked_file(const fs::path& directory) {
       const int error = errno;
       close(file);
       if (error == EWOULDBLOCK) {
-        throw UsageError(fmt::format(
-            "--out: another run writes to the directory {}; wait until it ends, or choose another directory",
-            directory.string()));
+        fail_as_locked(directory);
       }
       unlink(path.c_str());
       return -1;
     }
     if (stands_at(file, path)) {
+      if (!name_this_process(file)) {
+        const int error = errno;
+        close(file);
+        fail_to_write(path, error);
+      }
       return file;
     }
     close(file);  // the run that ended removed the file before it was locked here
@@ -147,6 +206,11 @@ bool is_own_directory(const fs::path& path) {
 StagedOutput::StagedOutput(fs::path directory) : directory_(std::move(directory)) {
   make_directories(directory_);
   lock_ = locked_file(directory_);
+  if (is_locked_by_npm(directory_)) {
+    release_lock();
+    fail_as_locked(directory_,
+                   fmt::format(". If there is no such run, remove {}", (directory_ / npm_lock_name).string()));
+  }
   stage_ = directory_ / new_stage_name();
   if (mkdir(stage_.c_str(), S_IRWXU) != 0) {
     const int error = errno;

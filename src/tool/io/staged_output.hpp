@@ -10,7 +10,8 @@ namespace carom::tool {
 /// The files of a run, which appear in the directory of --out together or not at all. They are written into a stage, a
 /// temporary directory inside that directory. When all files are complete, they replace the previous files. One run at
 /// a time writes to a directory: the object holds a lock on it, which the kernel releases if the process is killed. On
-/// a file system without locks, runs are not kept apart.
+/// a file system without locks, runs are not kept apart. A run of the npm package has a lock of its own, which names
+/// its process; the object respects it.
 class StagedOutput {
  public:
   /// Makes the directory, with its parents, and the stage. Throws UsageError if one of them cannot be made, or if

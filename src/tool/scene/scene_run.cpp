@@ -6,6 +6,9 @@
 #include <cmath>
 #include <new>
 
+#include <carom/oracles/laws/judge_error.hpp>
+#include <carom/properties/trial/in_words.hpp>
+
 namespace carom::tool {
 namespace {
 
@@ -58,7 +61,6 @@ void SceneRun::note_turning(const scene::Change& change) {
 void SceneRun::record(const scene::Event& event) {
   samples_.record(event);
   ledger_.record(event);
-  judge_.record(event);
   note_turning(event.a);
   if (event.b) {
     note_turning(*event.b);
@@ -79,6 +81,7 @@ void SceneRun::record(const scene::Event& event) {
   if (options_.on_event) {
     options_.on_event(event);
   }
+  judge_.record(event);  // last, because it may throw, and everything else must have the event
   if (options_.on_progress) {
     options_.on_progress(event.time);
   }
@@ -103,6 +106,10 @@ void SceneRun::run() {
     }
   } catch (const scene::SceneError& error) {
     ended_early_ = error.what();
+    has_failed_ = true;
+  } catch (const oracles::JudgeError& error) {
+    ended_early_ = properties::in_words(error);
+    ended_early_.pop_back();  // the line end
     has_failed_ = true;
   } catch (const std::bad_alloc&) {
     ended_early_ = "there is not enough memory";

@@ -39,7 +39,8 @@ class SceneRun {
   SceneRun& operator=(SceneRun&&) = delete;
   ~SceneRun() = default;
 
-  /// Runs the scene to its end, or until it is stopped. Call it once.
+  /// Runs the scene to its end, or until it is stopped. If the simulation or the judge fails, keeps the results so far.
+  /// Call it once.
   void run();
 
   [[nodiscard]] const scene::Scene& scene() const { return simulation_.scene(); }

@@ -2,6 +2,12 @@
 #pragma once
 
 // The parts of C++20 that the judge uses and libc++ 13 lacks. Each file of the WebAssembly build includes them first.
+//
+// The C++ standard leaves it undefined to add these declarations to namespace std. The sources use the names std::…,
+// and the native build takes them from its library. A namespace of the project would change every such source. The
+// folder serves one library only, in which all of these names are free: libc++ 13 of Debian 12's emscripten 3.1.6. For
+// a newer library, delete what it has from this folder, run the tests of the WebAssembly build, and change the number
+// below.
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
@@ -16,7 +22,10 @@
 #include <type_traits>
 #include <utility>
 
-#if defined(_LIBCPP_VERSION) && _LIBCPP_VERSION < 14000
+#if !defined(__EMSCRIPTEN__) || !defined(_LIBCPP_VERSION) || _LIBCPP_VERSION != 13000
+#error "src/web/old_library extends namespace std, and is tested with libc++ 13 of Debian 12's emscripten only"
+#endif
+
 namespace std {
 
 template <class To, class From>
@@ -51,5 +60,3 @@ inline from_chars_result from_chars(const char* first, const char* last, double&
 }
 
 }  // namespace std
-
-#endif

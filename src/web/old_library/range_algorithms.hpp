@@ -6,8 +6,12 @@
 #include <iterator>
 #include <utility>
 
-#if defined(_LIBCPP_VERSION) && _LIBCPP_VERSION < 14000
-/// The algorithms of std::ranges that the judge uses, on whole ranges, for libc++ 13.
+#if _LIBCPP_VERSION != 13000
+#error "prelude.hpp names the only library that this file extends"
+#endif
+
+/// The algorithms of std::ranges that the judge uses, on whole ranges, for libc++ 13. prelude.hpp says why they are in
+/// namespace std::ranges.
 namespace std::ranges {
 
 namespace old_library {
@@ -100,4 +104,3 @@ void set_difference(R1&& range, R2&& subtracted, Out out) {
 }
 
 }  // namespace std::ranges
-#endif

@@ -132,7 +132,7 @@ void expect_every_corruption_noticed(const BasicCollision<Rational>& exact, Law 
       for (int i = 0; i < 3; ++i) {
         Outcome<Rational> corrupted = outcome;
         (*vectors(corrupted)[k])[i] += Rational(std::ldexp(1.0, exponent));
-        EXPECT_THROW(certify(exact, law, approach, corrupted), std::logic_error)
+        EXPECT_THROW(certify(exact, law, approach, corrupted), JudgeError)
             << name_of(k) << '[' << i << "] by 2^" << exponent;
       }
     }
@@ -160,7 +160,7 @@ TEST(Certify, NoticesEachCorruptedComponentWhereNothingHappens) {
 std::string reproach(const BasicCollision<Rational>& exact, Law law, const Outcome<Rational>& outcome) {
   try {
     certify(exact, law, Approach::colliding, outcome);
-  } catch (const std::logic_error& error) {
+  } catch (const JudgeError& error) {
     return error.what();
   }
   return "";

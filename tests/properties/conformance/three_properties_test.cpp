@@ -17,6 +17,7 @@
 
 #include <carom/impulse/collision_matrix.hpp>
 #include <carom/impulse/frictionless.hpp>
+#include <carom/oracles/laws/judge_error.hpp>
 #include <carom/properties/conformance/falsified.hpp>
 #include <carom/properties/three_properties.hpp>
 #include <carom/properties/trial/trial.hpp>
@@ -24,6 +25,7 @@
 #include <carom/subjects/catalogue.hpp>
 
 #include "mutants/one_property_broken.hpp"
+#include "support/planted_formula.hpp"
 
 /// Every sound built-in solver has the three properties. Each solver with a planted defect lacks exactly one.
 namespace carom {
@@ -280,6 +282,20 @@ TEST(Diagnosis, IsOfAPropertyThatFails) {
             {"non_penetration is violated", "No diagnosis: tired"});
 }
 
+TEST(ThreeProperties, NameAFaultOfTheJudgeAndBlameNoSolver) {
+  const unit::PlantedFormula planted("non_penetration", [](const properties::Evidence&) -> properties::Verdict {
+    throw std::logic_error("a wrong formula");
+  });
+  const auto solver = [](const Collision& one) { return unchanged(one); };
+  try {
+    (void)properties::non_penetrating_post_velocity(solver, against_wall());
+    FAIL() << "the fault of the judge is lost";
+  } catch (const oracles::JudgeError& error) {
+    expect_in(error.what(), {"the judge failed on this collision, and no subject is at fault: a wrong formula",
+                             "for `carom replay FILE`: {"});
+  }
+}
+
 /// A heavy body turns by less than the least normal number of binary32.
 Collision with_underflow() {
   Collision collision = against_wall();
@@ -315,6 +331,11 @@ TEST(ThreeProperties, AreJudgedAsByTheGate) {
         continue;
       }
       properties::Claim claim = properties::claim_of(*subject, oracles::Yardstick());
+      std::erase_if(claim.invariants, [](const properties::Invariant* one) {
+        return std::ranges::none_of(properties::three_properties(), [&](const properties::Property& property) {
+          return std::ranges::find(property.invariants, one->name) != property.invariants.end();
+        });
+      });
       const properties::Judgement judgement =
           properties::try_case(properties::JudgedCase(properties::Case{collision}), claim,
                                [&](const Collision&) { return properties::lift(answer); });

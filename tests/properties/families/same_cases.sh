@@ -110,7 +110,8 @@ agree clang "" clang++ -O2
 agree clang-native "" clang++ -O3 -march=native
 if foreign_libraries; then
   mapfile -t options < <(cross i386 i386-linux-gnu)
-  agree x86-32 "" i686-linux-gnu-g++ -O2 -msse2 -mfpmath=sse "${options[@]}"
+  # Some kernels run no 32-bit programs, and qemu-i386 runs them everywhere.
+  agree x86-32 qemu-i386 i686-linux-gnu-g++ -O2 -msse2 -mfpmath=sse "${options[@]}"
   mapfile -t options < <(cross arm64 aarch64-linux-gnu)
   agree aarch64 qemu-aarch64 aarch64-linux-gnu-g++ -O2 "${options[@]}"
 else

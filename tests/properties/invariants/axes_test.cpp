@@ -207,12 +207,13 @@ TEST(Verdicts, AreTheSameWhenACollisionIsTurned) {
 TEST(Verdicts, AllowRoundingAcrossAnAxis) {
   Collision c = unit::ball_on_a_plane(0.4, 0);
   c.a.velocity = {0, -4, 0};
-  const Claim claim = claim_of_outcome(Law::frictionless, Precision::binary32);
+  Claim claim = claim_of_outcome(Law::frictionless, Precision::binary32);
+  std::erase_if(claim.invariants, [](const Invariant* one) { return one->is_of_matrix(); });  // no matrix is shown
   const JudgedCase original({c, false});
   Solved outcome = original.exact().truth(Law::frictionless).outcome;
   outcome.a.angular_velocity[0] += Rational(0x1p-24);  // an ulp of v / r
   for (const NamedVerdict& named : judged(c, claim, outcome).verdicts) {
-    EXPECT_TRUE(named.verdict.status != Status::violated || named.invariant->is_of_matrix()) << named.invariant->name;
+    EXPECT_NE(named.verdict.status, Status::violated) << named.invariant->name;
   }
 }
 

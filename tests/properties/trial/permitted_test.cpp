@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 #include <array>
-#include <iostream>
 
 #include <gtest/gtest.h>
 
@@ -95,7 +94,6 @@ std::vector<Collision> cases_of(const Family& family, int count, Stream& stream)
 struct Seen {
   std::size_t judged = 0;
   std::size_t blind = 0;
-  std::size_t rejected = 0;
 };
 
 /// The share of the limit by which the quantities move. The rest covers third-order changes, and second-order changes
@@ -129,7 +127,6 @@ void expect_to_pass(const Collision& collision, Law law, Precision precision, St
         try_case(judged, claim, [&](const Collision&) -> ExactAnswer { return oracles::LiftedOutcome(outcome); });
     for (const NamedVerdict& named : judgement.verdicts) {
       if (named.verdict.status == Status::violated) {
-        ++seen.rejected;
         ADD_FAILURE() << named.invariant->name << ": " << named.verdict.detail << ", " << named.verdict.residual
                       << " of " << named.verdict.allowed << ", " << name_of(law) << " under " << name_of(claim.law)
                       << ", " << name_of(precision) << "\n"
@@ -146,7 +143,6 @@ TEST(Permitted, OutcomesOfPermittedInputsPass) {
     if (!family.is_valid) {
       continue;
     }
-    const Seen before = seen;
     for (const Collision& collision : cases_of(family, unit::effort(60), stream)) {
       for (const Law law : {Law::frictionless, Law::reflection, Law::sticking, Law::rough, Law::coulomb}) {
         for (const Precision precision : {Precision::binary32, Precision::binary64}) {
@@ -154,10 +150,7 @@ TEST(Permitted, OutcomesOfPermittedInputsPass) {
         }
       }
     }
-    std::cout << family.name << ": " << seen.rejected - before.rejected << " of " << seen.judged - before.judged
-              << " rejected\n";
   }
-  EXPECT_EQ(seen.rejected, 0U);
   EXPECT_GT(seen.judged, 2000U);
   EXPECT_GT(seen.blind, 200U);
 }

@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <carom/oracles/laws/judge_error.hpp>
+
 #include "scene/replay_html.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/scene_records.hpp"
@@ -136,6 +138,28 @@ TEST(SceneRun, ReplaysWhatFitsIn) {
   EXPECT_LE(latest, cut["duration"]);
   EXPECT_LE(cut["series"]["t"].back(), cut["duration"]);
   EXPECT_GT(cut["series"]["t"].size(), 1U);
+}
+
+/// The callback throws in place of the judge.
+TEST(SceneRun, KeepsItsResultsIfTheJudgeFails) {
+  tool::SceneOptions options;
+  std::size_t events = 0;
+  options.on_event = [&](const scene::Event& event) {
+    if (++events == 20) {
+      throw oracles::JudgeError("a wrong formula", event.collision);
+    }
+  };
+  const auto run = std::make_unique<tool::SceneRun>(
+      tool::scene_of(content_of(shipped("spinning_floor")), "spinning_floor"), options);
+  run->run();
+  EXPECT_TRUE(run->has_failed());
+  EXPECT_EQ(run->simulation().counts().events, 20U);
+  EXPECT_GT(run->judge().judged(), 0U);
+  EXPECT_GT(run->samples().size(), 1U);
+  const std::string text = tool::scene_text(*run);
+  EXPECT_NE(text.find("NOT RUN TO ITS END; so far holds"), std::string::npos) << text;
+  EXPECT_NE(text.find("a wrong formula\n  A: "), std::string::npos) << text;
+  EXPECT_EQ(tool::scene_record(*run)["ended_early"], run->ended_early());
 }
 
 TEST(SceneCommand, IsTheSameTwice) {

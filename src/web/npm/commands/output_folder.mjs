@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 import { randomUUID } from 'node:crypto';
-import { lstatSync, mkdirSync, readFileSync, renameSync, rmSync, unlinkSync, writeFileSync } from 'node:fs';
+import { existsSync, lstatSync, mkdirSync, readFileSync, renameSync, rmSync, unlinkSync, writeFileSync } from 'node:fs';
 import { hostname } from 'node:os';
 import { dirname, join } from 'node:path';
 
@@ -8,6 +8,7 @@ import { UsageError } from '../solver/judge.mjs';
 
 const last = 'report.json';  // it lists the witnesses
 const lock_name = '.carom-lock-npm';
+const native_lock_name = '.carom-lock';
 const stage_name = '.carom-stage-npm';
 
 function at_path(path, action) {
@@ -61,8 +62,22 @@ function bury(lock, text) {
 }
 
 /**
- * Keeps other runs of this program out of the folder until this process ends. Node has no locks that the system
- * releases, so the lock is a file that names its process. Throws UsageError if another run has the folder.
+ * Whether a run of the native program may write to the folder. Its lock names its process, as the lock of this program
+ * does. The system releases the native lock, so the file of a killed run locks nothing.
+ */
+function is_locked_natively(lock) {
+  return existsSync(lock) && !(is_regular(lock) && is_dead(text_of(lock)));
+}
+
+function refusal(folder, lock) {
+  return new UsageError(`--out: another run writes to the directory ${folder}; wait until it ends, or choose another `
+    + `directory. If there is no such run, remove ${lock}`);
+}
+
+/**
+ * Keeps other runs of this program and of the native program out of the folder until this process ends. Node has no
+ * locks that the system releases, so the lock is a file that names its process. Each program makes its own lock before
+ * it looks for the other's, so one of two runs at once sees the other. Throws UsageError if another run has the folder.
  */
 function lock_folder(folder) {
   const lock = join(folder, lock_name);
@@ -74,6 +89,10 @@ function lock_folder(folder) {
           unlinkSync(lock);
         }
       });
+      const native_lock = join(folder, native_lock_name);
+      if (is_locked_natively(native_lock)) {
+        throw refusal(folder, native_lock);
+      }
       return;
     }
     const found = text_of(lock);
@@ -84,8 +103,7 @@ function lock_folder(folder) {
       at_path(lock, () => bury(lock, found));
     }
   }
-  throw new UsageError(`--out: another run writes to the directory ${folder}; wait until it ends, or choose another `
-    + `directory. If there is no such run, remove ${lock}`);
+  throw refusal(folder, lock);
 }
 
 /** Makes the folders of the reports, and locks them until this process ends. Throws UsageError. */

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <stdexcept>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include <carom/properties/diagnosis/diagnosis.hpp>
+#include <carom/properties/gate/gate.hpp>
+#include <carom/properties/gate/witness.hpp>
+#include <carom/subjects/catalogue.hpp>
+
+#include "support/planted_formula.hpp"
+
+/// A fault of the judge ends a run. It is kept apart from the verdicts on subjects.
+namespace carom::properties {
+namespace {
+
+/// A formula that fails for elastic contacts.
+Verdict fails_if_elastic(const Evidence& e) {
+  if (e.exact_case.collision().restitution == 1) {
+    throw std::logic_error("a wrong formula");
+  }
+  return {};
+}
+
+GateOptions options_of(const std::vector<const char*>& families) {
+  GateOptions options;
+  options.cases = 30;
+  for (const char* name : families) {
+    options.families.push_back(family_named(name));
+  }
+  return options;
+}
+
+Subject right() { return subjects::subject_named("frictionless-double").value(); }
+
+/// Leaves all bodies as they are.
+Subject doing_nothing() {
+  Subject subject = right();
+  subject.name = "nothing";
+  subject.open = [] {
+    return Session([](std::span<const Collision> collisions) {
+      std::vector<Answer> answers;
+      for (const Collision& collision : collisions) {
+        answers.emplace_back(reported(unchanged(collision)));
+      }
+      return answers;
+    });
+  };
+  return subject;
+}
+
+TEST(JudgeFault, EndsTheRunAndNamesTheCollisionAndNoSubject) {
+  const unit::PlantedFormula planted("restitution", fails_if_elastic);
+  const GateReport report = run_gate({right()}, options_of({"inelastic", "elastic"}));
+  ASSERT_TRUE(report.judge_error);
+  EXPECT_STREQ(report.judge_error->what(), "a wrong formula");
+  EXPECT_EQ(report.judge_error->collision().restitution, 1);
+  const SubjectResult& result = report.results.at(0);
+  EXPECT_EQ(result.error, "");
+  EXPECT_TRUE(result.violated_invariants().empty());
+  EXPECT_FALSE(result.is_sound());
+  EXPECT_EQ(result.not_judged, "the judge failed, and ended the run");
+}
+
+TEST(JudgeFault, KeepsWhatWasJudgedBefore) {
+  const unit::PlantedFormula planted("restitution", fails_if_elastic);
+  const GateReport report = run_gate({doing_nothing()}, options_of({"inelastic", "elastic"}));
+  ASSERT_TRUE(report.judge_error);
+  const SubjectResult& result = report.results.at(0);
+  EXPECT_EQ(result.families.at(0).cases, 30U);
+  EXPECT_GT(result.count("non_penetration").violated, 0U);
+  EXPECT_FALSE(result.witnesses.empty());
+}
+
+TEST(JudgeFault, DoesNotCostAnswersToOtherFamilies) {
+  const unit::PlantedFormula planted("restitution", fails_if_elastic);
+  const GateReport report = run_gate({right()}, options_of({"inelastic"}));
+  EXPECT_FALSE(report.judge_error);
+  EXPECT_TRUE(report.results.at(0).is_sound()) << report.results.at(0).not_judged;
+}
+
+/// The formula fails in the search for a simpler violation alone.
+TEST(JudgeFault, InTheSearchForASimplerViolationCostsThatSearch) {
+  static bool is_judging;
+  is_judging = true;
+  const unit::PlantedFormula planted("restitution", [](const Evidence&) -> Verdict {
+    if (!is_judging) {
+      throw std::logic_error("a wrong formula");
+    }
+    return {Status::violated, "planted", 1, 0, {}, {}};
+  });
+  GateOptions options = options_of({"inelastic"});
+  options.shrinks = false;
+  GateReport report = run_gate({right()}, options);
+  ASSERT_EQ(report.results.at(0).witnesses.size(), 1U);
+  is_judging = false;
+  report.options.shrinks = true;
+  report.results.at(0).witnesses.clear();
+  add_witnesses(report);
+  const Witness& witness = report.results.at(0).witnesses.at(0);
+  EXPECT_EQ(witness.not_shrunk, "a wrong formula");
+  EXPECT_EQ(witness.verdict.status, Status::violated);
+}
+
+TEST(NeverJudged, InACompleteRunIsNotSound) {
+  const unit::PlantedFormula planted(
+      "restitution", [](const Evidence&) -> Verdict { return {.status = Status::skipped, .detail = "planted"}; });
+  GateOptions options;
+  options.cases = default_cases;
+  options.relations_every = 100;
+  for (const Family& family : all_families()) {
+    options.families.push_back(&family);
+  }
+  const SubjectResult complete = run_gate({right()}, options).results.at(0);
+  EXPECT_EQ(complete.not_judged, "no case judged restitution, although the run poses all families");
+  EXPECT_FALSE(complete.is_sound());
+  options.cases = 50;
+  const GateReport few = run_gate({right()}, options);
+  EXPECT_TRUE(few.results.at(0).is_sound()) << few.results.at(0).not_judged;
+  EXPECT_EQ(few.results.at(0).never_judged(few.options), std::vector<std::string>{"restitution"});
+}
+
+/// A `rough` solver that takes μ = 0 for a contact without a limit of friction. The law's formulas hold for no such
+/// contact, and the diagnosis asks them for none.
+TEST(JudgeFault, IsNoneForASolverThatTakesNoFrictionForNoLimit) {
+  Subject subject = subjects::subject_named("rough-double").value();
+  subject.name = "no limit";
+  subject.open = [open = subject.open] {
+    return Session([session = open()](std::span<const Collision> collisions) mutable {
+      std::vector<Collision> read(collisions.begin(), collisions.end());
+      for (Collision& collision : read) {
+        collision.friction = collision.friction == 0 ? 1e6 : collision.friction;
+      }
+      return session(read);
+    });
+  };
+  GateOptions options;
+  options.cases = 100;
+  for (const Family& family : all_families()) {
+    options.families.push_back(&family);
+  }
+  const GateReport report = run_gate({subject}, options);
+  EXPECT_FALSE(report.judge_error);
+  EXPECT_GT(report.results.at(0).count("friction_cone").violated, 0U);
+  const diagnosis::Diagnosis diagnosis = diagnosis::diagnose_all(report).at(0);
+  EXPECT_EQ(diagnosis.missing, "");
+  EXPECT_FALSE(diagnosis.faults.empty());
+}
+
+}  // namespace
+}  // namespace carom::properties
