@@ -15,9 +15,9 @@
 namespace carom::properties {
 namespace {
 
-/// A formula that fails for elastic contacts.
-Verdict fails_if_elastic(const Evidence& e) {
-  if (e.exact_case.collision().restitution == 1) {
+/// A formula that fails for inelastic contacts.
+Verdict fails_if_inelastic(const Evidence& e) {
+  if (e.exact_case.collision().restitution == 0) {
     throw std::logic_error("a wrong formula");
   }
   return {};
@@ -51,11 +51,11 @@ Subject doing_nothing() {
 }
 
 TEST(JudgeFault, EndsTheRunAndNamesTheCollisionAndNoSubject) {
-  const unit::PlantedFormula planted("restitution", fails_if_elastic);
-  const GateReport report = run_gate({right()}, options_of({"inelastic", "elastic"}));
+  const unit::PlantedFormula planted("restitution", fails_if_inelastic);
+  const GateReport report = run_gate({right()}, options_of({"elastic", "inelastic"}));
   ASSERT_TRUE(report.judge_error);
   EXPECT_STREQ(report.judge_error->what(), "a wrong formula");
-  EXPECT_EQ(report.judge_error->collision().restitution, 1);
+  EXPECT_EQ(report.judge_error->collision().restitution, 0);
   const SubjectResult& result = report.results.at(0);
   EXPECT_EQ(result.error, "");
   EXPECT_TRUE(result.violated_invariants().empty());
@@ -64,18 +64,18 @@ TEST(JudgeFault, EndsTheRunAndNamesTheCollisionAndNoSubject) {
 }
 
 TEST(JudgeFault, KeepsWhatWasJudgedBefore) {
-  const unit::PlantedFormula planted("restitution", fails_if_elastic);
-  const GateReport report = run_gate({doing_nothing()}, options_of({"inelastic", "elastic"}));
+  const unit::PlantedFormula planted("restitution", fails_if_inelastic);
+  const GateReport report = run_gate({doing_nothing()}, options_of({"elastic", "inelastic"}));
   ASSERT_TRUE(report.judge_error);
   const SubjectResult& result = report.results.at(0);
-  EXPECT_EQ(result.families.at(0).cases, 30U);
+  EXPECT_GT(result.families.at(0).cases, 0U);
   EXPECT_GT(result.count("non_penetration").violated, 0U);
   EXPECT_FALSE(result.witnesses.empty());
 }
 
 TEST(JudgeFault, DoesNotCostAnswersToOtherFamilies) {
-  const unit::PlantedFormula planted("restitution", fails_if_elastic);
-  const GateReport report = run_gate({right()}, options_of({"inelastic"}));
+  const unit::PlantedFormula planted("restitution", fails_if_inelastic);
+  const GateReport report = run_gate({right()}, options_of({"elastic"}));
   EXPECT_FALSE(report.judge_error);
   EXPECT_TRUE(report.results.at(0).is_sound()) << report.results.at(0).not_judged;
 }
