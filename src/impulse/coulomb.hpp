@@ -11,6 +11,7 @@
 #include <carom/impulse/frictionless.hpp>
 #include <carom/impulse/reflection_in_basis.hpp>
 #include <carom/impulse/solve3.hpp>
+#include <carom/impulse/solved_impulse.hpp>
 #include <carom/impulse/sticking.hpp>
 
 namespace carom::impulse {
@@ -95,7 +96,9 @@ template <class S, class See = UnseenMatrix>
   see(matrix);
   const detail::SlipResistance<S> law(in_basis<S>(matrix, basis), change, inverse_mass(contact), contact.friction);
   const Vector3<S> sticking = law.impulse(S(0));
-  return contact_impulse(contact, true, times(basis, law.is_in_cone(sticking) ? sticking : law.impulse_on_cone()));
+  const Vector3<S> solved = law.is_in_cone(sticking) ? sticking : law.impulse_on_cone();
+  // λI ⪯ K + ν P.
+  return contact_impulse(contact, true, times(basis, detail::without_excess<S>(solved, change, inverse_mass(contact))));
 }
 
 /// The outcome of the law `coulomb`. For μ = 0, this is the frictionless outcome. A contact that is not colliding keeps

@@ -36,6 +36,7 @@ const std::vector<std::pair<std::string, Number>> mended{
     {"rough-double", {4, 32442, "needle_tip"}},
     {"rough-batch-double", {4, 32442, "needle_tip"}},
     {"rough-guaranteed-double", {4, 32442, "needle_tip"}},
+    {"coulomb-float", {202, 12285}},
     {"coulomb-long-double", {303, 4004, "on_the_cone"}},
 };
 
