@@ -183,6 +183,7 @@ class FaultSearch {
   /// Adds the fault of the shown matrix, if it also happens where the outcome is right.
   void add_matrix() {
     matrix_alone_ = none();
+    std::size_t right = 0;
     for (std::size_t f = 0; f < matrix_alone_.size(); ++f) {
       std::set<std::uint64_t> of_matrix;
       std::set<std::uint64_t> others;
@@ -192,11 +193,14 @@ class FaultSearch {
         }
       }
       std::ranges::set_difference(of_matrix, others, std::back_inserter(matrix_alone_[f]));
+      for (std::uint64_t index = 0; index < violations_.judged[f]; ++index) {
+        const bool collides = is_valid(f, index) && report_.sampled[f][index].approach == oracles::Approach::colliding;
+        right += collides && !others.contains(index) ? 1 : 0;
+      }
     }
-    // A wrong computation also forms a wrong matrix in cases where the outcome is right by chance: C is wrong across F
-    // only. So the matrix is a fault of its own if most violated cases have a right outcome.
-    constexpr std::size_t least_share = 2;
-    if (size_of(matrix_alone_) >= std::max<std::size_t>(least_violated, size_of(violations_.violated) / least_share)) {
+    // A wrong computation also forms a wrong matrix in some cases where the outcome is right by chance: C is wrong
+    // across F only. So the matrix is a fault of its own if it is wrong in most colliding cases with a right outcome.
+    if (size_of(matrix_alone_) >= std::max<std::size_t>(least_violated, (right + 1) / 2)) {
       add(fault_of_matrix(matrix_fault(result_, examples_)), matrix_alone_);
     }
   }

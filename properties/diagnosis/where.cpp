@@ -207,13 +207,14 @@ class Sample {
     }
   }
 
-  /// For each near feature, of A or B, adds the upper limits of the distance.
+  /// For each near feature, of A or B, adds the upper limits of the distance. A body is nearly immovable by the ratio
+  /// of masses, whose limits `add_sizes` adds.
   void add_distances() {
     std::map<std::string_view, std::vector<Sized>> distances;  // by special statement
     for_each([&](std::size_t number, const SampledCase& one) {
       for (const std::uint16_t place : one.features) {
         const Feature& feature = all_features()[place];
-        if (feature.kind == FeatureKind::near) {
+        if (feature.kind == FeatureKind::near && feature.name != "near_immovable") {
           const auto size = static_cast<float>(std::log10(feature.measure(one.collision)));
           std::vector<Sized>& of_either = distances[std::string_view(feature.statement).substr(nearly.size())];
           if (of_either.empty() || of_either.back().number != number) {

@@ -84,8 +84,11 @@ template <class Solve = Ldlt, class S, class Inertia, class See = UnseenMatrix>
   const S rebound = S(1) + contact.restitution;
   const S whole = S(1) + contact.tangential_restitution;
   const Vector3<S> d = stops_point * rebound - normal.on_a;
-  const S limit = contact.friction * dot(n, normal.on_a);
-  const S divisor = detail::length<S>(cross(n, d)) - contact.friction * dot(n, d);
+  // Both sides of the cone are divided by max(1, μ), so that a large μ does not overflow.
+  const S unit = S(1) / at_least(S(1), contact.friction);
+  const S slope = select(S(1) < contact.friction, S(1), contact.friction);
+  const S limit = slope * dot(n, normal.on_a);
+  const S divisor = detail::length<S>(cross(n, d)) * unit - slope * dot(n, d);
   const auto is_outside = limit * rebound < whole * divisor;
   const S share = S(select(is_outside, limit, whole) / select(is_outside, divisor, rebound));
   // If μ = 0, `share` is 0, unless the computed N × D is 0. Hence the condition μ > 0.

@@ -22,7 +22,7 @@ TEST(JudgeEquality, OfBuiltInSubjects) {
       examined.emplace_back(subject);
     }
   }
-  constexpr int full = 20;
+  constexpr int full = 50;
   const std::uint64_t cases = unit::effort(full) == full ? full : 1;  // all subjects together take 0.2 s for a case
   Agreement agreement;
   compare_on_families(examined, cases, Relations::judged, agreement);
