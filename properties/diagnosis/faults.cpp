@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -64,13 +66,18 @@ bool lacks_matrix(const ViolatedCase& one) {
   return outcome != nullptr && !outcome->collision_matrix;
 }
 
-/// The kind of fault of the shown matrices. Precondition: the outcomes are right.
-MatrixFault matrix_fault(const SubjectResult& result, std::span<const ViolatedCase> examples) {
+/// The kind of fault of the shown matrices. `violated_by` are the invariants that the cases violate, and how often.
+MatrixFault matrix_fault(std::size_t cases, const std::map<std::string_view, std::size_t>& violated_by,
+                         std::span<const ViolatedCase> examples) {
   if (std::ranges::any_of(examples, lacks_matrix)) {
     return MatrixFault::missing;
   }
-  return result.count("definite").violated + result.count("well_conditioned").violated > 0 ? MatrixFault::out_of_bounds
-                                                                                           : MatrixFault::another;
+  const auto number_of = [&](std::string_view invariant) {
+    const auto found = violated_by.find(invariant);
+    return found == violated_by.end() ? 0 : found->second;
+  };
+  const bool is_out_of_bounds = 2 * std::max(number_of("definite"), number_of("well_conditioned")) > cases;
+  return is_out_of_bounds ? MatrixFault::out_of_bounds : MatrixFault::another;
 }
 
 /// The step of mechanics at which the outcomes fail, with the usual cause of the conditions that they share. If there
@@ -201,7 +208,14 @@ class FaultSearch {
     // A wrong computation also forms a wrong matrix in some cases where the outcome is right by chance: C is wrong
     // across F only. So the matrix is a fault of its own if it is wrong in most colliding cases with a right outcome.
     if (size_of(matrix_alone_) >= std::max<std::size_t>(least_violated, (right + 1) / 2)) {
-      add(fault_of_matrix(matrix_fault(result_, examples_)), matrix_alone_);
+      std::map<std::string_view, std::size_t> violated_by;
+      for (std::size_t f = 0; f < matrix_alone_.size(); ++f) {
+        for (const auto& [name, numbers] : result_.families[f].violated_cases) {
+          violated_by[name] += static_cast<std::size_t>(std::ranges::count_if(
+              matrix_alone_[f], [&](std::uint64_t index) { return std::ranges::binary_search(numbers, index); }));
+        }
+      }
+      add(fault_of_matrix(matrix_fault(size_of(matrix_alone_), violated_by, examples_)), matrix_alone_);
     }
   }
 
