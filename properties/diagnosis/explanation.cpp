@@ -19,6 +19,9 @@ using Together = std::vector<const Hypothesis*>;
 
 constexpr std::size_t most_found = 5;
 
+/// A hypothesis that another one replaced may be found again: it may explain what is left. So often, at most.
+constexpr std::size_t most_left_out = 2;
+
 /// A hypothesis that explains fewer than one in so many wrong answers is an exception of another fault. If a subject
 /// keeps state, some of its answers look like another fault by chance.
 constexpr std::size_t least_explained_share = 500;
@@ -109,6 +112,7 @@ class HypothesisSearch {
     if (known_ > 0) {
       explain_by_known();
     }
+    find_needed();
     return std::move(explanation_);
   }
 
@@ -120,25 +124,29 @@ class HypothesisSearch {
     return subsets;
   }
 
-  /// Whether the hypothesis explains the case alone or together with one of the subsets of the found ones.
-  [[nodiscard]] bool fits(const Hypothesis& hypothesis, const std::vector<std::vector<std::size_t>>& subsets,
-                          const KnownCase& one) const {
-    return std::ranges::any_of(subsets, [&](const std::vector<std::size_t>& subset) {
+  /// The least number of hypotheses that explain a case; 0 if none do.
+  using Needed = std::size_t;
+
+  /// The number of hypotheses that explain the case: this one and those of the first subset that suffices.
+  [[nodiscard]] Needed needed(const Hypothesis& hypothesis, const std::vector<std::vector<std::size_t>>& subsets,
+                              const KnownCase& one) const {
+    const auto found = std::ranges::find_if(subsets, [&](const std::vector<std::size_t>& subset) {
       return explains(joined(explanation_.found, subset, &hypothesis), one);
     });
+    return found == subsets.end() ? 0 : 1 + found->size();
   }
 
-  /// The cases of `looked_at` that the hypothesis explains.
-  [[nodiscard]] std::vector<bool> fitting(const Hypothesis& hypothesis,
-                                          const std::vector<std::vector<std::size_t>>& subsets,
-                                          const std::vector<std::size_t>& looked_at) const {
+  /// For each case of `looked_at`, how many hypotheses explain it, this one among them.
+  [[nodiscard]] std::vector<Needed> fitting(const Hypothesis& hypothesis,
+                                            const std::vector<std::vector<std::size_t>>& subsets,
+                                            const std::vector<std::size_t>& looked_at) const {
     // A hypothesis that is right for a fifth misses 24 once in 211.
     const std::size_t most_missed_at_first = looked_at.size() / 2;
-    std::vector<bool> fitted(looked_at.size());
+    std::vector<Needed> fitted(looked_at.size());
     bool is_any = false;
     for (std::size_t i = 0; i < looked_at.size() && (is_any || i < most_missed_at_first); ++i) {
-      fitted[i] = fits(hypothesis, subsets, wrong_[looked_at[i]]);
-      is_any = is_any || fitted[i];
+      fitted[i] = needed(hypothesis, subsets, wrong_[looked_at[i]]);
+      is_any = is_any || fitted[i] > 0;
     }
     return fitted;
   }
@@ -172,34 +180,37 @@ class HypothesisSearch {
     return with_size(fit, most[most.size() / 2]);
   }
 
-  /// The hypothesis that explains most of the remaining cases, alone or with one of the subsets of the found ones.
+  /// The hypothesis that explains most of the remaining cases, alone or with one of the subsets of the found ones. Of
+  /// two that explain as many, the one that needs fewer others.
   [[nodiscard]] std::optional<Hypothesis> best(const std::vector<std::vector<std::size_t>>& subsets,
                                                std::size_t most_looked_at) const {
     const std::vector<std::size_t> looked_at = spread(rest_, most_looked_at);
     std::optional<Hypothesis> best;
-    double most = static_cast<double>(least_violated) - 0.5;
-    const auto compare = [&](const Hypothesis& hypothesis, const std::vector<bool>& fitted) {
-      if (left_out_.contains(hypothesis.as_if)) {
+    std::pair most{static_cast<double>(least_violated) - 0.5, 0.0};
+    const auto compare = [&](const Hypothesis& hypothesis, const std::vector<Needed>& fitted) {
+      if (left_out_.count(hypothesis.as_if) >= most_left_out) {
         return;
       }
-      const auto count = static_cast<double>(std::ranges::count(fitted, true));
+      const auto count = static_cast<double>(fitted.size()) - static_cast<double>(std::ranges::count(fitted, 0U));
       // One mistake explains better than a choice of several.
       constexpr double worth_of_choice = 0.9;
-      const double worth = hypothesis.mistakes.size() > 1 ? worth_of_choice * count : count;
+      const std::pair worth{hypothesis.mistakes.size() > 1 ? worth_of_choice * count : count,
+                            -static_cast<double>(std::accumulate(fitted.begin(), fitted.end(), Needed{0}))};
       if (worth > most) {
         best = hypothesis;
         most = worth;
       }
     };
-    std::vector<std::vector<bool>> all;
+    std::vector<std::vector<Needed>> all;
     for (const Hypothesis& hypothesis : all_hypotheses()) {
-      std::vector<bool>& fitted = all.emplace_back(looked_at.size());
+      std::vector<Needed>& fitted = all.emplace_back(looked_at.size());
       if (hypothesis.mistakes.size() > 1) {
         // The hypotheses with one of the mistakes precede.
         for (std::size_t k = 1; k <= hypothesis.mistakes.size(); ++k) {
-          const std::vector<bool>& of_one = all[all.size() - 1 - k];
+          const std::vector<Needed>& of_one = all[all.size() - 1 - k];
           for (std::size_t i = 0; i < looked_at.size(); ++i) {
-            fitted[i] = fitted[i] || of_one[i];
+            fitted[i] =
+                fitted[i] == 0 || of_one[i] == 0 ? std::max(fitted[i], of_one[i]) : std::min(fitted[i], of_one[i]);
           }
         }
       } else {
@@ -303,10 +314,25 @@ class HypothesisSearch {
     }
   }
 
+  void find_needed() {
+    const std::vector<std::vector<std::size_t>> all = subsets_without(std::nullopt);
+    for (std::size_t i = 0; i < wrong_.size(); ++i) {
+      std::vector<std::size_t> needed = explanation_.by[i];
+      for (const std::vector<std::size_t>& other : all) {
+        const auto is_missing = [&](std::size_t h) { return std::ranges::find(other, h) == other.end(); };
+        if (other.size() == explanation_.by[i].size() && std::ranges::any_of(needed, is_missing) &&
+            explains(joined(explanation_.found, other, nullptr), wrong_[i])) {
+          std::erase_if(needed, is_missing);
+        }
+      }
+      explanation_.needed.push_back(std::move(needed));
+    }
+  }
+
   std::span<const KnownCase> wrong_;
-  std::vector<std::size_t> rest_;   // the numbers of the cases that are not explained
-  std::size_t known_;               // so many of the found hypotheses were given
-  std::set<std::string> left_out_;  // hypotheses that others replaced; they are not found again
+  std::vector<std::size_t> rest_;        // the numbers of the cases that are not explained
+  std::size_t known_;                    // so many of the found hypotheses were given
+  std::multiset<std::string> left_out_;  // hypotheses that others replaced
   Explanation explanation_;
 };
 

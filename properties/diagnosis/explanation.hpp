@@ -15,6 +15,8 @@ struct Explanation {
   std::vector<Hypothesis> found;
   /// For each case, the indices in `found` of the fewest hypotheses that together explain the answer. Empty if none do.
   std::vector<std::vector<std::size_t>> by;
+  /// For each case, those hypotheses of `by` without which no other hypotheses, as few, explain the answer.
+  std::vector<std::vector<std::size_t>> needed;
 };
 
 /// Finds a hypothesis that explains many answers, takes out the answers that it explains, and explains the others anew.

@@ -173,17 +173,11 @@ class FaultSearch {
     return std::nullopt;
   }
 
-  /// Adds a fault that happens in `cases`. Its witness is one of `alone`, if there is one. Nothing is known of
-  /// `left_out`.
-  void add(Fault fault, const CaseNumbers& cases, const CaseNumbers& alone = {}, CaseNumbers left_out = {},
-           std::uint64_t every = 1) {
+  /// Adds a fault that happens in `cases`.
+  void add(Fault fault, const CaseNumbers& cases, std::uint64_t every = 1) {
     fault.cases = size_of(cases);
-    const Where where = where_violated(report_, {cases, violations_.judged, std::move(left_out), every});
-    fault.where = in_words(where);
-    fault.witness = witness_in(alone);
-    if (!fault.witness) {
-      fault.witness = witness_in(cases);
-    }
+    fault.where = in_words(where_violated(report_, {cases, violations_.judged, {}, every}));
+    fault.witness = witness_in(cases);
     faults_.push_back(std::move(fault));
   }
 
@@ -258,7 +252,17 @@ class FaultSearch {
       count += family.sampled_answers.size();
     }
     constexpr std::size_t most_examined = 12'000;  // so that a limit is found within a few percent
-    every_ = std::max<std::size_t>(1, (count + most_examined - 1) / most_examined);
+    examine_one_in(std::max<std::size_t>(1, (count + most_examined - 1) / most_examined));
+    if (every_ > 1 && every_ * wrong_.size() <= most_examined) {
+      examine_one_in(1);
+    }
+  }
+
+  /// Examines one outcome in `every`.
+  void examine_one_in(std::size_t every) {
+    every_ = every;
+    wrong_.clear();
+    places_.clear();
     const Precision precision = narrow_.are_binary32() ? Precision::binary32 : result_.subject.precision;
     const double roundoff = unit_roundoff(precision);
     small_ = none();
@@ -334,24 +338,41 @@ class FaultSearch {
   /// Adds the fault of a hypothesis. `unknown` lists the cases that may have it.
   void add_explained(const Explanation& explanation, std::size_t number, const CaseNumbers& unknown) {
     CaseNumbers cases = none();
-    CaseNumbers alone = none();
+    CaseNumbers needing = none();  // only this hypothesis explains them, with or without others
+    CaseNumbers alone = none();    // this hypothesis suffices
+    CaseNumbers maybe = unknown;
+    const auto has_it = [&](const std::vector<std::size_t>& some) {
+      return std::ranges::find(some, number) != some.end();
+    };
     for (std::size_t i = 0; i < places_.size(); ++i) {
-      if (std::ranges::find(explanation.by[i], number) != explanation.by[i].end()) {
-        cases[places_[i].family].push_back(places_[i].index);
+      const auto& [family, index] = places_[i];
+      if (explanation.needed[i].size() < explanation.by[i].size()) {
+        maybe[family].push_back(index);
+      }
+      if (has_it(explanation.needed[i])) {
+        needing[family].push_back(index);
+      }
+      if (has_it(explanation.by[i])) {
+        cases[family].push_back(index);
         if (explanation.by[i].size() == 1) {
-          alone[places_[i].family].push_back(places_[i].index);
+          alone[family].push_back(index);
         }
       }
     }
+    const CaseNumbers& there = size_of(needing) >= least_violated ? needing : cases;
     CaseNumbers left_out = none();
     for (std::size_t f = 0; f < left_out.size(); ++f) {
-      std::ranges::set_difference(unknown[f], cases[f], std::back_inserter(left_out[f]));
+      std::ranges::sort(maybe[f]);
+      std::ranges::set_difference(maybe[f], there[f], std::back_inserter(left_out[f]));
     }
     const Hypothesis& hypothesis = explanation.found[number];
-    add({fmt::format("It answers as if {} ({} of {} examined wrong outcomes).", hypothesis.as_if, size_of(cases),
-                     wrong_.size()),
-         hypothesis.look_at},
-        cases, alone, std::move(left_out), every_);
+    Fault fault{fmt::format("It answers as if {} ({} of {} examined wrong outcomes).", hypothesis.as_if, size_of(cases),
+                            wrong_.size()),
+                hypothesis.look_at};
+    fault.cases = size_of(cases);
+    fault.where = in_words(where_violated(report_, {there, violations_.judged, std::move(left_out), every_}));
+    fault.witness = witness_in(size_of(alone) > 0 ? alone : cases);
+    faults_.push_back(std::move(fault));
   }
 
   /// Adds the fault that answers depend on earlier collisions. Returns whether there is one.
@@ -365,11 +386,11 @@ class FaultSearch {
                        "asked alone.",
                        lost, result_.witnesses.size()),
            "caches and their keys, warm starts, random numbers, state that is not reset between contacts"},
-          cases, {}, {}, every);
+          cases, every);
       return true;
     }
     if (violates(&Invariant::is_of_session) && (!is_explained || size_of(rest) >= least_violated)) {
-      add(fault_of_memory(), cases, {}, {}, every);
+      add(fault_of_memory(), cases, every);
       return true;
     }
     return false;
@@ -403,7 +424,7 @@ class FaultSearch {
 
   void add_step(const std::vector<ViolatedCase>& outcomes, const CaseNumbers& cases, std::uint64_t every) {
     const Where where = where_violated(report_, {cases, violations_.judged, {}, every});
-    add(fault_of_outcomes(outcomes, result_.subject.law, where, report_.options.fail_fast), cases, {}, {}, every);
+    add(fault_of_outcomes(outcomes, result_.subject.law, where, report_.options.fail_fast), cases, every);
   }
 
   /// Some of the cases with their outcomes.

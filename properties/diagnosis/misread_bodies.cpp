@@ -20,6 +20,12 @@ struct Misreading {
 
 constexpr double practically_infinite = 0x1p100;
 
+/// Moments with which the body practically cannot rotate: all terms r²/I are far below 1/m.
+Vector3<double> infinite_moments(const Body& body, const Vector3<double>& point) {
+  const double at_arm = body.mass * (point - body.position).squaredNorm();
+  return practically_infinite * body.principal_inertia.cwiseMax(at_arm);
+}
+
 Vector3<double> turned_by(const Quaternion<double>& q, const Vector3<double>& v) {
   return oracles::turned<double>(q, v);
 }
@@ -66,7 +72,7 @@ const std::array misreadings{
                  b.principal_inertia /= squared_length * squared_length;
                }},
     Misreading{"{} could not rotate", "1/I: set to zero, or the rotational part of K is missing", true,
-               [](Body& b, const Body&, const Collision&) { b.principal_inertia *= practically_infinite; }},
+               [](Body& b, const Body&, const Collision& c) { b.principal_inertia = infinite_moments(b, c.point); }},
     Misreading{
         "each moment of {} were the mean of the three", moments, true,
         [](Body& b, const Body&, const Collision&) { b.principal_inertia.setConstant(b.principal_inertia.mean()); }},
@@ -107,10 +113,9 @@ const std::array misreadings{
                [](Body& b, const Body&, const Collision&) { b.principal_inertia /= 1e4; }},
     Misreading{"{} had the lever arm, the moments and the orientation of the other body",
                "the body whose terms are read", true,
-               [](Body& b, const Body& other, const Collision&) {
+               [](Body& b, const Body& other, const Collision& c) {
                  b.position = other.position;
-                 b.principal_inertia = other.immovable ? Vector3<double>(practically_infinite * b.principal_inertia)
-                                                       : other.principal_inertia;
+                 b.principal_inertia = other.immovable ? infinite_moments(b, c.point) : other.principal_inertia;
                  b.orientation = other.immovable ? b.orientation : other.orientation;
                }},
     Misreading{"the moments of {} were divided by their mass", moments, true,
@@ -131,9 +136,9 @@ const std::array misreadings{
     Misreading{"the mass of {} were doubled", "the mass", true,
                [](Body& b, const Body&, const Collision&) { b.mass *= 2; }},
     Misreading{"{} were immovable", "the test for immovable bodies: mass thresholds, sleeping bodies, flags", true,
-               [](Body& b, const Body&, const Collision&) {
+               [](Body& b, const Body&, const Collision& c) {
                  b.mass *= practically_infinite;
-                 b.principal_inertia *= practically_infinite;
+                 b.principal_inertia = infinite_moments(b, c.point);
                },
                true},
     Misreading{"{} had no velocity before", "the relative velocity: the v of this body is missing", false,

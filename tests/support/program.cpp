@@ -3,7 +3,7 @@
 
 #include <atomic>
 #include <fstream>
-#include <iterator>
+#include <sstream>
 
 #include <boost/process/args.hpp>
 #include <boost/process/child.hpp>
@@ -63,8 +63,10 @@ std::string TemporaryDirectory::write(const std::string& name, const std::string
 }
 
 std::string content_of(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  const std::ifstream stream(file, std::ios::binary);
+  std::ostringstream content;
+  content << stream.rdbuf();
+  return content.str();
 }
 
 }  // namespace carom::tests

@@ -42,6 +42,7 @@ class TemporaryDirectory {
   std::filesystem::path path_;
 };
 
+/// Empty if the file cannot be read: a process of /proc may end meanwhile.
 [[nodiscard]] std::string content_of(const std::filesystem::path& file);
 
 }  // namespace carom::tests
