@@ -165,7 +165,7 @@ Outcome<double> through_float(const Collision& collision) {
                              [](double x) { return static_cast<double>(static_cast<float>(x)); });
 }
 
-/// What RapidCheck shows of a ruling.
+/// The text that RapidCheck prints for a ruling.
 std::string shown(const Ruling& ruling) {
   std::ostringstream out;
   showValue(ruling, out);
