@@ -228,7 +228,7 @@ Accuracy accuracy_as(const ExactCase& exact_case, Law law, Approach as, const Li
   if (may_use_bounds) {
     if (const auto decided = by_enclosures(sensitivity)) {
       if (!decided->is_allowed()) {
-        exact_case.with_truth(law, as, [](const auto&) {});  // certifies the truth before a subject is blamed
+        exact_case.check_enclosed_truth(law, as);  // before a subject is blamed
       }
       count(Stage::enclosure);
       return with_digits(*decided);

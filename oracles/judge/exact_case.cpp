@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include <carom/collision/expects.hpp>
@@ -273,6 +274,20 @@ const Truth<Enclosure>& ExactCase::enclosed_truth(Law law, Approach as) const {
     return bounds_.colliding_truth(law, branch(law));
   }
   return enclosed_unchanged_.get([&] { return truth_of(bounds_.enclosed(), law, as, Branch::only); });
+}
+
+void ExactCase::check_enclosed_truth(Law law, Approach as) const {
+  if (law == Law::rough) {
+    with_truth(law, as, [](const auto&) {});
+    return;
+  }
+  is_enclosed_truth_checked_.get({law, as}, [&] {
+    const Truth<Enclosure>& truth = enclosed_truth(law, as);
+    if (const char* const name = first_refuted(collision(), bounds_.enclosed(), law, as, truth.outcome)) {
+      throw JudgeError(std::string("the enclosed truth does not satisfy ") + name, collision());
+    }
+    return true;
+  });
 }
 
 const Sensitivity& ExactCase::unchanged_sensitivity() const {

@@ -63,6 +63,10 @@ class ExactCase {
   [[nodiscard]] const Truth<Enclosure>& enclosed_truth(Law law) const { return enclosed_truth(law, approach()); }
   [[nodiscard]] const Truth<Enclosure>& enclosed_truth(Law law, Approach as) const;
 
+  /// Throws JudgeError if `enclosed_truth(law, as)` certainly violates an equation that defines the law. For `rough`,
+  /// whose equations do not suffice, certifies the exact truth.
+  void check_enclosed_truth(Law law, Approach as) const;
+
   /// ‖y − y⁻‖ in the kinetic-energy norm (accuracy.hpp), for the outcome y of `enclosed_truth(law, as)`. `measure`
   /// computes the norm on first use.
   template <class Measure>
@@ -163,6 +167,7 @@ class ExactCase {
   LazyMap<double, std::unique_ptr<PermittedInputs>> permitted_inputs_;
   LazyMap<Law, OfLaw> of_law_;
   LazyMap<std::pair<Law, Approach>, double> sizes_of_change_;
+  LazyMap<std::pair<Law, Approach>, bool> is_enclosed_truth_checked_;
   BoundedCase bounds_;
   Lazy<BasicCollision<Rational>> exact_;
   Lazy<ConeDistance> cone_distance_;

@@ -23,6 +23,22 @@ template <class T>
   return first;
 }
 
+/// The first equation that defines the law and that the outcome certainly violates; nullptr if there is none. T is a
+/// number with an error bound: `sign()` is its sign, or no value if the bound does not decide it. `enclosed` is the
+/// collision in T. Precondition: that of `first_unsatisfied`.
+template <class T>
+[[nodiscard]] const char* first_refuted(const Collision& collision, const BasicCollision<T>& enclosed, Law law,
+                                        Approach approach, const Outcome<T>& outcome) {
+  const char* first = nullptr;
+  for_each_defining_equation(collision, law, approach, [&](const char* name, const auto& equation) {
+    const auto sides = equation(enclosed, outcome);
+    for (Eigen::Index i = 0; i < sides.left.size() && first == nullptr; ++i) {
+      first = T(sides.left[i] - sides.right[i]).sign().value_or(0) != 0 ? name : nullptr;
+    }
+  });
+  return first;
+}
+
 /// Throws the JudgeError of a truth that does not satisfy `what`. `nearest_double` of a T gives the binary64 number
 /// that it was lifted from.
 template <class T>

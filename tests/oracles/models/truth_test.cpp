@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -154,6 +156,33 @@ TEST(Certify, NoticesEachCorruptedComponentWhereNothingHappens) {
     const ExactCase exact_case(unit::case_of(family, 1).collision);
     expect_every_corruption_noticed(exact_case.exact(), Law::reflection, exact_case.approach(),
                                     unchanged(exact_case.exact()));
+  }
+}
+
+/// An enclosure of some 100 bits refutes an error of 2⁻⁷⁰ of the largest velocity.
+TEST(Certify, RefutesEachCorruptedComponentOfAnEnclosedTruth) {
+  for (const Collision& collision : contacts_to_certify()) {
+    const ExactCase exact_case(collision);
+    const BasicCollision<Enclosure>& enclosed = exact_case.bounds().enclosed();
+    for (const Law law : linear_laws) {
+      EXPECT_NO_THROW(exact_case.check_enclosed_truth(law, Approach::colliding));
+      const Outcome<Enclosure>& outcome = exact_case.enclosed_truth(law).outcome;
+      EXPECT_EQ(first_refuted(collision, enclosed, law, Approach::colliding, outcome), nullptr);
+      double largest = 0;
+      for (const Vector3<Enclosure>* v : vectors(outcome)) {
+        for (const Enclosure& x : *v) {
+          largest = std::max(largest, std::abs(x.middle()));
+        }
+      }
+      for (const OutcomeVector k : all_outcome_vectors) {
+        for (int i = 0; i < 3; ++i) {
+          Outcome<Enclosure> corrupted = outcome;
+          (*vectors(corrupted)[k])[i] += Enclosure(largest * 0x1p-70);
+          EXPECT_NE(first_refuted(collision, enclosed, law, Approach::colliding, corrupted), nullptr)
+              << name_of(k) << '[' << i << ']';
+        }
+      }
+    }
   }
 }
 
