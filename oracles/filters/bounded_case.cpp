@@ -188,17 +188,4 @@ const ApproximateResponse& BoundedCase::approximate_response() const {
   return approximate_response_.get([this] { return ApproximateResponse(approximate()); });
 }
 
-const BoundedCase::InertiaTensors& BoundedCase::inertia_tensors() const {
-  return inertia_tensors_.get([this] {
-    const auto tensor_of = [](const Body& body) {
-      Matrix3<double> tensor = Matrix3<double>::Zero();
-      for (int i = 0; i < 3 && !body.immovable; ++i) {
-        tensor.col(i) = apply_inertia<double>(body, Vector3<double>::Unit(i));
-      }
-      return tensor;
-    };
-    return InertiaTensors{tensor_of(collision_.a), tensor_of(collision_.b)};
-  });
-}
-
 }  // namespace carom::oracles

@@ -96,22 +96,13 @@ class BoundedCase {
   /// its rounding errors. Precondition: is_moderate().
   [[nodiscard]] double collision_matrix_sensitivity_below() const;
 
-  /// The inertia tensor of a body in world axes, rounded; zero if the body is immovable.
-  [[nodiscard]] const Matrix3<double>& inertia_of_a() const { return inertia_tensors().a; }
-  [[nodiscard]] const Matrix3<double>& inertia_of_b() const { return inertia_tensors().b; }
-
  private:
   struct OfLaw {
     Lazy<Truth<Enclosure>> truth;
     Lazy<Sensitivity> sensitivity_below;
   };
-  struct InertiaTensors {
-    Matrix3<double> a;
-    Matrix3<double> b;
-  };
 
   [[nodiscard]] const ApproximateResponse& approximate_response() const;
-  [[nodiscard]] const InertiaTensors& inertia_tensors() const;
 
   [[nodiscard]] const OfLaw& of(Law law) const {
     return of_law_.get(law, [] { return OfLaw(); });
@@ -132,7 +123,6 @@ class BoundedCase {
   PerAffineEquation<Lazy<PerVector<double>>> slopes_;
   Lazy<double> collision_matrix_sensitivity_below_;
   Lazy<Matrix3<Enclosure>> enclosed_collision_matrix_;
-  Lazy<InertiaTensors> inertia_tensors_;
 };
 
 }  // namespace carom::oracles

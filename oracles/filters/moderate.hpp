@@ -21,14 +21,13 @@ inline constexpr double largest_moderate_direction = 0x1p+110;
 /// The upper limit of the components of a moderate outcome. The components may be arbitrarily small.
 inline constexpr double largest_moderate_outcome = 0x1p+63;
 
-/// The constants of the inequalities (2) to (5) of `is_moderate`. Tests evaluate the laws on collisions whose numbers
+/// The constants of the inequalities (2) to (4) of `is_moderate`. Tests evaluate the laws on collisions whose numbers
 /// are at the limits above. The tests compute with logarithms of sizes in place of numbers. They check that each
 /// constant suffices (docs/internals/bounds.md).
 inline constexpr double largest_scale_of_moderate = 0x1p+244;
 inline constexpr double largest_scale_of_moderate_friction = 0x1p+569;
 inline constexpr double largest_sensitivity_of_moderate = 0x1p+592;
 inline constexpr double largest_on_the_way_of_moderate = 0x1p+918;
-inline constexpr double least_slope_of_moderate = 0x1p-280;
 
 /// Whether every number of the collision and the extents of its bodies (quantities.hpp) are moderate. For a valid
 /// moderate collision and a moderate outcome, let K be the collision matrix, and M the largest moderate mass. Let q be
@@ -41,7 +40,6 @@ inline constexpr double least_slope_of_moderate = 0x1p-280;
 ///   (3) Σ_q ‖∂y_k/∂q‖ ‖q‖ + ‖y_k⁻‖ ≤ 2⁵⁹² for the exact answer y of each of `linear_laws`, by (1). Σ_q ‖∂K/∂q‖ ‖q‖ has
 ///       the same bound.
 ///   (4) No intermediate number exceeds 2⁹¹⁸, so nothing overflows.
-///   (5) A slope ∂g/∂ŷ_k of an affine equation is zero or at least 2⁻²⁸⁰ in size.
 [[nodiscard]] inline bool is_moderate(const Collision& collision) {
   bool moderate = true;
   for_each_number(

@@ -55,7 +55,4 @@ template <class S, class OneEquation, class R>
 [[nodiscard]] PerVector<double> slopes_of_change(const Matrix3<double>& matrix, bool read_off_a,
                                                  const Collision& collision);
 
-/// For each vector of an outcome, whether the equation depends on it.
-[[nodiscard]] const PerVector<bool>& vectors_in(AffineEquation equation);
-
 }  // namespace carom::oracles

@@ -9,10 +9,9 @@
 namespace carom::oracles {
 
 /// The stages of the judge's decision on a comparison. The first stage that can decide decides.
-enum class Stage { same_bits, closeness, approximation, enclosure, rational };
+enum class Stage { same_bits, approximation, enclosure, rational };
 
-inline constexpr std::array all_stages{Stage::same_bits, Stage::closeness, Stage::approximation, Stage::enclosure,
-                                       Stage::rational};
+inline constexpr std::array all_stages{Stage::same_bits, Stage::approximation, Stage::enclosure, Stage::rational};
 static_assert(counts_from_zero_to(all_stages, Stage::rational));
 
 /// For each stage, the number of comparisons that it has decided in the calling thread.

@@ -11,7 +11,6 @@
 #include <carom/oracles/judge/norm_at_most.hpp>
 #include <carom/oracles/judge/permitted_noise.hpp>
 #include <carom/oracles/numbers/norm.hpp>
-#include <carom/oracles/numbers/norm_bounds.hpp>
 
 namespace carom::oracles {
 namespace {
@@ -99,9 +98,6 @@ Deviation<T> deviation_of(const ExactCase& exact_case, const Truth<T>& truth, co
       (*of_deviation[k])[i] = rounded(error[static_cast<std::size_t>(i)]);
     }
     accuracy.error[k] = norm_of(*of_deviation[k]);
-    if constexpr (!is_exact<T>) {
-      accuracy.error_above[k] = norm_above(std::span<const T>(error));
-    }
   }
   if (std::any_of(accuracy.error.begin(), accuracy.error.end(), [](double error) { return error != 0; })) {
     const double norm_of_deviation = energy_norm(exact_case.collision(), deviation);
@@ -271,8 +267,6 @@ Accuracy accuracy(const ExactCase& exact_case, Law law, const LiftedOutcome& out
     return own;
   }
   result.is_of_truth = false;
-  // `result` compares with the other answer, so it bounds no distance to the truth.
-  result.error_above = Accuracy{}.error_above;
   return result;
 }
 

@@ -12,8 +12,7 @@ namespace carom::oracles {
 
 /// The distance of an outcome ŷ from the truth y. y_k⁻ are the vectors before the impulse.
 struct Accuracy {
-  PerVector<double> error{};                 // ‖ŷ_k − y_k‖
-  PerVector<double> error_above = infinite;  // at least the error; infinite if the judge is not filtered
+  PerVector<double> error{};  // ‖ŷ_k − y_k‖
   Sensitivity sensitivity{};  // Σ_q ‖∂y_k/∂q‖ ‖q‖ + ‖y_k⁻‖, or a lower bound of it (see `accuracy`)
   bool is_decided = true;     // false if the sensitivity, or the allowance times it, leaves the range of numbers; no
                               // other member then has a meaning
@@ -30,9 +29,6 @@ struct Accuracy {
 
   /// Correct decimal digits of the change of the velocities. The maximum, 40, means exact.
   [[nodiscard]] double digits() const;
-
- private:
-  static constexpr PerVector<double> infinite{HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL};
 };
 
 /// Accuracy::digits of a computed outcome, compared with an exact outcome.

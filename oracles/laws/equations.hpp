@@ -70,13 +70,6 @@ enum class AffineEquation {
   untouched_angular_velocity_of_b,
 };
 
-/// Whether the equation contains N·V⁺. The derivative of N·V⁺ with respect to an angular velocity is r × N. The terms
-/// of r × N may cancel, so the computed vector may be mostly rounding error. Other affine equations have no such
-/// derivative.
-[[nodiscard]] constexpr bool is_of_normal_velocity(AffineEquation equation) {
-  return equation == AffineEquation::restitution || equation == AffineEquation::non_penetration;
-}
-
 /// The bound of a law's impulse (equation::ImpulseBound).
 enum class ImpulseBoundOf {
   approach,                            // (1 + ε) |N·V⁻| / ‖N‖

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <array>
-
-#include <carom/oracles/laws/equations.hpp>
 #include <carom/oracles/models/implicit_differentiation.hpp>
 #include <carom/oracles/models/superposition.hpp>
 #include <carom/oracles/numbers/enclosure.hpp>
@@ -66,13 +63,6 @@ struct Frictionless {
     impulse.template middleCols<3>(of.normal) += per_normal * Matrix3<S>::Identity();
     return {impulse, change};
   }
-
-  /// In addition to `kept_by_every_law` (models.hpp).
-  static constexpr std::array keeps{AffineEquation::push_read_off_a, AffineEquation::push_read_off_b,
-                                    AffineEquation::frictionless_direction_read_off_a,
-                                    AffineEquation::frictionless_direction_read_off_b};
-  /// ΔE = −(1 − ε²)(N·V⁻)² / (2 NᵀKN), apart from the work of a driven wall.
-  static constexpr bool creates_no_energy = true;
 
   static constexpr bool acts_at_once = false;
 };

@@ -136,52 +136,11 @@ template <class T, class Sign>
   return along_normal && beyond ? std::optional(false) : std::nullopt;
 }
 
-/// The affine equations that the answer of every law satisfies, if they apply. `restitution` applies if the contact
-/// collides. `untouched` applies to immovable bodies, and to all bodies if the contact does not collide.
-inline constexpr std::array kept_by_every_law{AffineEquation::linear_momentum,
-                                              AffineEquation::angular_momentum_of_a,
-                                              AffineEquation::angular_momentum_of_b,
-                                              AffineEquation::total_angular_momentum,
-                                              AffineEquation::restitution,
-                                              AffineEquation::non_penetration,
-                                              AffineEquation::untouched_velocity_of_a,
-                                              AffineEquation::untouched_angular_velocity_of_a,
-                                              AffineEquation::untouched_velocity_of_b,
-                                              AffineEquation::untouched_angular_velocity_of_b};
-
-namespace detail {
-
-template <class LawType>
-[[nodiscard]] constexpr PerAffineEquation<bool> kept_equations() {
-  PerAffineEquation<bool> kept{};
-  for (const AffineEquation equation : kept_by_every_law) {
-    kept[equation] = true;
-  }
-  for (const AffineEquation equation : LawType::keeps) {
-    kept[equation] = true;
-  }
-  return kept;
-}
-
-template <class LawType>
-inline constexpr PerAffineEquation<bool> kept_equations_of = kept_equations<LawType>();
-
-}  // namespace detail
-
-[[nodiscard]] inline bool keeps(Law law, AffineEquation equation) {
-  return with_law(law, [&]<class LawType>(LawType) { return detail::kept_equations_of<LawType>[equation]; });
-}
-
 /// Whether the impulse of the law on this branch may differ from 0 in the limit N·V⁻ → 0. If it does, and rounding of
 /// the inputs decides whether the contact collides, two answers are right.
 [[nodiscard]] inline bool acts_at_once(Law law, Branch branch) {
   return with_law(law, branch,
                   [&]<class LawType>(LawType) { return LawType::acts_at_once && branch != Branch::on_cone; });
-}
-
-/// Whether the law never adds energy, apart from the work of a driven wall.
-[[nodiscard]] inline bool creates_no_energy(Law law) {
-  return with_law(law, []<class LawType>(LawType) { return LawType::creates_no_energy; });
 }
 
 }  // namespace carom::oracles

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <array>
-
-#include <carom/oracles/laws/equations.hpp>
 #include <carom/oracles/models/implicit_differentiation.hpp>
 #include <carom/oracles/models/superposition.hpp>
 #include <carom/oracles/numbers/enclosure.hpp>
@@ -38,11 +35,6 @@ struct Reflection {
                                                   const ImpulseDifferential<S>& of) {
     return derivatives_by_matrix<S>(of);
   }
-
-  /// In addition to `kept_by_every_law` (models.hpp).
-  static constexpr std::array keeps{AffineEquation::push_read_off_a, AffineEquation::push_read_off_b,
-                                    AffineEquation::reflection_plane};
-  static constexpr bool creates_no_energy = false;
 
   static constexpr bool acts_at_once = false;
 };

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <array>
 #include <cmath>
 
 #include <carom/oracles/laws/branch.hpp>
@@ -71,11 +70,6 @@ struct Rough {
                                            const Vector3<T>& d, const T& share) {
     return Vector3<T>(stops_approach * T(T(1) + c.restitution)) + Vector3<T>(d * share);
   }
-
-  /// In addition to `kept_by_every_law` (models.hpp).
-  static constexpr std::array keeps{AffineEquation::push_read_off_a, AffineEquation::push_read_off_b};
-  /// ΔE ≤ 0 by docs/guide/laws.md#rough.
-  static constexpr bool creates_no_energy = true;
 
   /// Inside the cone, the impulse tends to κ D as N·V⁻ tends to 0. κ D lies in the cone for large μ.
   static constexpr bool acts_at_once = true;

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <array>
-
-#include <carom/oracles/laws/equations.hpp>
 #include <carom/oracles/models/implicit_differentiation.hpp>
 #include <carom/oracles/models/superposition.hpp>
 #include <carom/oracles/numbers/enclosure.hpp>
@@ -39,11 +36,6 @@ struct Sticking {
                                                   const ImpulseDifferential<S>& of) {
     return derivatives_by_matrix<S>(of);
   }
-
-  /// In addition to `kept_by_every_law` (models.hpp).
-  static constexpr std::array keeps{AffineEquation::sticks};
-  /// If ε > 0, the law may add energy, because the tangential impulse also changes the normal velocity.
-  static constexpr bool creates_no_energy = false;
 
   /// The impulse stops the slip for any N·V⁻ < 0.
   static constexpr bool acts_at_once = true;

@@ -20,9 +20,6 @@ inline constexpr double rounding = 0x1p-45;
 inline constexpr double least_by_squares = 0x1p-400;
 inline constexpr double largest_by_squares = 0x1p+400;
 
-/// An upper bound of √e, with e the loss of a sum of squares by underflow.
-inline constexpr double lost_by_root = 0x1p-500;
-
 /// An upper bound of the loss of hypotenuses by underflow.
 inline constexpr double lost_by_hypotenuses = 0x1p-1070;
 
@@ -37,18 +34,6 @@ template <class S, class T, class Size>
 }
 
 }  // namespace norm_bounds
-
-/// An upper bound of ‖v‖. It is zero only if v is zero.
-template <class T>
-[[nodiscard]] double norm_above(std::span<const T> vector) {
-  bool is_zero = true;
-  const double squares = norm_bounds::sum_of_squares<double>(vector, [&](const T& component) {
-    const double above = component.magnitude_above();
-    is_zero = is_zero && above == 0;
-    return above;
-  });
-  return is_zero ? 0 : std::sqrt(squares) * (1 + norm_bounds::rounding) + norm_bounds::lost_by_root;
-}
 
 /// Whether ‖v‖ ≤ bound, or nullopt if the errors do not decide it. A is the computed norm of the upper bounds of |v_i|,
 /// and B that of the lower bounds. Each has a relative rounding error below ρ = `rounding`, and loses less than

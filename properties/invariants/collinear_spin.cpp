@@ -16,7 +16,7 @@ Verdict check_collinear_spin(const Evidence& e) {
   if (!e.exact_case.is_collinear()) {
     return outside_domain("a lever arm is not along the normal");
   }
-  if (are_surely_untouched(e, spins)) {
+  if (is_surely_untouched(e.exact_case, e.outcome, e.yardstick, spins)) {
     return {};
   }
   const oracles::Sensitivity sensitivity = e.exact_case.sensitivity_with_noise(e.law, e.yardstick);

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include <carom/collision/subject.hpp>
-#include <carom/oracles/filters/closeness.hpp>
 #include <carom/oracles/judge/accuracy.hpp>
 #include <carom/properties/invariants/proof.hpp>
 
@@ -68,8 +67,7 @@ struct Evidence {
   Law law;
   const oracles::Yardstick& yardstick;
   const oracles::LiftedOutcome& outcome;
-  const oracles::Accuracy* accuracy;    // of the outcome; nullptr for laws without a truth
-  const oracles::Closeness& closeness;  // of the outcome to the truth
+  const oracles::Accuracy* accuracy;  // of the outcome; nullptr for laws without a truth
 
   [[nodiscard]] double allowance() const { return yardstick.allowance(); }
 };

@@ -24,10 +24,6 @@ bool collides(const Evidence& e) { return e.exact_case.approach() == Approach::c
 bool is_inert(const Evidence& e) { return e.exact_case.approach() == Approach::inert; }
 
 Verdict holds(const Evidence& e, Relation relation, const char* what, const oracles::Equation& equation) {
-  if (e.closeness.shows(equation)) {
-    count(oracles::Stage::closeness);
-    return {};
-  }
   return verdict_of(compare(equation, relation, e.exact_case, e.outcome, e.yardstick), what);
 }
 
@@ -182,7 +178,7 @@ Verdict untouched_bodies(const Evidence& e) {
   if (!determines_outcome(e.law)) {
     return both(untouched_body(e, true), untouched_body(e, false));
   }
-  if (are_surely_untouched(e, all_outcome_vectors)) {
+  if (is_surely_untouched(e.exact_case, e.outcome, e.yardstick, all_outcome_vectors)) {
     return {};
   }
   const oracles::Sensitivity sensitivity = e.exact_case.sensitivity_with_noise(e.law, e.yardstick);
@@ -264,10 +260,6 @@ Verdict check_slip_opposed(const Evidence& e) {
 Verdict check_energy(const Evidence& e) {
   if (is_inert(e)) {
     return outside_domain("both bodies are immovable");
-  }
-  if (e.closeness.shows_energy()) {
-    count(oracles::Stage::closeness);
-    return {};
   }
   return holds(e, Relation::at_most, "E⁺ − E⁻ and the work of the wall", equation::Energy{});
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <span>
 #include <utility>
 
 #include <carom/properties/invariants/verdicts.hpp>
@@ -19,16 +18,6 @@ namespace carom::properties {
   };
   return vector_equals(*vectors(e.outcome.enclosed())[k], *vectors(before)[k], exact_pair,
                        e.yardstick.allowed(sensitivity[k]), e.yardstick.filtered, name_of(k), "after and before");
-}
-
-/// Whether these vectors are certainly unchanged, within the permitted difference. If false, they may still be
-/// unchanged.
-[[nodiscard]] inline bool are_surely_untouched(const Evidence& e, std::span<const OutcomeVector> which) {
-  if (e.closeness.shows_untouched(which)) {
-    count(oracles::Stage::closeness);
-    return true;
-  }
-  return is_surely_untouched(e.exact_case, e.outcome, e.yardstick, which);
 }
 
 }  // namespace carom::properties

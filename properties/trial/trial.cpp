@@ -26,16 +26,6 @@ std::vector<oracles::ExactCase> exact_cases(const std::vector<Collision>& collis
   return cases;
 }
 
-oracles::Closeness closeness_of(const JudgedCase& judged_case, const Claim& claim,
-                                const oracles::LiftedOutcome* outcome,
-                                const std::optional<oracles::Accuracy>& accuracy) {
-  const bool is_bounded = accuracy && accuracy->is_decided && claim.yardstick.uses_bounds() &&
-                          judged_case.exact().bounds().is_moderate() && outcome->is_moderate();
-  return is_bounded ? oracles::Closeness(judged_case.exact().bounds(), claim.law, *outcome, accuracy->error_above,
-                                         claim.yardstick.allowance())
-                    : oracles::Closeness();
-}
-
 /// The stored result for this yardstick. If there is none, stores `work_out()`.
 template <class T, class WorkOut>
 T remembered(std::vector<std::pair<std::pair<double, double>, T>>& known, const oracles::Yardstick& yardstick,
@@ -333,12 +323,10 @@ Judgement Trial::judgement_by(const AnswersTo& answers_to, double known_backward
     judgement.accuracy =
         oracles::accuracy(judged_case_->exact(), claim_->law, *outcome, claim_->yardstick, known_backward_error);
   }
-  const oracles::Closeness closeness = closeness_of(*judged_case_, *claim_, outcome, judgement.accuracy);
   std::optional<Evidence> evidence;
   if (is_of_valid) {
     evidence.emplace(Evidence{judged_case_->exact(), judged_case_->generated().convex_uniform, claim_->law,
-                              claim_->yardstick, *outcome, judgement.accuracy ? &*judgement.accuracy : nullptr,
-                              closeness});
+                              claim_->yardstick, *outcome, judgement.accuracy ? &*judgement.accuracy : nullptr});
   }
   judgement.verdicts.reserve(claim_->invariants.size());
   std::size_t next_question = 0;

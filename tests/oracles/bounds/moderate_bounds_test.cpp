@@ -181,42 +181,6 @@ TEST(ModerateBounds, CoverWhatCramersRuleComputesOnTheWay) {
   }
 }
 
-/// Inequality (5). A slope that contains an inertia tensor is at least the largest moment of the tensor. Other slopes
-/// are multiples of a power of two.
-TEST(ModerateBounds, CoverTheSlopesOfAffineEquations) {
-  using T = oracles::Dual<Magnitude, oracles::outcome_inputs>;
-  constexpr double tiny = oracles::smallest_moderate_direction;
-  Collision c = collision_at({true, tiny, tiny, tiny, false, false});
-  for (Vector3<double>* place : {&c.a.position, &c.b.position, &c.point}) {
-    place->setConstant(oracles::smallest_moderate);
-  }
-  double least = 0;
-  for_each_law(c, [&](const auto& equation) {
-    if (!equation.name()) {
-      return;
-    }
-    std::size_t next = 0;
-    const auto sides =
-        equation(map_numbers<T>(c, [](double x) { return T(Magnitude(x)); }),
-                 map_outcome<T>(largest_outcome(), [&](double x) { return T::input(Magnitude(x), next++); }));
-    const bool has_tensor = equation.name() == oracles::AffineEquation::angular_momentum_of_a ||
-                            equation.name() == oracles::AffineEquation::angular_momentum_of_b ||
-                            equation.name() == oracles::AffineEquation::total_angular_momentum;
-    for (int i = 0; i < sides.left.size(); ++i) {
-      for (std::size_t j = 0; j < oracles::outcome_inputs; ++j) {
-        const Magnitude slope = sides.left[i].derivative[j] - sides.right[i].derivative[j];
-        const bool is_angular = j % 6 >= 3;
-        if (!slope.is_zero() && !(has_tensor && is_angular)) {
-          least = std::min(least, slope.unit());
-        }
-      }
-    }
-  });
-  EXPECT_TRUE(covers(-std::log2(oracles::least_slope_of_moderate), -least, 1.01));
-  EXPECT_GE(oracles::smallest_moderate_moment / 2,
-            oracles::least_slope_of_moderate);  // ‖J‖ ≥ max I, and a few roundings
-}
-
 /// Squares of numbers and of their negatives are positive, but −b² is not.
 TEST(Magnitude, HasALowerBoundForASumOfSquaresOnly) {
   const Magnitude a(3);

@@ -10,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include <carom/collision/validate.hpp>
-#include <carom/oracles/filters/closeness.hpp>
 #include <carom/oracles/filters/stage.hpp>
 #include <carom/oracles/judge/accuracy.hpp>
 #include <carom/oracles/judge/exact_case.hpp>
@@ -35,21 +34,8 @@ Yardstick yardstick_of_sweeps() {
   return yardstick;
 }
 
-/// Whether closeness shows that the rounded truth satisfies the equations of restitution and of energy.
-std::pair<bool, bool> shown_by_closeness(const ExactCase& exact_case) {
-  constexpr Law law = Law::frictionless;
-  const LiftedOutcome outcome(unit::reported_outcome(exact_case, law));
-  if (!exact_case.is_moderate(law) || !outcome.is_moderate()) {
-    return {false, false};
-  }
-  const Accuracy known = accuracy(exact_case, law, outcome, yardstick_of_sweeps());
-  const Closeness closeness(exact_case.bounds(), law, outcome, known.error_above, allowance_of_sweeps);
-  return {closeness.shows(equation::Restitution{}), closeness.shows_energy()};
-}
-
 std::vector<std::pair<std::string_view, bool>> facts_of(const ExactCase& exact_case) {
   const BoundedCase& bounds = exact_case.bounds();
-  const auto [restitution, energy] = shown_by_closeness(exact_case);
   std::vector<std::pair<std::string_view, bool>> facts{
       {"normal_velocity", bounds.normal_velocity().has_value()},
       {"is_inside_cone", bounds.is_inside_cone().has_value()},
@@ -57,8 +43,6 @@ std::vector<std::pair<std::string_view, bool>> facts_of(const ExactCase& exact_c
       {"is_moderate", bounds.is_moderate()},
       {"is_well_conditioned", bounds.is_well_conditioned()},
       {"has_clear_divisor", bounds.is_moderate() && bounds.has_clear_divisor()},
-      {"restitution_by_closeness", restitution},
-      {"energy_by_closeness", energy},
       {"colliding", exact_case.approach() == Approach::colliding},
       {"separating", exact_case.approach() == Approach::separating},
       {"is_grazing", exact_case.is_grazing(allowance_of_sweeps)},
