@@ -63,7 +63,7 @@ TEST(LayoutChecker, FindsAPlantedIncludeInEachFolder) {
            {"oracles/exact/rational.cpp", "carom/oracles/numbers/enclosure.hpp"},
            {"oracles/numbers/enclosure.hpp", "carom/oracles/filters/stage.hpp"},
            {"oracles/models/sensitivity.cpp", "carom/oracles/filters/moderate.hpp"},
-           {"oracles/filters/closeness.cpp", "carom/oracles/judge/exact_case.hpp"},
+           {"oracles/filters/slopes.cpp", "carom/oracles/judge/exact_case.hpp"},
            {"oracles/flat.hpp", "carom/oracles/laws/equations.hpp"},
            {"properties/families/body_pairs.cpp", "carom/oracles/judge/exact_case.hpp"},
            {"properties/families/body_pairs.cpp", "carom/oracles/models/models.hpp"},
