@@ -204,9 +204,11 @@ class FaultSearch {
     if (size_of(matrix_alone_) >= std::max<std::size_t>(least_violated, (right + 1) / 2)) {
       std::map<std::string_view, std::size_t> violated_by;
       for (std::size_t f = 0; f < matrix_alone_.size(); ++f) {
-        for (const auto& [name, numbers] : result_.families[f].violated_cases) {
-          violated_by[name] += static_cast<std::size_t>(std::ranges::count_if(
-              matrix_alone_[f], [&](std::uint64_t index) { return std::ranges::binary_search(numbers, index); }));
+        for (const auto& violated : result_.families[f].violated_cases) {
+          violated_by[violated.first] +=
+              static_cast<std::size_t>(std::ranges::count_if(matrix_alone_[f], [&](std::uint64_t index) {
+                return std::ranges::binary_search(violated.second, index);
+              }));
         }
       }
       add(fault_of_matrix(matrix_fault(size_of(matrix_alone_), violated_by, examples_)), matrix_alone_);
