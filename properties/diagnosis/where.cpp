@@ -225,11 +225,11 @@ class Sample {
         }
       }
     });
-    for (auto& [special, values] : distances) {
-      std::ranges::sort(values);
-      add_limits(values, [&](double limit, CaseSet kept) {
-        add(fmt::format("it nearly holds, within {:.2g}, that {}", limit, special), Plainness::size, std::move(kept),
-            "a tolerance within which the solver takes values for the special one");
+    for (auto& of_special : distances) {
+      std::ranges::sort(of_special.second);
+      add_limits(of_special.second, [&](double limit, CaseSet kept) {
+        add(fmt::format("it nearly holds, within {:.2g}, that {}", limit, of_special.first), Plainness::size,
+            std::move(kept), "a tolerance within which the solver takes values for the special one");
       });
     }
   }
