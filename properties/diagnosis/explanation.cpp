@@ -19,7 +19,7 @@ using Together = std::vector<const Hypothesis*>;
 
 constexpr std::size_t most_found = 5;
 
-/// A hypothesis that another one replaced may be found again: it may explain what is left. So often, at most.
+/// A replaced hypothesis may explain what is left, so it may be found again. After so many replacements it is not.
 constexpr std::size_t most_left_out = 2;
 
 /// A hypothesis that explains fewer than one in so many wrong answers is an exception of another fault. If a subject
@@ -125,11 +125,11 @@ class HypothesisSearch {
   }
 
   /// The least number of hypotheses that explain a case; 0 if none do.
-  using Needed = std::size_t;
+  using Fewest = std::size_t;
 
   /// The number of hypotheses that explain the case: this one and those of the first subset that suffices.
-  [[nodiscard]] Needed needed(const Hypothesis& hypothesis, const std::vector<std::vector<std::size_t>>& subsets,
-                              const KnownCase& one) const {
+  [[nodiscard]] Fewest fewest_with(const Hypothesis& hypothesis, const std::vector<std::vector<std::size_t>>& subsets,
+                                   const KnownCase& one) const {
     const auto found = std::ranges::find_if(subsets, [&](const std::vector<std::size_t>& subset) {
       return explains(joined(explanation_.found, subset, &hypothesis), one);
     });
@@ -137,15 +137,15 @@ class HypothesisSearch {
   }
 
   /// For each case of `looked_at`, how many hypotheses explain it, this one among them.
-  [[nodiscard]] std::vector<Needed> fitting(const Hypothesis& hypothesis,
+  [[nodiscard]] std::vector<Fewest> fitting(const Hypothesis& hypothesis,
                                             const std::vector<std::vector<std::size_t>>& subsets,
                                             const std::vector<std::size_t>& looked_at) const {
     // A hypothesis that is right for a fifth misses 24 once in 211.
     const std::size_t most_missed_at_first = looked_at.size() / 2;
-    std::vector<Needed> fitted(looked_at.size());
+    std::vector<Fewest> fitted(looked_at.size());
     bool is_any = false;
     for (std::size_t i = 0; i < looked_at.size() && (is_any || i < most_missed_at_first); ++i) {
-      fitted[i] = needed(hypothesis, subsets, wrong_[looked_at[i]]);
+      fitted[i] = fewest_with(hypothesis, subsets, wrong_[looked_at[i]]);
       is_any = is_any || fitted[i] > 0;
     }
     return fitted;
@@ -187,7 +187,7 @@ class HypothesisSearch {
     const std::vector<std::size_t> looked_at = spread(rest_, most_looked_at);
     std::optional<Hypothesis> best;
     std::pair most{static_cast<double>(least_violated) - 0.5, 0.0};
-    const auto compare = [&](const Hypothesis& hypothesis, const std::vector<Needed>& fitted) {
+    const auto compare = [&](const Hypothesis& hypothesis, const std::vector<Fewest>& fitted) {
       if (left_out_.count(hypothesis.as_if) >= most_left_out) {
         return;
       }
@@ -195,19 +195,19 @@ class HypothesisSearch {
       // One mistake explains better than a choice of several.
       constexpr double worth_of_choice = 0.9;
       const std::pair worth{hypothesis.mistakes.size() > 1 ? worth_of_choice * count : count,
-                            -static_cast<double>(std::accumulate(fitted.begin(), fitted.end(), Needed{0}))};
+                            -static_cast<double>(std::accumulate(fitted.begin(), fitted.end(), Fewest{0}))};
       if (worth > most) {
         best = hypothesis;
         most = worth;
       }
     };
-    std::vector<std::vector<Needed>> all;
+    std::vector<std::vector<Fewest>> all;
     for (const Hypothesis& hypothesis : all_hypotheses()) {
-      std::vector<Needed>& fitted = all.emplace_back(looked_at.size());
+      std::vector<Fewest>& fitted = all.emplace_back(looked_at.size());
       if (hypothesis.mistakes.size() > 1) {
         // The hypotheses with one of the mistakes precede.
         for (std::size_t k = 1; k <= hypothesis.mistakes.size(); ++k) {
-          const std::vector<Needed>& of_one = all[all.size() - 1 - k];
+          const std::vector<Fewest>& of_one = all[all.size() - 1 - k];
           for (std::size_t i = 0; i < looked_at.size(); ++i) {
             fitted[i] =
                 fitted[i] == 0 || of_one[i] == 0 ? std::max(fitted[i], of_one[i]) : std::min(fitted[i], of_one[i]);
@@ -314,6 +314,7 @@ class HypothesisSearch {
     }
   }
 
+  /// Fills `Explanation::needed`: what all explanations of a case with as few hypotheses share.
   void find_needed() {
     const std::vector<std::vector<std::size_t>> all = subsets_without(std::nullopt);
     for (std::size_t i = 0; i < wrong_.size(); ++i) {

@@ -365,6 +365,7 @@ class FaultSearch {
     CaseNumbers left_out = none();
     for (std::size_t f = 0; f < left_out.size(); ++f) {
       std::ranges::sort(maybe[f]);
+      maybe[f].erase(std::unique(maybe[f].begin(), maybe[f].end()), maybe[f].end());
       std::ranges::set_difference(maybe[f], there[f], std::back_inserter(left_out[f]));
     }
     const Hypothesis& hypothesis = explanation.found[number];
