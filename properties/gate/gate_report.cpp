@@ -28,14 +28,6 @@ std::uint64_t cases_of(const GateOptions& options, const Family& family) {
   return (all + options.shard.of - options.shard.number) / options.shard.of;
 }
 
-bool is_complete(const GateOptions& options) {
-  const auto is_posed = [&](const Family& family) {
-    return std::ranges::find(options.families, &family) != options.families.end();
-  };
-  return options.within.is_everything() && options.cases >= default_cases && !options.budget && !options.fail_fast &&
-         options.shard.of == 1 && std::ranges::all_of(all_families(), is_posed);
-}
-
 Coverage& Coverage::operator+=(const Coverage& other) {
   cases += other.cases;
   colliding += other.colliding;
@@ -113,8 +105,11 @@ std::vector<std::string> SubjectResult::violated_invariants() const {
 
 std::vector<std::string> SubjectResult::never_judged(const GateOptions& options) const {
   std::vector<std::string> names;
-  for (const Invariant* invariant : claim_of(subject, options.yardstick).invariants) {
-    if (std::string name(invariant->name); count(name).judged() == 0) {
+  const Claim claim = claim_of(subject, options.yardstick);
+  for (const Invariant* invariant : claim.invariants) {
+    const bool is_claimed = std::ranges::any_of(
+        options.families, [&](const Family* family) { return claim.is_made_in(*invariant, *family); });
+    if (std::string name(invariant->name); is_claimed && count(name).judged() == 0) {
       names.push_back(std::move(name));
     }
   }
@@ -164,9 +159,12 @@ std::string why_not_judged(const SubjectResult& result, const GateOptions& optio
     return "no case exercised an invariant";
   }
   const std::vector<std::string> never = result.never_judged(options);
-  return is_complete(options) && !never.empty()
-             ? fmt::format("no case judged {}, although the run poses all families", fmt::join(never, ", "))
-             : "";
+  return options.is_part || options.shard.of > 1 || never.empty()
+             ? ""
+             : fmt::format(
+                   "no case judged {}. Choose other families, more cases or a wider domain, or leave "
+                   "them out: --deviates {}",
+                   fmt::join(never, ", "), fmt::join(never, ","));
 }
 
 void state_what_was_not_judged(GateReport& report) {

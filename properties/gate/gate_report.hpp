@@ -58,6 +58,9 @@ struct GateOptions {
   std::optional<std::chrono::nanoseconds> budget = {};
   /// Judges only the cases of this shard. Precondition: no budget.
   Shard shard = {};
+  /// The run is a part of a measurement, as a shard is. A subject can be sound in it although no case judges some
+  /// claimed invariant.
+  bool is_part = false;
   bool shrinks = true;
   /// If a stop is requested, the report holds the results so far.
   std::stop_token stop;
@@ -65,10 +68,6 @@ struct GateOptions {
   /// milliseconds with a budget.
   std::function<void(std::uint64_t done, std::uint64_t all)> progress;
 };
-
-/// Whether the run poses all families of the claimed domain, at least `default_cases` of each, and no option limits its
-/// cases.
-[[nodiscard]] bool is_complete(const GateOptions& options);
 
 /// The number of cases to draw of the family. With a budget, the largest std::uint64_t.
 [[nodiscard]] std::uint64_t cases_of(const GateOptions& options, const Family& family);
@@ -122,7 +121,8 @@ struct SubjectResult {
   [[nodiscard]] EffectCounts decided_by() const;
   [[nodiscard]] Count count(const std::string& invariant) const;
   [[nodiscard]] std::vector<std::string> violated_invariants() const;  // in the order of the catalogue
-  /// The claimed invariants that no case judged, in the order of the catalogue.
+  /// The invariants that the subject claims in some family of the run, and that no case judged, in the order of the
+  /// catalogue.
   [[nodiscard]] std::vector<std::string> never_judged(const GateOptions& options) const;
   /// Whether the subject was judged to the end on enough cases, without a violation.
   [[nodiscard]] bool is_sound() const;
@@ -142,7 +142,7 @@ struct SubjectResult {
 ///   (3) Each effect that the subject declares decides at most a tenth of the colliding cases.
 ///   (4) An invariant about the outcomes of colliding contacts holds in some case. If no case collides, any invariant
 ///       will do.
-///   (5) If the run is complete (`is_complete`), each claimed invariant is judged in some case.
+///   (5) Each claimed invariant is judged in some case, or the run is a shard or `is_part`.
 [[nodiscard]] std::string why_not_judged(const SubjectResult& result, const GateOptions& options,
                                          const std::vector<Coverage>& coverage);
 

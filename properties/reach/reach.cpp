@@ -138,6 +138,7 @@ class Search {
     options.workers = workers;
     options.fail_fast = true;
     options.shrinks = shrinks;
+    options.is_part = true;
     options.stop = options_->stop;
     for (const Family& family : all_families()) {
       if (family.is_valid && has_cases_within(domain, family, options.seed)) {

@@ -5,7 +5,9 @@
 int main() {
   carom::properties::GateOptions options;
   options.cases = 20;
-  options.families = {carom::properties::family_named("generic")};
+  for (const carom::properties::Family& family : carom::properties::all_families()) {
+    options.families.push_back(&family);
+  }
   const auto subject = carom::subjects::subject_named("reflection-double");
   return subject && carom::properties::run_gate({*subject}, options).results[0].is_sound() ? 0 : 1;
 }

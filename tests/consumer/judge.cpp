@@ -11,7 +11,9 @@ int main() {
   const auto identity = [](const carom::Collision& collision) { return carom::unchanged(collision); };
   carom::properties::GateOptions options;
   options.cases = 20;
-  options.families = {carom::properties::family_named("generic")};
+  for (const carom::properties::Family& family : carom::properties::all_families()) {
+    options.families.push_back(&family);
+  }
   const auto report =
       carom::properties::run_gate({carom::conformance::subject("sound", carom::Law::frictionless, sound),
                                    carom::conformance::subject("identity", carom::Law::frictionless, identity)},

@@ -11,7 +11,9 @@ int main() {
   };
   carom::properties::GateOptions options;
   options.cases = 20;
-  options.families = {carom::properties::family_named("generic")};
+  for (const carom::properties::Family& family : carom::properties::all_families()) {
+    options.families.push_back(&family);
+  }
   const auto found =
       carom::properties::run_gate({carom::conformance::subject("mine", carom::Law::frictionless, solver)}, options);
   const carom::report::Run run = carom::report::run_of(found, {true}, {}, {}, {}, false);

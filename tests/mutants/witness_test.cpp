@@ -28,6 +28,7 @@ GateOptions options_with(std::initializer_list<std::string_view> families) {
   GateOptions options;
   options.seed = 1;
   options.cases = 50;
+  options.is_part = true;
   for (const std::string_view family : families) {
     options.families.push_back(properties::family_named(family));
   }

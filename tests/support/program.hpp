@@ -17,6 +17,10 @@ struct RunResult {
 
 [[nodiscard]] RunResult run_carom(const std::vector<std::string>& arguments);
 
+/// For `--deviates`: the invariants that a run of few families may judge in no case.
+inline constexpr const char* few_families_judge_no =
+    "invalid_refused,separating_untouched,immovable_untouched,collinear_spin,well_conditioned";
+
 [[nodiscard]] std::string carom_program();
 
 [[nodiscard]] RunResult run_program(const std::string& program, const std::vector<std::string>& arguments);

@@ -43,7 +43,7 @@ TEST(DomainCommand, MeasuresWhereASolverFailsAndWritesTheDomain) {
   EXPECT_EQ(json::parse(content_of(file)), record.at("domain"));
   EXPECT_GT(record.at("cases"), 0);
   EXPECT_EQ(record.at("not_judged").at("at_declared_limit"), 0);
-  EXPECT_EQ(run_carom({"gate", "reflection-world-double", "--within", file, "--cases", "2"}).exit_status, 0);
+  EXPECT_EQ(run_carom({"gate", "reflection-world-double", "--within", file, "--cases", "5"}).exit_status, 0);
 }
 
 TEST(DomainCommand, SaysInWordsWhatItFound) {

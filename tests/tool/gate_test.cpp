@@ -19,7 +19,8 @@ TEST(GateCommand, SoundSubjectsEndInZero) {
 }
 
 TEST(GateCommand, DefaultDoesNotCountWhatIsExpectedToFail) {
-  const RunResult result = run_carom({"gate", "--cases", "20", "--families", "near_head_on", "--format", "json"});
+  const RunResult result = run_carom(
+      {"gate", "--cases", "20", "--families", "near_head_on", "--deviates", few_families_judge_no, "--format", "json"});
   EXPECT_EQ(result.exit_status, 0);
   bool saw_violated = false;
   const json report = json::parse(result.output);
@@ -83,7 +84,8 @@ std::string report_listing(const std::vector<std::string>& witnesses) {
 }
 
 RunResult quick_gate(const std::filesystem::path& out) {
-  return run_carom({"gate", "frictionless-double", "--families", "generic", "--cases", "5", "--out", out.string()});
+  return run_carom({"gate", "frictionless-double", "--families", "generic", "--deviates", few_families_judge_no,
+                    "--cases", "5", "--out", out.string()});
 }
 
 TEST(GateCommand, RemovesTheWitnessesThatTheOldReportListsAndNothingElse) {
@@ -138,8 +140,9 @@ TEST(GateCommand, RemovesNothingThroughASymbolicLink) {
 
 TEST(GateCommand, ReportsAreWrittenAndTheNextRunRemovesItsWitnesses) {
   const TemporaryDirectory out;
-  const RunResult result = run_carom({"gate", "reflection-in-basis-double", "frictionless-double", "--families",
-                                      "head_on", "--cases", "60", "--out", out.path().string()});
+  const RunResult result =
+      run_carom({"gate", "reflection-in-basis-double", "frictionless-double", "--families", "head_on", "--deviates",
+                 few_families_judge_no, "--cases", "60", "--out", out.path().string()});
   EXPECT_EQ(result.exit_status, 1);
 
   const json report = json::parse(content_of(out.path() / "report.json"));
@@ -179,8 +182,8 @@ TEST(GateCommand, EndsAtTheFirstViolationWhereAskedAndItsWitnessReplays) {
 }
 
 TEST(GateCommand, SaysHowManyCasesABudgetWasEnoughFor) {
-  const RunResult result =
-      run_carom({"gate", "frictionless-double", "--families", "generic,separating", "--budget", "0.2s"});
+  const RunResult result = run_carom({"gate", "frictionless-double", "--families", "generic,separating", "--deviates",
+                                      few_families_judge_no, "--budget", "0.2s"});
   EXPECT_EQ(result.exit_status, 0) << result.output;
   EXPECT_NE(result.output.find("200 ms on 2 families in turn"), std::string::npos) << result.output;
   EXPECT_NE(result.output.find("cases in 200 ms; the fewest cases are"), std::string::npos) << result.output;
@@ -188,8 +191,8 @@ TEST(GateCommand, SaysHowManyCasesABudgetWasEnoughFor) {
 
 TEST(GateCommand, DigitsDecideInPlaceOfUlps) {
   // The limit of a hundredth of an ulp is less than any rounding. Three digits are half of the digits of binary32.
-  const std::vector<std::string> strict{"gate", "frictionless-float", "--families", "elastic", "--cases",
-                                        "40",   "--limit-ulps",       "0.01"};
+  const std::vector<std::string> strict{"gate", "frictionless-float", "--families",          "elastic",      "--cases",
+                                        "40",   "--deviates",         few_families_judge_no, "--limit-ulps", "0.01"};
   EXPECT_EQ(run_carom(strict).exit_status, 1);
   std::vector<std::string> lenient(strict.begin(), strict.end() - 2);
   lenient.insert(lenient.end(), {"--digits", "3"});
@@ -262,7 +265,7 @@ TEST(GateCommand, WrongUsageEndsInTwoAndSaysWhy) {
 
 TEST(GateCommand, AnOptionForNamesTakesOneWord) {
   const RunResult run = run_carom({"gate", "--families", "generic,head_on", "frictionless-double", "--families",
-                                   "elastic", "--cases", "2", "--format", "json"});
+                                   "elastic", "--deviates", few_families_judge_no, "--cases", "2", "--format", "json"});
   EXPECT_EQ(run.exit_status, 0) << run.errors;
   const json report = json::parse(run.output);
   EXPECT_EQ(report.at("subjects").size(), 1U);

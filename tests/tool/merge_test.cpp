@@ -50,7 +50,7 @@ class Merge : public testing::Test {
                                        "--seed",
                                        "3",
                                        "--deviates",
-                                       "energy@elastic"};
+                                       std::string("energy@elastic,") + few_families_judge_no};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run_carom(arguments);
   }

@@ -205,8 +205,11 @@ TEST(Messages, OfAReportNameTheFileAndTheReason) {
   const TemporaryDirectory directory;
   const auto path = [&](const std::string& name) { return (directory.path() / name).string(); };
   const auto gate = [&](const std::string& name, const std::vector<std::string>& more) {
-    std::vector<std::string> arguments{
-        "gate", "frictionless-double", "--families", "head_on", "--cases", "4", "--out", path(name)};
+    std::vector<std::string> arguments{"gate",       "frictionless-double",
+                                       "--families", "head_on",
+                                       "--deviates", few_families_judge_no,
+                                       "--cases",    "4",
+                                       "--out",      path(name)};
     arguments.insert(arguments.end(), more.begin(), more.end());
     EXPECT_EQ(run_carom(arguments).exit_status, 0);
   };

@@ -40,6 +40,8 @@ json varied_report() {
                                      "head_on,invalid",
                                      "--cases",
                                      "30",
+                                     "--deviates",
+                                     few_families_judge_no,
                                      "--format",
                                      "json"};
   const std::vector<std::string> absent = absent_subject();

@@ -26,10 +26,11 @@ void expect_in(const std::string& text, const std::vector<std::string>& parts) {
 }
 
 TEST(Summary, OfASoundSubjectIsALineOfATable) {
-  const std::string text = summary_of({"gate", "frictionless-double", "--families", "head_on", "--cases", "20"}, 0);
-  expect_in(text, {"## Carom: sound, 4 never judged\n\n1 of 1 subjects that count are sound; 20 cases of each of 1 "
-                   "families, seed 1, ",
-                   "| `frictionless-double` | sound | "});
+  const std::string text = summary_of(
+      {"gate", "frictionless-double", "--families", "head_on", "--deviates", few_families_judge_no, "--cases", "20"},
+      0);
+  expect_in(text, {"## Carom: sound\n\n1 of 1 subjects that count are sound; 20 cases of each of 1 "
+                   "families, seed 1, ", "| `frictionless-double` | sound | "});
   EXPECT_EQ(text.find("###"), std::string::npos) << text;
 }
 
@@ -53,7 +54,8 @@ TEST(Summary, HasTheFirstWitnessOfAViolatedSubjectInWordsAndItsReplay) {
 }
 
 TEST(Summary, LeavesOutWhatIsExpectedToFail) {
-  const std::string text = summary_of({"gate", "--families", "near_head_on", "--cases", "20"}, 0);
+  const std::string text =
+      summary_of({"gate", "--families", "near_head_on", "--deviates", few_families_judge_no, "--cases", "20"}, 0);
   expect_in(text, {"`frictionless-double`"});
   EXPECT_EQ(text.find("reflection-in-basis-double"), std::string::npos) << text;
 }

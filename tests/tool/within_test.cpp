@@ -16,11 +16,20 @@ namespace {
 using nlohmann::json;
 
 const std::string small_bodies = "size=0.001:0.01,restitution=:0.5";
+const std::string never_judged = std::string(few_families_judge_no) + ",unit_scaling";
 
 RunResult gate(const TemporaryDirectory& directory, const std::string& name, const std::vector<std::string>& more) {
-  std::vector<std::string> arguments{
-      "gate",  "reflection-in-basis-double",      "frictionless-double", "--families", "head_on", "--cases", "30",
-      "--out", (directory.path() / name).string()};
+  std::vector<std::string> arguments{"gate",
+                                     "reflection-in-basis-double",
+                                     "frictionless-double",
+                                     "--families",
+                                     "head_on",
+                                     "--deviates",
+                                     never_judged,
+                                     "--cases",
+                                     "30",
+                                     "--out",
+                                     (directory.path() / name).string()};
   arguments.insert(arguments.end(), more.begin(), more.end());
   return run_carom(arguments);
 }
@@ -88,7 +97,7 @@ std::string declaring(const std::string& domain, const std::string& name) {
 }
 
 TEST(Within, MayBeDeclaredByAProgram) {
-  const std::vector<std::string> head_on{"--families", "head_on", "--cases", "4"};
+  const std::vector<std::string> head_on{"--families", "head_on", "--deviates", never_judged, "--cases", "4"};
   const auto judged = [&](std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), "gate");
     arguments.insert(arguments.end(), head_on.begin(), head_on.end());
@@ -133,9 +142,10 @@ TEST(Within, IsTheSameInShards) {
 /// Just below 1 : 8, the solvers compute torques by plain cross products (impulse/principal_inertia.hpp). A cheaper
 /// form of J⁻¹, τ/I₃ + Σ (1/I_k − 1/I₃) e_k (e_k·τ), violates `sticks` here.
 TEST(Within, BodiesThatAreAlmostSlenderAreSolvedSoundly) {
-  const RunResult result = run_carom({"gate", "reflection-double", "frictionless-double", "sticking-double",
-                                      "rough-double", "coulomb-double", "sticking-float", "reflection-float",
-                                      "--families", "needle_tip", "--within", "moment_ratio=4:8", "--cases", "2000"});
+  const RunResult result =
+      run_carom({"gate", "reflection-double", "frictionless-double", "sticking-double", "rough-double",
+                 "coulomb-double", "sticking-float", "reflection-float", "--families", "needle_tip", "--deviates",
+                 never_judged, "--within", "moment_ratio=4:8", "--cases", "2000"});
   EXPECT_EQ(result.exit_status, 0) << result.output;
 }
 

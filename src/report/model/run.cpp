@@ -67,7 +67,7 @@ JudgedSubject judged_subject(SubjectResult result, const GateOptions& options, b
                                   witness.index, witness_path("", result.subject, witness.invariant)});
   }
   subject.not_claimed = not_claimed_by(result.subject);
-  if (subject.status == "sound") {
+  if (subject.status != "error") {
     subject.never_judged = result.never_judged(options);
   }
   subject.result = std::move(result);
@@ -151,7 +151,6 @@ Overall overall_of(const Run& run) {
       overall.sound += subject.status == "sound" ? 1 : 0;
       overall.violated += subject.violations.size();
       overall.violating_subjects += subject.status == "violated" ? 1 : 0;
-      overall.never_judged += subject.never_judged.size();
     }
   }
   return overall;
@@ -165,10 +164,7 @@ std::string in_words(const Overall& overall) {
   if (overall.violated > 0) {
     return fmt::format("{} violated", overall.violated);
   }
-  if (!is_sound_throughout(overall)) {
-    return "not judged";
-  }
-  return overall.never_judged == 0 ? "sound" : fmt::format("sound, {} never judged", overall.never_judged);
+  return is_sound_throughout(overall) ? "sound" : "not judged";
 }
 
 std::string file_name_of(std::string name) {

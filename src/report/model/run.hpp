@@ -84,7 +84,7 @@ struct JudgedSubject {
   /// The invariants that the subject does not claim because it shows no collision matrix. None if the report that was
   /// read does not list them.
   std::optional<std::vector<std::string>> not_claimed;
-  std::vector<std::string> never_judged = {};  // of a sound subject: the claimed invariants that no case judged
+  std::vector<std::string> never_judged = {};  // the claimed invariants that no case judged; empty after an error
   std::optional<properties::diagnosis::Diagnosis> diagnosis;  // of a subject with a violation
   std::string no_diagnosis = {};  // why the diagnosis of a subject with a violation is missing; empty if it is not
 
@@ -132,7 +132,6 @@ struct Overall {
   std::size_t sound = 0;
   std::size_t violated = 0;            // invariants, each counted once for each subject that violates it
   std::size_t violating_subjects = 0;  // subjects with any violation
-  std::size_t never_judged = 0;        // invariants, each counted once for each sound subject that claims it
   bool interrupted = false;
 };
 
@@ -141,7 +140,7 @@ struct Overall {
 /// Whether the run ended, and found every subject sound.
 [[nodiscard]] bool is_sound_throughout(const Overall& overall);
 
-/// "sound", "sound, 2 never judged", "3 violated" or "not judged". Violations are reported even if something was not
+/// "sound", "3 violated" or "not judged". Violations are reported even if something was not
 /// judged.
 [[nodiscard]] std::string in_words(const Overall& overall);
 

@@ -106,7 +106,9 @@ std::string summary_of(const Run& run) {
   const std::size_t counted = overall.subjects;
   const std::size_t sound = overall.sound;
   const std::size_t violated = overall.violating_subjects;
-  const std::size_t others = counted - sound - violated;
+  const auto in_error = static_cast<std::size_t>(std::ranges::count_if(
+      run.subjects, [](const JudgedSubject& subject) { return subject.counts && subject.status == "error"; }));
+  const std::size_t not_judged = counted - sound - violated - in_error;
   std::string text;
   if (counted == 0) {
     text = "No subject that counts was judged";
@@ -115,6 +117,8 @@ std::string summary_of(const Run& run) {
                         : fmt::format("All {} subjects that count are sound", counted);
   } else if (counted == 1 && violated == 1) {
     text = "The one subject that counts violates an invariant";
+  } else if (counted == 1 && not_judged == 1) {
+    text = "The one subject that counts is not judged";
   } else if (counted == 1) {
     const bool is_judged = std::any_of(run.subjects.begin(), run.subjects.end(), [](const JudgedSubject& subject) {
       return subject.counts && subject.result.cases() > 0;
@@ -123,11 +127,8 @@ std::string summary_of(const Run& run) {
   } else {
     text = fmt::format("Of {} subjects that count, {} {} sound, {} {} an invariant", counted, sound,
                        sound == 1 ? "is" : "are", violated, violated == 1 ? "violates" : "violate");
-    text += others == 0 ? "" : fmt::format(", and {} could not be judged to the end", others);
-  }
-  if (overall.never_judged > 0) {
-    text += fmt::format("; {} {} never judged", overall.never_judged,
-                        overall.never_judged == 1 ? "claimed invariant was" : "claimed invariants were");
+    text += not_judged == 0 ? "" : fmt::format(", {} {} not judged", not_judged, not_judged == 1 ? "is" : "are");
+    text += in_error == 0 ? "" : fmt::format(", and {} could not be judged to the end", in_error);
   }
   const std::size_t kept = run.subjects.size() - counted;
   text += kept == 0 ? ""

@@ -68,7 +68,7 @@ std::vector<std::string> notes_on(const JudgedSubject& subject, const Run& run) 
   } else if (!result.not_judged.empty()) {
     notes.push_back("not judged: " + result.not_judged);
   }
-  if (!subject.never_judged.empty()) {
+  if (subject.status == "violated" && !subject.never_judged.empty()) {
     notes.push_back("never judged: " + listed(subject.never_judged));
   }
   if (run.settings.budget_seconds && subject.status == "sound") {

@@ -45,6 +45,7 @@ Subject stopping() {
 GateOptions options_of(const char* family, unsigned jobs) {
   GateOptions options;
   options.cases = 200;
+  options.is_part = true;
   options.workers = tool::threads(jobs);
   options.families = {family_named(family)};
   options.beyond_domain = {family_named("impossible_moments"), family_named("far_contacts")};

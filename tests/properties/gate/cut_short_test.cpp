@@ -131,6 +131,7 @@ TEST(FailFast, EndsAtWhatASessionRemembers) {
 TEST(Budget, DrawsMoreCasesThanTheDefaultAndSaysNothingElse) {
   GateOptions options = options_of_all_families(1);
   options.families = {family_named("separating"), family_named("generic")};
+  options.is_part = true;
   options.budget = std::chrono::milliseconds(200);
   const SubjectResult result = run_gate({right()}, options).results.at(0);
   EXPECT_GT(result.families[0].cases, 2U);

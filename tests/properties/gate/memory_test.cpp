@@ -59,6 +59,7 @@ SubjectResult judged(Remembers what) {
   GateOptions options;
   options.cases = 100;
   options.families = {family_named("generic")};
+  options.is_part = true;
   return run_gate({remembering(what)}, options).results.at(0);
 }
 

@@ -100,6 +100,7 @@ TEST(Reach, IsSoundInTheDomainIfASubjectRefusesAllElse) {
     GateOptions gate;
     gate.cases = 20;
     gate.within = default_core();
+    gate.is_part = true;  // no case within this domain judges `unit_scaling`
     Range& range = gate.within.ranges[planted.quantity];
     (planted.is_upper ? range.most : range.least) = planted.end;
     for (const Family& family : all_families()) {

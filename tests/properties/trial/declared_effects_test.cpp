@@ -216,6 +216,7 @@ GateOptions options_within(const char* within, std::uint64_t cases = 20) {
   options.cases = cases;
   options.families = {family_named("generic"), family_named("physical")};
   options.within = domain_from(within);
+  options.is_part = true;
   options.shrinks = false;
   return options;
 }

@@ -100,6 +100,7 @@ TEST(Exec, NeedNotRefuseWhatItsLawDoesNotRead) {
   properties::GateOptions options;
   options.cases = 500;
   options.families = {properties::family_named("invalid")};
+  options.is_part = true;
   const properties::GateReport report = properties::run_gate({careless}, options);
   EXPECT_TRUE(report.results[0].is_sound());
   EXPECT_GT(report.results[0].count("invalid_refused").skipped, 10U);

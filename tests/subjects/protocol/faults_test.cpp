@@ -39,8 +39,8 @@ struct Gate {
     const TemporaryDirectory directory;
     std::vector<std::string> arguments{"gate"};
     arguments.insert(arguments.end(), subjects.begin(), subjects.end());
-    for (const char* argument :
-         {"--families", "structured", "--cases", "6", "--timeout", timeout, "--jobs", "1", "--out"}) {
+    for (const char* argument : {"--families", "structured", "--deviates", few_families_judge_no, "--cases", "6",
+                                 "--timeout", timeout, "--jobs", "1", "--out"}) {
       arguments.emplace_back(argument);
     }
     arguments.push_back(directory.path().string());
@@ -211,7 +211,7 @@ TEST(Faults, AStolenNameIsNumbered) {
   const TemporaryDirectory out;
   const RunResult run =
       run_carom({"gate", misbehaving("none", "reflection-adjugate-float"), "reflection-adjugate-float", "--families",
-                 "mass_scale", "--cases", "100", "--out", out.path().string()});
+                 "mass_scale", "--deviates", few_families_judge_no, "--cases", "100", "--out", out.path().string()});
   EXPECT_EQ(run.exit_status, 1) << "the built-in was named, and fails";
   const json report = json::parse(content_of(out.path() / "report.json"));
   EXPECT_EQ(report.at("subjects").at(0).at("name"), "reflection-adjugate-float #2");
@@ -384,7 +384,7 @@ TEST_P(Interrupted, GateReportsAndLeavesNoProcessBehind) {
     EXPECT_EQ(report.at("exit_status"), 2);
     for (const json& subject : report.at("subjects")) {
       EXPECT_GT(subject.at("cases"), 0);
-      EXPECT_EQ(subject.at("error"), "");
+      EXPECT_NE(subject.at("status"), "error");
     }
   }
 }
