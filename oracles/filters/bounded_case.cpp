@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include <carom/collision/expects.hpp>
 #include <carom/oracles/filters/bounded_case.hpp>
@@ -14,30 +15,15 @@ namespace {
 
 /// An upper bound of the condition number e₁ / e₃ of a symmetric positive definite matrix with eigenvalues e₁ ≥ e₂ ≥ e₃
 /// and trace t. e₁ ≤ t, and e₁ e₂ ≤ (t/2)². So e₁ / e₃ = e₁ · e₁ e₂ / det ≤ t³ / (4 det).
-double condition_bound(const Matrix3<Approximation>& matrix) {
+double condition_bound(const Matrix3<Enclosure>& matrix) {
   const double trace = (matrix(0, 0) + matrix(1, 1) + matrix(2, 2)).magnitude_above();
-  const Vector3<Approximation> c0 = matrix.col(0);
-  const Vector3<Approximation> c1 = matrix.col(1);
-  const Vector3<Approximation> c2 = matrix.col(2);
+  const Vector3<Enclosure> c0 = matrix.col(0);
+  const Vector3<Enclosure> c1 = matrix.col(1);
+  const Vector3<Enclosure> c2 = matrix.col(2);
   return trace * trace * trace / (4 * c0.dot(c1.cross(c2)).magnitude_below());
 }
 
-/// An upper bound of Σ_q ‖∂(N·V⁻)/∂q‖ ‖q‖, and of Σ|t| over the terms t of N·V⁻. The terms are N·v and N·(w × (P − X))
-/// of each body. |x·y| and ‖x × y‖ are at most ‖x‖₁ ‖y‖₁.
-double sum_of_sizes(const Collision& c) {
-  const auto size = [](const Vector3<double>& vector) { return vector.lpNorm<1>(); };
-  double sum = 0;
-  for (const Body* body : {&c.a, &c.b}) {
-    const double arms = 2 * size(lever_arm(*body, c.point)) + size(c.point) + size(body->position) + extent_of(*body);
-    sum += 2 * size(body->velocity) + size(body->angular_velocity) * arms;
-  }
-  return size(c.normal) * sum;
-}
-
-/// Whether N·V⁻, and so its sign, is known to six digits (bounded_case_bounds.hpp).
-bool is_known_to_six_digits(double normal_velocity, double sensitivity_above) {
-  return std::abs(normal_velocity) > bounded_case_bounds::known_share_of_normal_velocity * sensitivity_above;
-}
+/// Whether N·V⁻, and so its sign, is known to six digits.
 bool is_known_to_six_digits(const Enclosure& x) {
   return x.is_exactly_zero() || x.radius() < bounded_case_bounds::known_radius_of_normal_velocity * x.magnitude_below();
 }
@@ -48,7 +34,7 @@ Vector3<double> middle(const Vector3<Enclosure>& v) {
 
 /// The Frobenius norm of the lower bounds of the entries.
 template <int Columns>
-double norm_below(const Eigen::Matrix<Approximation, 3, Columns>& of) {
+double norm_below(const Eigen::Matrix<Enclosure, 3, Columns>& of) {
   return root_of_squares(static_cast<std::size_t>(of.size()),
                          [&](std::size_t i) { return of.data()[i].magnitude_below(); });
 }
@@ -60,20 +46,11 @@ const BasicCollision<Enclosure>& BoundedCase::enclosed() const {
       [this] { return map_numbers<Enclosure>(collision_, [](double number) { return Enclosure(number); }); });
 }
 
-const BasicCollision<Approximation>& BoundedCase::approximate() const {
-  return approximate_.get(
-      [this] { return map_numbers<Approximation>(collision_, [](double number) { return Approximation(number); }); });
-}
-
 bool BoundedCase::is_moderate() const {
   return is_moderate_.get([this] { return oracles::is_moderate(collision_); });
 }
 
 std::optional<BoundedCase::NormalVelocity> BoundedCase::normal_velocity() const {
-  const double roughly = normal_velocity_before(collision_);
-  if (is_moderate() && is_known_to_six_digits(roughly, normal_velocity_sensitivity_above())) {
-    return NormalVelocity{roughly, roughly > 0 ? 1 : -1};
-  }
   if (const Enclosure closely = normal_velocity_before(enclosed()); is_known_to_six_digits(closely)) {
     return NormalVelocity{closely.middle(), *closely.sign()};
   }
@@ -87,13 +64,9 @@ const Vector3<double>& BoundedCase::relative_velocity() const {
 
 const BoundedCase::StopImpulses& BoundedCase::stop_impulses() const {
   return stop_impulses_.get([this] {
-    const detail::RoughImpulses<Enclosure> of(enclosed(), nullptr);
+    const detail::RoughImpulses<Enclosure> of(enclosed(), &collision_matrix());
     return StopImpulses{middle(of.stops_approach), middle(of.stops_point)};
   });
-}
-
-double BoundedCase::normal_velocity_sensitivity_above() const {
-  return normal_velocity_sensitivity_above_.get([this] { return sum_of_sizes(collision_); });
 }
 
 const Sensitivity& BoundedCase::norms_before() const {
@@ -108,25 +81,19 @@ const DualInputs<double, collision_inputs>& BoundedCase::differentiated() const 
 }
 
 const Truth<Enclosure>& BoundedCase::colliding_truth(Law law, Branch branch) const {
-  return of(law).truth.get([&] {
-    if (is_moderate()) {
-      Truth<Enclosure> refined =
-          refined_truth(collision_, enclosed(), approximate(), law, branch, approximate_response());
-      if (is_bounded(refined)) {
-        return refined;
-      }
-    }
-    return oracles::colliding_truth(enclosed(), law, branch);
+  return of(law).truth[branch].get([&] {
+    // An impulse along N needs K N alone. The sum over columns of K would cancel if a lever arm is along N.
+    const bool is_along_normal =
+        with_law(law, branch, []<class LawType>(LawType) { return std::is_same_v<LawType, Frictionless>; });
+    return oracles::colliding_truth(enclosed(), law, branch, is_along_normal ? nullptr : &collision_matrix());
   });
 }
 
 const Sensitivity& BoundedCase::colliding_sensitivity_below(Law law, Branch branch) const {
   CAROM_EXPECTS(is_moderate() && (branch != Branch::on_cone || has_clear_divisor()), law);
-  return of(law).sensitivity_below.get([&] {
+  return of(law).sensitivity_below[branch].get([&] {
     Sensitivity below = norms_before();
-    const Vector3<Approximation> impulse =
-        colliding_impulse<Approximation>(approximate(), law, branch, &approximate_response().matrix);
-    const Outcome<Approximation> outcome = sum(unchanged(approximate()), approximate_response()(impulse));
+    const Outcome<Enclosure>& outcome = colliding_truth(law, branch).outcome;
     for (const OutcomeVector k : all_outcome_vectors) {
       below[k] += norm_below(*vectors(outcome)[k]) / 2;
     }
@@ -135,27 +102,22 @@ const Sensitivity& BoundedCase::colliding_sensitivity_below(Law law, Branch bran
 }
 
 std::optional<bool> BoundedCase::is_inside_cone() const {
-  const auto sign = [](const auto& x) { return x.sign(); };
-  const std::optional<bool> roughly = oracles::is_inside_cone(approximate(), &approximate_response().matrix, sign);
-  return roughly ? roughly : oracles::is_inside_cone<Enclosure>(enclosed(), nullptr, sign);
+  return oracles::is_inside_cone(enclosed(), &collision_matrix(), [](const Enclosure& x) { return x.sign(); });
 }
 
 std::optional<bool> BoundedCase::reaches_cone() const {
-  const auto sign = [](const auto& x) { return x.sign(); };
-  const std::optional<bool> roughly = oracles::reaches_cone(approximate(), &approximate_response().matrix, sign);
-  return roughly ? roughly : oracles::reaches_cone<Enclosure>(enclosed(), nullptr, sign);
+  return oracles::reaches_cone(enclosed(), &collision_matrix(), [](const Enclosure& x) { return x.sign(); });
 }
 
 bool BoundedCase::has_clear_divisor() const {
   CAROM_EXPECTS(is_moderate());
   return has_clear_divisor_.get([this] {
-    const BasicCollision<Approximation>& c = approximate();
-    const Vector3<Approximation> d =
-        detail::RoughImpulses<Approximation>(c, &approximate_response().matrix).difference();
-    const Vector3<Approximation> tangential = c.normal.cross(d);
-    const double terms = sqrt(Approximation(tangential.dot(tangential))).magnitude_above() +
+    const BasicCollision<Enclosure>& c = enclosed();
+    const Vector3<Enclosure> d = detail::RoughImpulses<Enclosure>(c, &collision_matrix()).difference();
+    const Vector3<Enclosure> tangential = c.normal.cross(d);
+    const double terms = sqrt(Enclosure(tangential.dot(tangential))).magnitude_above() +
                          (c.friction * c.normal.dot(d)).magnitude_above();
-    return Rough::divisor<Approximation>(c, d).magnitude_below() >= bounded_case_bounds::least_share_of_divisor * terms;
+    return Rough::divisor<Enclosure>(c, d).magnitude_below() >= bounded_case_bounds::least_share_of_divisor * terms;
   });
 }
 
@@ -164,8 +126,8 @@ bool BoundedCase::is_well_conditioned() const {
   return condition_bound(collision_matrix()) < well_conditioned;
 }
 
-const Matrix3<Enclosure>& BoundedCase::enclosed_collision_matrix() const {
-  return enclosed_collision_matrix_.get([this] { return response_matrix(enclosed()); });
+const Matrix3<Enclosure>& BoundedCase::collision_matrix() const {
+  return collision_matrix_.get([this] { return response_matrix(enclosed()); });
 }
 
 double BoundedCase::collision_matrix_sensitivity_below() const {
@@ -178,14 +140,10 @@ double BoundedCase::collision_matrix_sensitivity_below() const {
       }
     }
     const double norm = norm_below(collision_matrix());
-    const double lambda = approximate_inverse_mass().magnitude_below();
+    const double lambda = inverse_mass(enclosed()).magnitude_below();
     return norm >= bounded_case_bounds::least_share_of_largest_terms * largest_terms ? std::max(norm, lambda) / 2
                                                                                      : lambda / 2;
   });
-}
-
-const ApproximateResponse& BoundedCase::approximate_response() const {
-  return approximate_response_.get([this] { return ApproximateResponse(approximate()); });
 }
 
 }  // namespace carom::oracles

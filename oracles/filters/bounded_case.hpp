@@ -8,8 +8,9 @@
 #include <carom/collision/expects.hpp>
 #include <carom/collision/validate.hpp>
 #include <carom/oracles/filters/lazy.hpp>
-#include <carom/oracles/filters/refined_truth.hpp>
+#include <carom/oracles/laws/branch.hpp>
 #include <carom/oracles/laws/equations.hpp>
+#include <carom/oracles/laws/truth.hpp>
 #include <carom/oracles/models/sensitivity.hpp>
 #include <carom/oracles/numbers/inputs.hpp>
 
@@ -26,7 +27,6 @@ class BoundedCase {
 
   [[nodiscard]] const Collision& collision() const { return collision_; }
   [[nodiscard]] const BasicCollision<Enclosure>& enclosed() const;
-  [[nodiscard]] const BasicCollision<Approximation>& approximate() const;
 
   /// Whether the collision is moderate (moderate.hpp), so that its scales and sensitivities are finite.
   [[nodiscard]] bool is_moderate() const;
@@ -48,9 +48,6 @@ class BoundedCase {
   };
   /// Precondition: a body is movable.
   [[nodiscard]] const StopImpulses& stop_impulses() const;
-
-  /// An upper bound of Σ_q ‖∂(N·V⁻)/∂q‖ ‖q‖ over the quantities q (quantities.hpp).
-  [[nodiscard]] double normal_velocity_sensitivity_above() const;
 
   /// ‖y_k⁻‖, a lower bound of the sensitivity of y_k.
   [[nodiscard]] const Sensitivity& norms_before() const;
@@ -87,10 +84,7 @@ class BoundedCase {
   /// digits.
   [[nodiscard]] bool is_well_conditioned() const;
 
-  [[nodiscard]] const Matrix3<Approximation>& collision_matrix() const { return approximate_response().matrix; }
-  [[nodiscard]] const Matrix3<Enclosure>& enclosed_collision_matrix() const;
-  /// λ = 1/m_A + 1/m_B.
-  [[nodiscard]] Approximation approximate_inverse_mass() const { return inverse_mass(approximate()); }
+  [[nodiscard]] const Matrix3<Enclosure>& collision_matrix() const;
 
   /// A lower bound of Σ_q ‖∂K/∂q‖ ‖q‖ (bounded_case_bounds.hpp): λ/2, or ‖K‖_F/2 if this is larger and ‖K‖_F exceeds
   /// its rounding errors. Precondition: is_moderate().
@@ -98,11 +92,9 @@ class BoundedCase {
 
  private:
   struct OfLaw {
-    Lazy<Truth<Enclosure>> truth;
-    Lazy<Sensitivity> sensitivity_below;
+    PerBranch<Lazy<Truth<Enclosure>>> truth;
+    PerBranch<Lazy<Sensitivity>> sensitivity_below;
   };
-
-  [[nodiscard]] const ApproximateResponse& approximate_response() const;
 
   [[nodiscard]] const OfLaw& of(Law law) const {
     return of_law_.get(law, [] { return OfLaw(); });
@@ -113,16 +105,13 @@ class BoundedCase {
   LazyMap<Law, OfLaw> of_law_;
   Lazy<Sensitivity> norms_before_;
   Collision collision_;
-  Lazy<BasicCollision<Approximation>> approximate_;
-  Lazy<ApproximateResponse> approximate_response_;
   Lazy<BasicCollision<Enclosure>> enclosed_;
   Lazy<std::unique_ptr<DualInputs<double, collision_inputs>>> differentiated_;  // large and seldom used
-  Lazy<double> normal_velocity_sensitivity_above_;
   Lazy<Vector3<double>> relative_velocity_;
   Lazy<StopImpulses> stop_impulses_;
   PerAffineEquation<Lazy<PerVector<double>>> slopes_;
   Lazy<double> collision_matrix_sensitivity_below_;
-  Lazy<Matrix3<Enclosure>> enclosed_collision_matrix_;
+  Lazy<Matrix3<Enclosure>> collision_matrix_;
 };
 
 }  // namespace carom::oracles

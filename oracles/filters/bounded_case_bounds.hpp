@@ -4,13 +4,6 @@
 /// The inequalities by which BoundedCase decides facts about a collision (docs/internals/bounds.md). u = 2⁻⁵³.
 namespace carom::oracles::bounded_case_bounds {
 
-/// v̂ is N·V⁻ as computed in binary64. S is at least the sum of the absolute values of the terms of N·V⁻:
-///
-///   (1) |v̂ − N·V⁻| ≤ n u / (1 − n u) S, with n = `roundings_of_normal_velocity`, the roundings of each term;
-///   (2) if |v̂| > 2⁻²⁸ S, the relative error of v̂ is at most 10⁻⁶, and v̂ has the sign of N·V⁻.
-inline constexpr int roundings_of_normal_velocity = 8;
-inline constexpr double known_share_of_normal_velocity = 0x1p-28;
-
 /// An `Enclosure` of N·V⁻ has six digits if its radius is below this share of |N·V⁻|.
 inline constexpr double known_radius_of_normal_velocity = 0x1p-20;
 

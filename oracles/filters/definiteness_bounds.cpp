@@ -2,12 +2,9 @@
 #include <carom/oracles/filters/definiteness_bounds.hpp>
 
 namespace carom::oracles {
-namespace {
-
-template <class T>
-std::optional<bool> by_bounds(const Matrix3<T>& matrix) {
+std::optional<bool> is_positive_semidefinite(const Matrix3<Enclosure>& matrix) {
   bool decided = true;
-  for (const T& minor : principal_minors(matrix)) {
+  for (const Enclosure& minor : principal_minors(matrix)) {
     const std::optional<int> sign = minor.sign();
     if (sign == -1) {
       return false;
@@ -16,12 +13,6 @@ std::optional<bool> by_bounds(const Matrix3<T>& matrix) {
   }
   return decided ? std::optional<bool>(true) : std::nullopt;
 }
-
-}  // namespace
-
-std::optional<bool> is_positive_semidefinite(const Matrix3<Enclosure>& matrix) { return by_bounds(matrix); }
-
-std::optional<bool> is_positive_semidefinite(const Matrix3<Approximation>& matrix) { return by_bounds(matrix); }
 
 bool is_at_least_by_enclosures(const Matrix3<Rational>& matrix, const Rational& bound) {
   const Matrix3<Enclosure> enclosed = matrix.unaryExpr([](const Rational& x) { return Enclosure(x); });

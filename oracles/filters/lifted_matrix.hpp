@@ -7,11 +7,9 @@
 #include <type_traits>
 #include <utility>
 
-#include <carom/collision/expects.hpp>
 #include <carom/oracles/exact/rational.hpp>
 #include <carom/oracles/filters/lazy.hpp>
 #include <carom/oracles/filters/moderate.hpp>
-#include <carom/oracles/numbers/approximation.hpp>
 #include <carom/oracles/numbers/enclosure.hpp>
 
 namespace carom::oracles {
@@ -43,11 +41,9 @@ class LiftedMatrix {
         [this]() -> Matrix3<Rational> { return reported_->unaryExpr([](long double x) { return lift(x); }); });
   }
 
-  /// The matrix in numbers of type T: exact, or with error bounds, or rounded. Precondition if T is Approximation:
-  /// `reported` is not nullptr.
+  /// The matrix in numbers of type T: exact, or with error bounds, or rounded.
   template <class T>
   [[nodiscard]] Matrix3<T> in() const {
-    CAROM_EXPECTS((reported_ || !std::is_same_v<T, Approximation>));
     if constexpr (std::is_same_v<T, Rational>) {
       return exact();
     } else {
@@ -73,8 +69,6 @@ class LiftedMatrix {
   static T number(const Number& x) {
     if constexpr (std::is_same_v<T, Enclosure>) {
       return Enclosure(x);
-    } else if constexpr (std::is_same_v<T, Approximation> && std::is_same_v<Number, long double>) {
-      return Approximation(x);
     } else if constexpr (std::is_same_v<Number, Rational>) {
       return rounded<T>(to_double(x));
     } else {

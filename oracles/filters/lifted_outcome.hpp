@@ -11,7 +11,6 @@
 #include <carom/oracles/filters/lazy.hpp>
 #include <carom/oracles/filters/lifted_matrix.hpp>
 #include <carom/oracles/filters/moderate.hpp>
-#include <carom/oracles/numbers/approximation.hpp>
 #include <carom/oracles/numbers/enclosure.hpp>
 #include <carom/oracles/numbers/norm.hpp>
 
@@ -34,8 +33,7 @@ class LiftedOutcome {
   explicit LiftedOutcome(const SolvedOutcome<Rational>& exact)
       : rounded_(map_outcome<double>(exact, [](const Rational& x) { return to_double(x); })),
         further_(std::make_unique<Further>(
-            Further{{},
-                    Lazy(map_outcome<Enclosure>(exact, [](const Rational& x) { return Enclosure(x); })),
+            Further{Lazy(map_outcome<Enclosure>(exact, [](const Rational& x) { return Enclosure(x); })),
                     Lazy<Outcome<Rational>>(static_cast<const Outcome<Rational>&>(exact))})) {
     if (exact.collision_matrix) {
       collision_matrix_ = std::make_unique<LiftedMatrix>(*exact.collision_matrix);
@@ -58,13 +56,6 @@ class LiftedOutcome {
   /// Whether `reported` is not nullptr and no number in it exceeds `largest_moderate_outcome`, so that products stay in
   /// the range of binary64.
   [[nodiscard]] bool is_moderate() const { return is_moderate_; }
-
-  /// Precondition: `reported` is not nullptr.
-  [[nodiscard]] const Outcome<Approximation>& approximate() const {
-    CAROM_EXPECTS(reported_.has_value());
-    return further().approximate.get(
-        [this] { return map_outcome<Approximation>(*reported_, [](long double x) { return Approximation(x); }); });
-  }
 
   [[nodiscard]] const Outcome<Enclosure>& enclosed() const {
     return further().enclosed.get(
@@ -95,7 +86,6 @@ class LiftedOutcome {
 
  private:
   struct Further {
-    Lazy<Outcome<Approximation>> approximate;
     Lazy<Outcome<Enclosure>> enclosed;
     Lazy<Outcome<Rational>> exact;
   };

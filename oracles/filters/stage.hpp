@@ -9,9 +9,9 @@
 namespace carom::oracles {
 
 /// The stages of the judge's decision on a comparison. The first stage that can decide decides.
-enum class Stage { same_bits, approximation, enclosure, rational };
+enum class Stage { same_bits, enclosure, rational };
 
-inline constexpr std::array all_stages{Stage::same_bits, Stage::approximation, Stage::enclosure, Stage::rational};
+inline constexpr std::array all_stages{Stage::same_bits, Stage::enclosure, Stage::rational};
 static_assert(counts_from_zero_to(all_stages, Stage::rational));
 
 /// For each stage, the number of comparisons that it has decided in the calling thread.
@@ -24,9 +24,5 @@ inline constinit thread_local StageCounts stage_counts{};
 [[nodiscard]] inline const StageCounts& decided_by_stage() { return detail::stage_counts; }
 
 inline void count(Stage stage) { ++detail::stage_counts[stage]; }
-
-/// Below this allowance, approximations seldom decide. A term t of an equation has up to n = 30 roundings, so the error
-/// bound reaches n u Σ|t|. The limit is 34 n u.
-inline constexpr double least_allowance_for_approximations = 0x1p-43;
 
 }  // namespace carom::oracles

@@ -35,11 +35,9 @@ Components<T> missing(const Sides<T, N>& sides, Relation relation, const IsPermi
 }
 
 /// `missing`, plus the components of uncertain sign.
-template <class OneEquation, class T>
-Components<T> maybe_missing(const OneEquation& equation, Relation relation, const BasicCollision<T>& collision,
-                            const Outcome<T>& outcome) {
-  return missing(equation(collision, outcome), relation,
-                 [](const T& x, int sign) { return x.sign().value_or(-sign) != -sign; });
+template <int N>
+Components<Enclosure> maybe_missing(const Sides<Enclosure, N>& sides, Relation relation) {
+  return missing(sides, relation, [](const Enclosure& x, int sign) { return x.sign().value_or(-sign) != -sign; });
 }
 
 /// The errors of the outputs by underflow, divided by u. An operation that underflows has an error of η = u s, the
@@ -284,17 +282,6 @@ double part_of_scale(const ByShownMatrix& by_matrix, const ExactCase& exact_case
   return is_in_range(part) ? part : 0;
 }
 
-template <class OneEquation>
-bool surely_holds(const OneEquation& equation, Relation relation, const ExactCase& exact_case,
-                  const LiftedOutcome& outcome, const PerVector<double>& sizes, double allowance) {
-  if (allowance < least_allowance_for_approximations || !exact_case.bounds().is_moderate() || !outcome.is_moderate()) {
-    return false;
-  }
-  const auto missed = maybe_missing(equation, relation, exact_case.bounds().approximate(), outcome.approximate());
-  return missed.empty() ||
-         norm_at_most(missed, allowance * part_of_scale(equation, exact_case, outcome, sizes)).value_or(false);
-}
-
 template <class T, int N>
 Comparison violation(const Sides<T, N>& sides, const Components<T>& missed, double allowed) {
   Comparison comparison{false, true, norm(missed), allowed, {}, {}};
@@ -325,11 +312,8 @@ Comparison compare_one(const OneEquation& equation, Relation relation, const Exa
     return scale ? yardstick.allowed(*scale) : std::nullopt;
   };
   if (yardstick.uses_bounds()) {
-    if (surely_holds(equation, relation, exact_case, outcome, sizes, allowance)) {
-      count(Stage::approximation);
-      return {};
-    }
-    const auto missed = maybe_missing(equation, relation, exact_case.bounds().enclosed(), outcome.enclosed());
+    const auto sides = equation(exact_case.bounds().enclosed(), outcome.enclosed());
+    const auto missed = maybe_missing(sides, relation);
     // If a number is not moderate, the scale may leave the range of binary64 although its lower bound does not.
     const bool is_moderate = exact_case.bounds().is_moderate() && outcome.is_moderate();
     if (missed.empty() ||
@@ -342,8 +326,7 @@ Comparison compare_one(const OneEquation& equation, Relation relation, const Exa
     const std::optional<bool> within = bound ? norm_at_most(missed, *bound) : std::nullopt;
     if (within) {
       count(Stage::enclosure);
-      return *within ? Comparison{}
-                     : violation(equation(exact_case.bounds().enclosed(), outcome.enclosed()), missed, *bound);
+      return *within ? Comparison{} : violation(sides, missed, *bound);
     }
   }
   count(Stage::rational);

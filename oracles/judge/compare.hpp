@@ -29,8 +29,8 @@ struct Comparison {
 
 /// Decides exactly whether an equation holds at an outcome: the residual is at most yardstick.allowance() times the
 /// scale, and more in a hard case (permitted_residual.hpp). With a filtered yardstick, `compare` tries in turn:
-/// approximations with a lower bound of the scale; enclosures with the same bound; enclosures with the scale;
-/// rationals. Precondition: that of the equation (equations.hpp).
+/// enclosures with a lower bound of the scale; enclosures with the scale; rationals. Precondition: that of the equation
+/// (equations.hpp).
 [[nodiscard]] Comparison compare(const Equation& equation, Relation relation, const ExactCase& exact_case,
                                  const LiftedOutcome& outcome, const Yardstick& yardstick);
 

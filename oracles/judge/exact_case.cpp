@@ -16,8 +16,8 @@
 namespace carom::oracles {
 namespace {
 
-bool is_surely_not_zero(const Vector3<Approximation>& v) {
-  return std::any_of(v.begin(), v.end(), [](const Approximation& x) { return x.sign().value_or(0) != 0; });
+bool is_surely_not_zero(const Vector3<Enclosure>& v) {
+  return std::any_of(v.begin(), v.end(), [](const Enclosure& x) { return x.sign().value_or(0) != 0; });
 }
 
 bool is_zero(const Vector3<Rational>& v) {
@@ -444,23 +444,23 @@ bool ExactCase::is_bounded_by(const Rational& bound) const {
     return is_at_most(collision_matrix(), bound);
   }
   const std::optional<bool> decided = is_positive_semidefinite(
-      less_multiple_of_identity<Enclosure>(-bounds_.enclosed_collision_matrix(), Enclosure(Rational(-bound))));
+      less_multiple_of_identity<Enclosure>(-bounds_.collision_matrix(), Enclosure(Rational(-bound))));
   return decided ? *decided : is_at_most_by_enclosures(collision_matrix(), bound);
 }
 
 bool ExactCase::is_collinear() const {
   return is_collinear_.get([this] {
     const auto is_along_normal = [&](BasicBody<Rational> BasicCollision<Rational>::*exact_body,
-                                     BasicBody<Approximation> BasicCollision<Approximation>::*near_body) {
-      const BasicCollision<Approximation>& near = bounds_.approximate();
+                                     BasicBody<Enclosure> BasicCollision<Enclosure>::*near_body) {
+      const BasicCollision<Enclosure>& near = bounds_.enclosed();
       if ((near.*near_body).immovable) {
         return true;
       }
       return !(filtered_ && is_surely_not_zero(torque_arm(near.*near_body, near))) &&
              is_zero(torque_arm(exact().*exact_body, exact()));
     };
-    return is_along_normal(&BasicCollision<Rational>::a, &BasicCollision<Approximation>::a) &&
-           is_along_normal(&BasicCollision<Rational>::b, &BasicCollision<Approximation>::b);
+    return is_along_normal(&BasicCollision<Rational>::a, &BasicCollision<Enclosure>::a) &&
+           is_along_normal(&BasicCollision<Rational>::b, &BasicCollision<Enclosure>::b);
   });
 }
 
@@ -470,7 +470,7 @@ bool ExactCase::is_head_on() const {
       using T = std::decay_t<decltype(c.restitution)>;
       return Vector3<T>(c.normal.cross(relative_velocity<T>(c, unchanged(c))));
     };
-    return !(filtered_ && is_surely_not_zero(tangential(bounds_.approximate()))) && is_zero(tangential(exact()));
+    return !(filtered_ && is_surely_not_zero(tangential(bounds_.enclosed()))) && is_zero(tangential(exact()));
   });
 }
 

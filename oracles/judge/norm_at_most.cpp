@@ -28,8 +28,4 @@ std::optional<bool> norm_at_most(std::span<const Enclosure> vector, double bound
   return norm_at_most_by_bounds(vector, bound);
 }
 
-std::optional<bool> norm_at_most(std::span<const Approximation> vector, double bound) {
-  return norm_at_most_by_bounds(vector, bound);
-}
-
 }  // namespace carom::oracles

@@ -5,7 +5,6 @@
 #include <span>
 
 #include <carom/oracles/exact/radical.hpp>
-#include <carom/oracles/numbers/approximation.hpp>
 #include <carom/oracles/numbers/components.hpp>
 #include <carom/oracles/numbers/enclosure.hpp>
 #include <carom/oracles/numbers/norm.hpp>
@@ -16,13 +15,11 @@ namespace carom::oracles {
 [[nodiscard]] bool norm_at_most(std::span<const Rational> vector, double bound);
 [[nodiscard]] bool norm_at_most(std::span<const Radical> vector, double bound);
 [[nodiscard]] std::optional<bool> norm_at_most(std::span<const Enclosure> vector, double bound);
-[[nodiscard]] std::optional<bool> norm_at_most(std::span<const Approximation> vector, double bound);
 
 /// Rounded for print.
 [[nodiscard]] inline double rounded(const Rational& number) { return to_double(number); }
 [[nodiscard]] inline double rounded(const Radical& number) { return to_double(number); }
 [[nodiscard]] inline double rounded(const Enclosure& number) { return number.middle(); }
-[[nodiscard]] inline double rounded(const Approximation& number) { return number.middle(); }
 
 /// ‖v‖, rounded.
 template <class T>

@@ -3,7 +3,6 @@
 
 #include <carom/oracles/models/implicit_differentiation.hpp>
 #include <carom/oracles/models/superposition.hpp>
-#include <carom/oracles/numbers/enclosure.hpp>
 
 namespace carom::oracles {
 
@@ -23,18 +22,6 @@ struct Frictionless {
     const Vector3<T> answer =
         matrix != nullptr ? Vector3<T>(*matrix * n) : relative_velocity<T>(collision, response<T>(collision, n));
     return n * T(n.dot(change) / n.dot(answer));
-  }
-
-  /// A multiple of N near `impulse`: the law permits only multiples of N (filters/refined_truth.hpp).
-  [[nodiscard]] static Vector3<Enclosure> permitted(const BasicCollision<Enclosure>& collision,
-                                                    const Vector3<double>& impulse) {
-    const Vector3<double> n = collision.normal.unaryExpr([](const Enclosure& x) { return x.middle(); });
-    return collision.normal * Enclosure(n.dot(impulse) / n.squaredNorm());
-  }
-
-  /// The normal component of `change`. In refinement, the tangential components are much larger.
-  [[nodiscard]] static Vector3<Enclosure> asked_for(const Vector3<Enclosure>& n, const Vector3<Enclosure>& change) {
-    return n * Enclosure(n.dot(change) / n.dot(n));
   }
 
   /// The derivatives of F = φ N with N·(K F − b) = 0, for the wanted change b: dF = φ dN + N dφ. The responses to N are

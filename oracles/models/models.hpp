@@ -97,8 +97,9 @@ template <class T>
 
 /// The law's answer to a contact that collides. Parameters and precondition are those of `colliding_impulse`.
 template <class T>
-[[nodiscard]] Truth<T> colliding_truth(const BasicCollision<T>& c, Law law, Branch branch) {
-  const Vector3<T> impulse = colliding_impulse<T>(c, law, branch);
+[[nodiscard]] Truth<T> colliding_truth(const BasicCollision<T>& c, Law law, Branch branch,
+                                       const Matrix3<T>* matrix = nullptr) {
+  const Vector3<T> impulse = colliding_impulse<T>(c, law, branch, matrix);
   return {impulse, sum(unchanged(c), response<T>(c, impulse))};
 }
 

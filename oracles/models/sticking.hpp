@@ -3,7 +3,6 @@
 
 #include <carom/oracles/models/implicit_differentiation.hpp>
 #include <carom/oracles/models/superposition.hpp>
-#include <carom/oracles/numbers/enclosure.hpp>
 
 namespace carom::oracles {
 
@@ -20,15 +19,6 @@ struct Sticking {
   [[nodiscard]] static Vector3<T> impulse_for(const BasicCollision<T>& collision, const Vector3<T>& change,
                                               const Matrix3<T>* matrix) {
     return impulse_by_matrix<T>(collision, change, matrix);
-  }
-
-  [[nodiscard]] static Vector3<Enclosure> permitted(const BasicCollision<Enclosure>& /*collision*/,
-                                                    const Vector3<double>& impulse) {
-    return impulse.unaryExpr([](double x) { return Enclosure(x); });
-  }
-
-  [[nodiscard]] static Vector3<Enclosure> asked_for(const Vector3<Enclosure>& /*n*/, const Vector3<Enclosure>& change) {
-    return change;
   }
 
   template <class S>

@@ -81,7 +81,7 @@ template <class T>
   if constexpr (std::is_same_v<T, Enclosure> || std::is_same_v<T, double>) {
     return DefiniteSystem<T>(k).solve(change);
   } else {
-    return cramer<T>(k, change);  // rationals lose no digits, and refinement corrects the errors of approximations
+    return cramer<T>(k, change);  // rationals lose no digits
   }
 }
 

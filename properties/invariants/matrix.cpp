@@ -12,7 +12,7 @@
 namespace carom::properties {
 namespace {
 
-using oracles::Approximation;
+using oracles::Enclosure;
 using oracles::less_multiple_of_identity;
 using oracles::LiftedMatrix;
 using oracles::Rational;
@@ -56,22 +56,18 @@ bool is_surely_exact(const Evidence& e, const LiftedMatrix& shown) {
     return false;
   }
   const double allowed = e.allowance() * bounds.collision_matrix_sensitivity_below();
-  const auto is_near = [&]<class T>(const Matrix3<T>& exact, oracles::Stage stage) {
-    const bool near = norm_at_most<T>(shown.in<T>() - exact, allowed).value_or(false);
-    if (near) {
-      count(stage);
-    }
-    return near;
-  };
-  return (e.allowance() >= oracles::least_allowance_for_approximations &&
-          is_near(bounds.collision_matrix(), oracles::Stage::approximation)) ||
-         is_near(bounds.enclosed_collision_matrix(), oracles::Stage::enclosure);
+  const bool is_near =
+      norm_at_most<Enclosure>(shown.in<Enclosure>() - bounds.collision_matrix(), allowed).value_or(false);
+  if (is_near) {
+    count(oracles::Stage::enclosure);
+  }
+  return is_near;
 }
 
 /// Whether bounds show K ⪯ 16 λI, with no permitted rounding.
 bool is_surely_well_conditioned(const oracles::BoundedCase& bounds) {
-  const Approximation bound = Approximation(16) * bounds.approximate_inverse_mass();
-  return is_positive_semidefinite(less_multiple_of_identity<Approximation>(-bounds.collision_matrix(), -bound))
+  const Enclosure bound = Enclosure(16) * inverse_mass(bounds.enclosed());
+  return is_positive_semidefinite(less_multiple_of_identity<Enclosure>(-bounds.collision_matrix(), -bound))
       .value_or(false);
 }
 

@@ -51,17 +51,6 @@ Verdict agree(const Evidence& e, const oracles::LiftedOutcome& first, const Expe
   return worst;
 }
 
-/// Whether bounds show that `computed` is as expected. `below` is a lower bound of the sensitivity. Precondition:
-/// `computed.reported()` is not null.
-bool surely_agree(const Evidence& e, const ReportedOutcome& expected, const oracles::LiftedOutcome& computed,
-                  const oracles::Sensitivity& below) {
-  const bool agree = surely_near(expected, *computed.reported(), e.allowance(), below);
-  if (agree) {
-    count(oracles::Stage::approximation);
-  }
-  return agree;
-}
-
 /// Whether the permitted error is certainly finite. If so, a lower bound of the permitted error may decide.
 bool is_surely_finite(const Evidence& e, const oracles::ExactCase& exact_case, const oracles::LiftedOutcome& outcome) {
   return e.yardstick.uses_bounds() && exact_case.is_moderate(e.law) && outcome.is_moderate();
@@ -106,7 +95,7 @@ Verdict exactly_mapped(const Evidence& e, const Related& related, const Back& ba
       return {};
     }
     const oracles::Sensitivity& below = e.exact_case.sensitivity_below(e.law);
-    if (surely_agree(e, mapped_back, e.outcome, weighted_sum(1, below, below))) {
+    if (surely_near(back(mapped.enclosed()), e.outcome.enclosed(), e.allowance(), weighted_sum(1, below, below))) {
       return {};
     }
   }
@@ -133,9 +122,10 @@ Verdict related_pair(const Evidence& e, std::span<const Related> related, double
     return between_two_answers();
   }
   if (is_surely_finite(e, first_case, first_outcome) && is_surely_finite(e, second_case, second_outcome)) {
-    const ReportedOutcome second_expected = expected(*first_outcome.reported());
+    const Outcome<oracles::Enclosure> second_expected = expected(first_outcome.enclosed());
     const auto agree_by = [&](const oracles::Sensitivity& of_first, const oracles::Sensitivity& of_second) {
-      return surely_agree(e, second_expected, second_outcome, weighted_sum(factor, of_first, of_second));
+      return surely_near(second_expected, second_outcome.enclosed(), e.allowance(),
+                         weighted_sum(factor, of_first, of_second));
     };
     if (agree_by(first_case.bounds().norms_before(), second_case.bounds().norms_before()) ||
         agree_by(first_case.sensitivity_below(e.law), second_case.sensitivity_below(e.law))) {

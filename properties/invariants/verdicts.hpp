@@ -2,8 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -87,48 +85,20 @@ template <class Exact>
              : violation(exact_actual, exact_expected);
 }
 
-/// The bound of `surely_near`. A test counts its roundings with another scalar type S.
-namespace nearness {
-
-/// 2u, with the unit roundoff u of long double, the type of reported numbers.
-inline constexpr long double two_u = std::numeric_limits<long double>::epsilon();
-static_assert(std::numeric_limits<long double>::is_iec559);
-
-/// 1 + 8u, for five roundings of a term of M: one of the difference, two of the sum, two of the bound.
-inline constexpr long double up = 1 + 4 * two_u;
-
-/// D = M (1 + 8u) + 2u (s + ‖x‖₁). M is the computed ‖x − y‖₁, and s is `scale`.
-template <class S>
-[[nodiscard]] S distance_above(const Vector3<S>& x, const Vector3<S>& y, const S& scale) {
-  using std::abs;
-  S missed(0);
-  S size = scale;
-  for (int i = 0; i < 3; ++i) {
-    missed += abs(S(x[i] - y[i]));
-    size += abs(x[i]);
-  }
-  return missed * S(up) + S(two_u) * size;
-}
-
-}  // namespace nearness
-
-/// Whether these vectors of `left` and `right` certainly agree. Let x be a vector of `left`, y that of `right`, and s
-/// its `scale`. x is computed from a vector z of a reported outcome, and x* is the exact result. If true, ‖x* − y‖₂ ≤
-/// `allowance` · s. If false, this may still hold. Proof:
-///
-///   (1) If x is z, −z or a multiple of z, ‖x − x*‖₁ ≤ u ‖x‖₁.
-///   (2) If x = z + (to − from) and ‖to‖ + ‖from‖ ≤ (1 + 2⁻⁵⁰) s, ‖x − x*‖₁ ≤ u ‖x‖₁ + √3 (1 + 2⁻⁵⁰) (1 + u) u s.
-///   (3) In both cases, ‖x* − y‖₂ ≤ ‖x − y‖₁ + ‖x − x*‖₁.
-///   (4) The right side of (3) is at most the D of `nearness::distance_above`.
-///   (5) The function shows D ≤ `allowance` · s. This product is rounded as in the exact judge.
-[[nodiscard]] inline bool surely_near(const ReportedOutcome& left, const ReportedOutcome& right, double allowance,
-                                      const PerVector<double>& scale,
+/// Whether enclosures show that these vectors of `left` and `right` agree: the distance of each pair is at most
+/// `allowance` times its `scale`. Precondition: these products are finite.
+[[nodiscard]] inline bool surely_near(const Outcome<oracles::Enclosure>& left, const Outcome<oracles::Enclosure>& right,
+                                      double allowance, const PerVector<double>& scale,
                                       std::span<const OutcomeVector> which = all_outcome_vectors) {
   const auto x = vectors(left);
   const auto y = vectors(right);
-  return std::all_of(which.begin(), which.end(), [&](OutcomeVector k) {
-    return nearness::distance_above<long double>(*x[k], *y[k], scale[k]) <= allowance * scale[k];
+  const bool near = std::ranges::all_of(which, [&](OutcomeVector k) {
+    return oracles::norm_at_most(oracles::difference(*x[k], *y[k]), allowance * scale[k]).value_or(false);
   });
+  if (near) {
+    count(oracles::Stage::enclosure);
+  }
+  return near;
 }
 
 /// Whether bounds show that these vectors of an outcome are unchanged, each within the allowance times its length.
@@ -137,17 +107,10 @@ template <class S>
                                               const oracles::LiftedOutcome& outcome,
                                               const oracles::Yardstick& yardstick,
                                               std::span<const OutcomeVector> which = all_outcome_vectors) {
-  if (!yardstick.uses_bounds() || !exact_case.bounds().is_moderate() || !outcome.is_moderate()) {
-    return false;
-  }
-  const auto before =
-      map_outcome<long double>(unchanged(exact_case.collision()), [](double x) { return static_cast<long double>(x); });
-  const bool is_untouched =
-      surely_near(before, *outcome.reported(), yardstick.allowance(), exact_case.bounds().norms_before(), which);
-  if (is_untouched) {
-    count(oracles::Stage::approximation);
-  }
-  return is_untouched;
+  const oracles::BoundedCase& bounds = exact_case.bounds();
+  return yardstick.uses_bounds() && bounds.is_moderate() && outcome.is_moderate() &&
+         surely_near(unchanged(bounds.enclosed()), outcome.enclosed(), yardstick.allowance(), bounds.norms_before(),
+                     which);
 }
 
 /// The worse of two verdicts that must both hold. The order from the worst is: violated, undecided, holds, outside the

@@ -8,6 +8,7 @@
 #include <carom/impulse/sticking.hpp>
 #include <carom/impulse/world_inertia.hpp>
 #include <carom/oracles/laws/equations.hpp>
+#include <carom/oracles/models/superposition.hpp>
 #include <carom/properties/families/body_pairs.hpp>
 
 #include "support/exact.hpp"

@@ -57,26 +57,6 @@ TEST(BoundedCase, IsWellConditionedUpToTheBoundInRationals) {
   EXPECT_GT(ill, 100);
 }
 
-/// The spins are along z, all positions along y, and the normal along x. So the length of each vector product is the
-/// product of the lengths. The sensitivity of N·V⁻ is ‖N‖ Σ (2 ‖v‖ + ‖w‖ (2 ‖r‖ + ‖P‖ + ‖X‖ + s)) over the bodies, with
-/// the extent s.
-TEST(BoundedCase, HasTheSensitivityOfTheNormalVelocityWhereNothingIsAslant) {
-  Collision c;
-  c.normal = {3, 0, 0};
-  c.point = {0, 64, 0};
-  c.a.position = {0, 63, 0};
-  c.b.position = {0, 68, 0};
-  c.a.principal_inertia = c.b.principal_inertia = {1, 1, 1};
-  c.a.angular_velocity = {0, 0, 2};
-  c.b.angular_velocity = {0, 0, 0.5};
-  c.a.velocity = {0.25, 0, 0};
-  const double extents_of_a = oracles::extent_of(c.a);
-  const double extents_of_b = oracles::extent_of(c.b);
-  const double expected =
-      3 * (2 * 0.25 + 2 * (2 * 1 + 64 + 63 + extents_of_a) + 0.5 * (2 * 4 + 64 + 68 + extents_of_b));
-  EXPECT_NEAR(BoundedCase(c).normal_velocity_sensitivity_above(), expected, 8 * 0x1p-53 * expected);
-}
-
 TEST(BoundedCase, KnowsTheSignOfTheNormalVelocity) {
   Collision c = against_a_wall({0, 0, 0}, 1);
   EXPECT_EQ(BoundedCase(c).normal_velocity()->sign, -1);

@@ -1,46 +1,16 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include <carom/oracles/filters/moderate.hpp>
-#include <carom/oracles/filters/stage.hpp>
 #include <carom/oracles/judge/yardstick.hpp>
-#include <carom/oracles/laws/equations.hpp>
 #include <carom/oracles/models/sensitivity.hpp>
 
 #include "covers.hpp"
-#include "normalised_collision.hpp"
 
-/// Checks the constants of the judge in stage.hpp, yardstick.hpp and sensitivity.hpp.
+/// Checks the constants of the judge in yardstick.hpp and sensitivity.hpp.
 namespace carom::bounds {
 namespace {
-
-template <class OneEquation>
-int roundings_of(const OneEquation& equation) {
-  Outcome<RoundingCount> outcome;
-  for (Vector3<RoundingCount>* part : vectors(outcome)) {
-    part->setConstant(RoundingCount::input());
-  }
-  const auto sides = equation(normalised_collision<RoundingCount>(), outcome);
-  int most = 0;
-  for (Eigen::Index i = 0; i < sides.left.size(); ++i) {
-    most = std::max(most, (sides.left[i] - sides.right[i]).roundings());
-  }
-  return most;
-}
-
-TEST(JudgeBounds, TryApproximationsWhereTheyMayDecide) {
-  namespace equation = oracles::equation;
-  const int most =
-      std::max({roundings_of(equation::AngularMomentum{true}), roundings_of(equation::TotalAngularMomentum{}),
-                roundings_of(equation::LinearMomentum{}), roundings_of(equation::Restitution{}),
-                roundings_of(equation::Push{true}), roundings_of(equation::FrictionlessDirection{true}),
-                roundings_of(equation::ReflectionPlane{}), roundings_of(equation::Energy{})});
-  EXPECT_GE(most, 30);
-  EXPECT_LE(most, 50);
-  EXPECT_TRUE(covers(oracles::least_allowance_for_approximations, most * u, 64));
-}
 
 /// The largest permitted residual of any invariant is that of `homogeneous` (relations.cpp): the allowance times four
 /// sensitivities.

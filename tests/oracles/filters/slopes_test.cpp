@@ -31,7 +31,7 @@ TEST(Slopes, OfAChangeByAMatrixHaveTheBitsOfForwardDifferentiation) {
       continue;
     }
     Matrix3<double> matrix =
-        exact_case.bounds().collision_matrix().unaryExpr([](const Approximation& x) { return x.middle(); });
+        exact_case.bounds().collision_matrix().unaryExpr([](const Enclosure& x) { return x.middle(); });
     matrix(0, 1) *= 1.25;  // the subject may be wrong
     for (const bool read_off_a : {true, false}) {
       if (read_off_a ? c.a.immovable : c.b.immovable) {

@@ -143,7 +143,7 @@ void add_facts(const KnownCollision& known, std::vector<KnownLine>& lines) {
 void add_bounds(const KnownCollision& known, std::vector<KnownLine>& lines) {
   const ExactCase exact_case(known.collision);
   const BoundedCase& bounds = exact_case.bounds();
-  KnownLine line{known.name + ", bounds", {bounds.normal_velocity_sensitivity_above()}};
+  KnownLine line{known.name + ", bounds", {}};
   append(line.numbers, bounds.norms_before());
   const ConeDistance enclosed = enclosed_cone_distance(known.collision);
   line.numbers.insert(line.numbers.end(), {enclosed.distance, enclosed.sensitivity});

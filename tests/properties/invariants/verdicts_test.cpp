@@ -10,59 +10,8 @@
 #include <carom/properties/invariants/verdicts.hpp>
 #include <carom/properties/trial/trial.hpp>
 
-#include "support/exact.hpp"
-
 namespace carom::properties {
 namespace {
-
-bool is_near(const Vector3<oracles::Rational>& left, const Vector3<oracles::Rational>& right, double allowed) {
-  const Vector3<oracles::Rational> difference = left - right;
-  return difference.dot(difference) <= oracles::Rational(allowed) * oracles::Rational(allowed);
-}
-
-struct Counts {
-  int near = 0;
-  int shown = 0;
-  int far = 0;
-};
-
-/// `left` is y + (to − from), rounded as in relations.cpp. `right` differs from `left` in one component, by `least` to
-/// `most` times the permitted error. If surely_near returns true for `left` and `right`, `right` must be near the exact
-/// y + (to − from).
-Counts expect_shown_to_be_near(double allowance, double least, double most) {
-  Counts counts;
-  Stream stream = stream_from(91);
-  // Numbers of many sizes, so that sums are rounded.
-  const auto any = [&] { return std::ldexp(stream.between(-1, 1), -stream.integer(0, 30)); };
-  for (int i = 0; i < 20000; ++i) {
-    using Wide = long double;
-    using oracles::Rational;
-    ReportedOutcome left;
-    Vector3<Rational> exact;
-    double squares_of_to = 0;
-    double squares_of_from = 0;
-    for (int j = 0; j < 3; ++j) {
-      const double y = any();
-      const double from = any();
-      const double to = any();
-      left.a.velocity[j] = Wide(y) + (Wide(to) - Wide(from));
-      exact[j] = Rational(y) + Rational(to) - Rational(from);
-      squares_of_to += to * to;
-      squares_of_from += from * from;
-    }
-    const double scale = std::sqrt(squares_of_to) + std::sqrt(squares_of_from);
-    ReportedOutcome right = left;
-    right.a.velocity[stream.integer(0, 2)] +=
-        Wide(allowance) * Wide(scale * stream.between(least, most)) * (stream.chance(2) ? 1 : -1);
-    const bool shown = surely_near(left, right, allowance, {scale, 0, 0, 0}, std::array{OutcomeVector::velocity_of_a});
-    const bool near = is_near(exact, oracles::lift(right).a.velocity, allowance * scale);
-    EXPECT_TRUE(near || !shown) << i;
-    counts.near += near ? 1 : 0;
-    counts.shown += shown ? 1 : 0;
-    counts.far += near ? 0 : 1;
-  }
-  return counts;
-}
 
 TEST(Both, IsTheWorseOfTwoVerdicts) {
   Verdict violated;
@@ -128,53 +77,30 @@ TEST(Both, IsTheMoreSevereOfTwoViolations) {
   EXPECT_EQ(both(large, Verdict{}).detail, "large");
 }
 
-TEST(SurelyNear, ShowsOnlyWhatIsNear) {
-  for (const Precision precision : {Precision::binary32, Precision::binary64, Precision::extended}) {
-    const Counts counts = expect_shown_to_be_near(oracles::default_limit_ulps * unit_roundoff(precision), 0, 2);
-    EXPECT_GT(counts.far, 8000);
-    // In extended precision, some numbers are larger than the scale. Two of their ulps are a considerable part of the
-    // permitted error.
-    EXPECT_GT(counts.shown, precision == Precision::extended ? counts.near / 2 : counts.near * 9 / 10);
-  }
-}
-
-/// The permitted error is eight ulps of extended precision, so the rounding of the compared numbers matters.
-TEST(SurelyNear, CountsTheRoundingOfWhatItCompares) {
-  const Counts counts = expect_shown_to_be_near(8 * unit_roundoff(Precision::extended), 0.5, 1.1);
-  EXPECT_GT(counts.far, 2000);
-  EXPECT_GT(counts.near, 10000);
-  EXPECT_GT(counts.shown, 100);
-}
-
-/// The permitted error is one rounding of extended precision. The rounding of the compared numbers may be as large.
-TEST(SurelyNear, DecidesNothingBelowItsOwnRounding) {
-  const Outcome<double> y{{{1, 2, 3}, {4, 5, 6}}, {{7, 8, 9}, {1, 2, 3}}};
-  const auto reported = map_outcome<long double>(y, [](double x) { return static_cast<long double>(x); });
-  const PerVector<double> scale{1, 1, 1, 1};
-  EXPECT_TRUE(surely_near(reported, reported, 0x1p-50, scale));
-  EXPECT_FALSE(surely_near(reported, reported, unit_roundoff(Precision::extended), scale));
+Outcome<oracles::Enclosure> enclosed(const Outcome<long double>& outcome) {
+  return map_outcome<oracles::Enclosure>(outcome, [](long double x) { return oracles::Enclosure(x); });
 }
 
 TEST(SurelyNear, LooksAtEachVectorThatIsNamed) {
   const PerVector<double> scale{1, 1, 1, 1};
   for (const OutcomeVector moved : all_outcome_vectors) {
-    const ReportedOutcome rest;
-    ReportedOutcome other;
+    const Outcome<long double> rest;
+    Outcome<long double> other;
     (*vectors(other)[moved])[2] = 0x1p-20L;
     for (const OutcomeVector named : all_outcome_vectors) {
-      EXPECT_EQ(surely_near(rest, other, 0x1p-30, scale, std::array{named}), named != moved);
+      EXPECT_EQ(surely_near(enclosed(rest), enclosed(other), 0x1p-30, scale, std::array{named}), named != moved);
     }
-    EXPECT_FALSE(surely_near(rest, other, 0x1p-30, scale));
-    EXPECT_TRUE(surely_near(rest, other, 0x1p-10, scale));
+    EXPECT_FALSE(surely_near(enclosed(rest), enclosed(other), 0x1p-30, scale));
+    EXPECT_TRUE(surely_near(enclosed(rest), enclosed(other), 0x1p-10, scale));
   }
 }
 
 TEST(SurelyNear, DoesNotTakeANaNForNear) {
   const PerVector<double> scale{1, 1, 1, 1};
-  ReportedOutcome nothing;
+  Outcome<long double> nothing;
   nothing.b.velocity[1] = std::numeric_limits<long double>::quiet_NaN();
-  EXPECT_FALSE(surely_near(nothing, {}, 1, scale));
-  EXPECT_FALSE(surely_near({}, nothing, 1, scale));
+  EXPECT_FALSE(surely_near(enclosed(nothing), enclosed({}), 1, scale));
+  EXPECT_FALSE(surely_near(enclosed({}), enclosed(nothing), 1, scale));
 }
 
 /// The slender rod strikes with its tip, and its exact velocity after the impulse is zero. The enclosure of this

@@ -9,7 +9,7 @@ import { gated, installed, violated } from './installed.mjs';
 
 const folder = installed();
 const options = ['--cases', '10', '--families', 'generic,head_on', '--timeout', '0.3', '--jobs', '1', '--deviates',
-  'invalid_refused,immovable_untouched'];
+  'invalid_refused,separating_untouched,immovable_untouched,collinear_spin'];
 
 async function judged(word) {
   writeFileSync(join(folder, `${word}.mjs`),
