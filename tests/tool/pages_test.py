@@ -168,7 +168,7 @@ class Pages(unittest.TestCase):
         sources = "".join(file.read_text(encoding="utf-8") for file in sorted((TOP / "tests").rglob("*_test.cpp")))
         tests = set(re.findall(r"\bTEST(?:_F|_P)?\((\w+,\s*\w+)\)", sources))
         tests = {re.sub(r",\s*", ".", test) for test in tests}
-        for match, where in self.said(r"(?<=\| )[A-Z]\w+\.[A-Z]\w+", ["docs/internals/bounds.md"], 20):
+        for match, where in self.said(r"(?<=\| )[A-Z]\w+\.[A-Z]\w+", ["docs/internals/bounds.md"], 15):
             self.assertIn(match[0], tests, where)
         for match, where in self.said(r"--gtest_filter='(\w+)\.\*'", PAGES):
             self.assertIn(match[1], {test.split(".")[0] for test in tests}, where)
