@@ -48,8 +48,9 @@ auto norm_at_most(const Matrix3<T>& matrix, double bound) {
   return oracles::norm_at_most(std::span<const T>(matrix.data(), 9), bound);
 }
 
-/// Whether bounds show ‖C − K‖_F ≤ `allowance` times a lower bound of the sensitivity, for the shown C and the exact K.
-/// λI ⪯ K (`ExactCase::is_definite`), so each eigenvalue of C is then at least λ, within the permitted rounding.
+/// Whether bounds show that the shown C is near the exact K: ‖C − K‖_F is at most `allowance` times a lower bound of
+/// the sensitivity. K ⪰ λI (`ExactCase::is_definite`), so each eigenvalue of C is then at least λ, within the permitted
+/// rounding.
 bool is_surely_exact(const Evidence& e, const LiftedMatrix& shown) {
   const oracles::BoundedCase& bounds = e.exact_case.bounds();
   if (!e.yardstick.uses_bounds() || !bounds.is_moderate() || !shown.is_moderate()) {

@@ -122,6 +122,24 @@ TEST(NeverJudged, IsNotSound) {
   EXPECT_EQ(run_gate({deviating}, options).results.at(0).not_judged, "");
 }
 
+TEST(NeverJudged, IsPermittedInAPartOfARun) {
+  const unit::PlantedFormula planted(
+      "restitution", [](const Evidence&) -> Verdict { return {.status = Status::skipped, .detail = "planted"}; });
+  GateOptions shard;
+  shard.cases = 50;
+  for (const Family& family : all_families()) {
+    shard.families.push_back(&family);
+  }
+  GateOptions part = shard;
+  part.is_part = true;
+  shard.shard = {1, 2};
+  for (const GateOptions& options : {part, shard}) {
+    const SubjectResult result = run_gate({right()}, options).results.at(0);
+    EXPECT_TRUE(result.is_sound()) << result.not_judged;
+    EXPECT_EQ(result.never_judged(options), std::vector<std::string>{"restitution"});
+  }
+}
+
 /// A `rough` solver that takes μ = 0 for a contact without a limit of friction. The law's formulas hold for no such
 /// contact, and the diagnosis asks them for none.
 TEST(JudgeFault, IsNoneForASolverThatTakesNoFrictionForNoLimit) {
