@@ -46,7 +46,7 @@ const Property& property_named(std::string_view name) {
 template <class IsClaimed>
 Claim claim_of(const PropertyOptions& options, Precision precision, const IsClaimed& is_claimed) {
   Claim claim;
-  claim.yardstick = yardstick_with(options.limit_ulps, options.digits).in(precision);
+  claim.yardstick = oracles::Yardstick::of(precision, limits_with(options.limit_ulps, options.digits));
   claim.within = domain_from(options.within);
   claim.effects = with_named_effects({}, options.effects);
   require_valid(claim.effects, claim.law);
@@ -71,7 +71,7 @@ NamedVerdict verdict_on(const Claim& claim, const Collision& collision, const Re
   if (const auto quantity = quantity_outside(claim.within, collision)) {
     return outside("the collision is outside of the domain, by its " + std::string(name_of(*quantity)));
   }
-  const JudgedCase judged_case(Case{collision}, claim.yardstick.filtered, claim.effects);
+  const JudgedCase judged_case(Case{collision}, claim.yardstick.filtered(), claim.effects);
   if (!judged_case.is_valid()) {
     return outside("the collision is not valid");
   }
@@ -79,7 +79,7 @@ NamedVerdict verdict_on(const Claim& claim, const Collision& collision, const Re
   if (!oracles::is_finite(answer)) {
     return {first, {.status = Status::violated, .detail = "the answer contains infinities or NaN"}};
   }
-  const Judgement judgement = try_case(judged_case, claim, [&](const Collision&) { return lift(answer); });
+  const Judgement judgement = judge_answer(judged_case, claim, lift(answer));
   if (judgement.unjudged) {
     return outside("not judged: " + std::string(in_words(*judgement.unjudged)));
   }

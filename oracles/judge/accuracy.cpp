@@ -175,13 +175,13 @@ namespace {
 /// The accuracy of an outcome by the law's answer to a contact of approach `as`.
 Accuracy accuracy_as(const ExactCase& exact_case, Law law, Approach as, const LiftedOutcome& outcome,
                      const Yardstick& yardstick, double known) {
-  const bool may_use_bounds = yardstick.filtered && yardstick.allowance() > 0;
+  const bool may_use_bounds = yardstick.filtered() && yardstick.allowance() > 0;
   const auto with_digits = [&](Accuracy accuracy) {
-    if (yardstick.digits) {
+    if (yardstick.digits()) {
       const double bound = yardstick.allowance();
       const std::optional<bool> decided =
-          may_use_bounds ? relative_error_at_most(bound, exact_case.bounds().enclosed(),
-                                                  exact_case.enclosed_truth(law, as), outcome.enclosed())
+          may_use_bounds ? relative_error_at_most(bound, exact_case.enclosed(), exact_case.enclosed_truth(law, as),
+                                                  outcome.enclosed())
                          : std::nullopt;
       accuracy.has_digits = decided ? *decided : exact_case.with_truth(law, as, [&]<class T>(const Truth<T>& truth) {
         return *relative_error_at_most(bound, collision_in<T>(exact_case), truth, outcome_in<T>(outcome));
@@ -196,7 +196,7 @@ Accuracy accuracy_as(const ExactCase& exact_case, Law law, Approach as, const Li
       const Truth<Enclosure>& truth = exact_case.enclosed_truth(law, as);
       enclosed = deviation_of(exact_case, truth, outcome.enclosed(), [&] {
         return exact_case.size_of_change(
-            law, as, [&] { return size_of_change(exact_case, exact_case.bounds().enclosed(), truth.outcome); });
+            law, as, [&] { return size_of_change(exact_case, exact_case.enclosed(), truth.outcome); });
       });
     }
     return accuracy_by(*enclosed, sensitivity, yardstick, noise);
@@ -206,7 +206,7 @@ Accuracy accuracy_as(const ExactCase& exact_case, Law law, Approach as, const Li
   if (yardstick.uses_bounds() && as == exact_case.approach() && exact_case.is_moderate(law) && outcome.is_moderate()) {
     const Sensitivity& below = exact_case.sensitivity_below(law);
     const auto bounded = by_enclosures(below);
-    if (bounded && bounded->is_allowed() && bounded->backward_error(yardstick.unit_roundoff) <= known) {
+    if (bounded && bounded->is_allowed() && bounded->backward_error(yardstick.unit_roundoff()) <= known) {
       count(Stage::enclosure);
       return with_digits(*bounded);
     }
@@ -262,7 +262,8 @@ Accuracy accuracy(const ExactCase& exact_case, Law law, const LiftedOutcome& out
   if (!passes(result)) {
     return own;
   }
-  const bool is_nearer = result.backward_error(yardstick.unit_roundoff) < own.backward_error(yardstick.unit_roundoff);
+  const bool is_nearer =
+      result.backward_error(yardstick.unit_roundoff()) < own.backward_error(yardstick.unit_roundoff());
   if (passes(own) && !is_nearer) {
     return own;
   }

@@ -63,10 +63,10 @@ PerVector<double> lost_to_underflow(const Collision& c, double s) {
 /// u times the larger of these two terms, even if ŷ_k is zero.
 PerVector<double> sizes_of_outputs(const ExactCase& exact_case, const LiftedOutcome& outcome,
                                    const Yardstick& yardstick) {
-  PerVector<double> sizes = lost_to_underflow(exact_case.collision(), yardstick.least_size);
+  PerVector<double> sizes = lost_to_underflow(exact_case.collision(), yardstick.least_size());
   const PerVector<double> norms = outcome.norms();
   for (const OutcomeVector k : all_outcome_vectors) {
-    sizes[k] += norms[k] + exact_case.bounds().norms_before()[k];
+    sizes[k] += norms[k] + exact_case.norms_before()[k];
   }
   add_permitted_noise(exact_case.collision(), yardstick, sizes);
   return sizes;
@@ -106,7 +106,7 @@ double part_by_outputs(const OneEquation& equation, const ExactCase& exact_case,
   const Collision& collision = exact_case.collision();
   if constexpr (std::is_convertible_v<const OneEquation&, Equation>) {
     if (const std::optional<AffineEquation> name = equation.name()) {
-      return part_by_outputs(exact_case.bounds().slopes(*name, [&] { return slopes_of(equation, collision); }), sizes);
+      return part_by_outputs(exact_case.slopes(*name, [&] { return slopes_of(equation, collision); }), sizes);
     }
   }
   if (needs_all_digits(equation, outcome)) {
@@ -129,7 +129,7 @@ double part_by_curvature(const equation::Energy& /*energy*/, const ExactCase& ex
                          double allowance) {
   const PerVector<double> norms = outcome.norms();
   const auto squared = [&](OutcomeVector k) {
-    const double size = norms[k] + exact_case.bounds().norms_before()[k];
+    const double size = norms[k] + exact_case.norms_before()[k];
     return size * size;
   };
   const auto of_body = [&](const Body& body, OutcomeVector velocity, OutcomeVector spin) {
@@ -146,7 +146,7 @@ double part_by_curvature(const equation::AngularMomentum& of, const ExactCase& e
                          double allowance) {
   const Body& body = of.of_a ? exact_case.collision().a : exact_case.collision().b;
   const OutcomeVector k = of.of_a ? OutcomeVector::velocity_of_a : OutcomeVector::velocity_of_b;
-  const double size = outcome.norms()[k] + exact_case.bounds().norms_before()[k];
+  const double size = outcome.norms()[k] + exact_case.norms_before()[k];
   return allowance * length_of_lever_arm(body, exact_case.collision().point) * body.mass * size;
 }
 
@@ -156,7 +156,7 @@ double part_by_curvature(const equation::FrictionCone& cone, const ExactCase& ex
                          double allowance) {
   const Collision& c = exact_case.collision();
   const OutcomeVector k = cone.read_off_a ? OutcomeVector::velocity_of_a : OutcomeVector::velocity_of_b;
-  const double size = outcome.norms()[k] + exact_case.bounds().norms_before()[k];
+  const double size = outcome.norms()[k] + exact_case.norms_before()[k];
   const double impulse = (cone.read_off_a ? c.a.mass : c.b.mass) * size * norm_of(c.normal);
   return allowance * impulse * impulse * (1 + c.friction * c.friction);
 }
@@ -167,7 +167,7 @@ double part_by_curvature(const equation::ImpulseBound& bound, const ExactCase& e
                          double allowance) {
   const Collision& c = exact_case.collision();
   const OutcomeVector k = bound.read_off_a ? OutcomeVector::velocity_of_a : OutcomeVector::velocity_of_b;
-  const double size = outcome.norms()[k] + exact_case.bounds().norms_before()[k];
+  const double size = outcome.norms()[k] + exact_case.norms_before()[k];
   double of_impulse = inverse_mass(c) * (bound.read_off_a ? c.a.mass : c.b.mass) * size;
   double of_bound = 0;
   if (bound.of == ImpulseBoundOf::approach) {
@@ -189,7 +189,7 @@ double curvature_of_friction_and_slip(bool read_off_a, const ExactCase& exact_ca
                                       double allowance) {
   const Collision& c = exact_case.collision();
   const PerVector<double> norms = outcome.norms();
-  const auto size = [&](OutcomeVector k) { return norms[k] + exact_case.bounds().norms_before()[k]; };
+  const auto size = [&](OutcomeVector k) { return norms[k] + exact_case.norms_before()[k]; };
   const double impulse =
       read_off_a ? c.a.mass * size(OutcomeVector::velocity_of_a) : c.b.mass * size(OutcomeVector::velocity_of_b);
   const auto at_point = [&](const Body& body, OutcomeVector velocity, OutcomeVector spin) {
@@ -237,7 +237,7 @@ double permitted_residual(const ByShownMatrix& by_matrix, const PermittedInputs&
 bool has_part_by_matrix(const ByShownMatrix& by_matrix, const ExactCase& exact_case, const LiftedOutcome& outcome,
                         double allowance) {
   const double impulse = norm_of(impulse_on_a(exact_case.collision(), outcome.rounded(), by_matrix.read_off_a));
-  return impulse == 0 || (exact_case.bounds().is_moderate() && impulse >= smallest_scale) ||
+  return impulse == 0 || (exact_case.is_moderate() && impulse >= smallest_scale) ||
          std::isnormal(part_by_curvature(by_matrix, exact_case, outcome, allowance));
 }
 
@@ -247,7 +247,7 @@ std::optional<double> scale_of(const OneEquation& equation, const ExactCase& exa
                                const PerVector<double>& sizes, double allowance) {
   const double by_curvature = part_by_curvature(equation, exact_case, outcome, allowance);
   if (!needs_all_digits(equation, outcome)) {
-    const double scale = part_by_inputs(equation, exact_case.bounds().differentiated(), outcome.rounded()) +
+    const double scale = part_by_inputs(equation, exact_case.differentiated(), outcome.rounded()) +
                          part_by_outputs(equation, exact_case, outcome, sizes) + by_curvature;
     if (is_in_range(scale)) {
       return scale;
@@ -269,14 +269,14 @@ std::optional<double> scale_of(const OneEquation& equation, const ExactCase& exa
 template <class OneEquation>
 double part_of_scale(const OneEquation& equation, const ExactCase& exact_case, const LiftedOutcome& outcome,
                      const PerVector<double>& sizes) {
-  CAROM_EXPECTS(exact_case.bounds().is_moderate() && outcome.is_moderate());
+  CAROM_EXPECTS(exact_case.is_moderate() && outcome.is_moderate());
   const double part = part_by_outputs(equation, exact_case, outcome, sizes);
   return is_in_range(part) ? part : 0;
 }
 
 double part_of_scale(const ByShownMatrix& by_matrix, const ExactCase& exact_case, const LiftedOutcome& outcome,
                      const PerVector<double>& sizes) {
-  CAROM_EXPECTS(exact_case.bounds().is_moderate() && outcome.is_moderate() && by_matrix.shown.is_moderate());
+  CAROM_EXPECTS(exact_case.is_moderate() && outcome.is_moderate() && by_matrix.shown.is_moderate());
   const double part = part_by_outputs(
       slopes_of_change(by_matrix.shown.in<double>(), by_matrix.read_off_a, exact_case.collision()), sizes);
   return is_in_range(part) ? part : 0;
@@ -292,59 +292,99 @@ Comparison violation(const Sides<T, N>& sides, const Components<T>& missed, doub
   return comparison;
 }
 
+Comparison undecided() {
+  Comparison comparison;
+  comparison.is_decided = false;
+  return comparison;
+}
+
+/// An equation at an outcome, and the residual that rounding may cause. The residual is computed at first use, because
+/// a part of it decides most comparisons.
 template <class OneEquation>
-Comparison compare_one(const OneEquation& equation, Relation relation, const ExactCase& exact_case,
-                       const LiftedOutcome& outcome, const Yardstick& yardstick) {
-  const double allowance = yardstick.allowance();
-  const PerVector<double> sizes = sizes_of_outputs(exact_case, outcome, yardstick);
-  std::optional<double> scale;
-  const auto allowed = [&]() -> std::optional<double> {
-    if (allowance == 0) {
-      return 0;
-    }
-    if (!scale) {
-      scale = scale_of(equation, exact_case, outcome, sizes, allowance);
-      if (const PermittedInputs* permitted = scale ? exact_case.permitted_inputs(allowance) : nullptr) {
-        *scale +=
-            permitted_residual(equation, *permitted, exact_case.collision(), outcome.rounded(), sizes) / allowance;
-      }
-    }
-    return scale ? yardstick.allowed(*scale) : std::nullopt;
-  };
-  if (yardstick.uses_bounds()) {
-    const auto sides = equation(exact_case.bounds().enclosed(), outcome.enclosed());
-    const auto missed = maybe_missing(sides, relation);
-    // If a number is not moderate, the scale may leave the range of binary64 although its lower bound does not.
-    const bool is_moderate = exact_case.bounds().is_moderate() && outcome.is_moderate();
-    if (missed.empty() ||
-        (is_moderate &&
-         norm_at_most(missed, allowance * part_of_scale(equation, exact_case, outcome, sizes)).value_or(false))) {
-      count(Stage::enclosure);
-      return {};
+class Compared {
+ public:
+  Compared(const OneEquation& equation, Relation relation, const ExactCase& exact_case, const LiftedOutcome& outcome,
+           const Yardstick& yardstick)
+      : equation_(equation),
+        relation_(relation),
+        exact_case_(exact_case),
+        outcome_(outcome),
+        yardstick_(yardstick),
+        sizes_(sizes_of_outputs(exact_case, outcome, yardstick)) {}
+
+  /// No value if the error bounds do not decide. Precondition: yardstick.uses_bounds().
+  [[nodiscard]] std::optional<Comparison> by_enclosures() const {
+    const auto sides = equation_(exact_case_.enclosed(), outcome_.enclosed());
+    const auto missed = maybe_missing(sides, relation_);
+    if (missed.empty() || norm_at_most(missed, surely_allowed()).value_or(false)) {
+      return Comparison{};
     }
     const std::optional<double> bound = allowed();
     const std::optional<bool> within = bound ? norm_at_most(missed, *bound) : std::nullopt;
-    if (within) {
+    if (!within) {
+      return std::nullopt;
+    }
+    return *within ? Comparison{} : violation(sides, missed, *bound);
+  }
+
+  [[nodiscard]] Comparison by_rationals() const {
+    const auto sides = equation_(exact_case_.exact(), outcome_.exact());
+    const auto missed = missing(sides, relation_, [](const Rational& x, int sign) { return sign_of(x) != -sign; });
+    if (norm_at_most(missed, 0)) {
+      return {};
+    }
+    const std::optional<double> bound = allowed();
+    if (!bound) {
+      return undecided();
+    }
+    return norm_at_most(missed, *bound) ? Comparison{} : violation(sides, missed, *bound);
+  }
+
+ private:
+  /// A part of the permitted residual. If a number is not moderate, the scale may leave the range of binary64 although
+  /// this part does not, so the part is 0.
+  [[nodiscard]] double surely_allowed() const {
+    return exact_case_.is_moderate() && outcome_.is_moderate()
+               ? yardstick_.allowance() * part_of_scale(equation_, exact_case_, outcome_, sizes_)
+               : 0;
+  }
+
+  [[nodiscard]] std::optional<double> allowed() const {
+    return allowed_.get([&]() -> std::optional<double> {
+      const double allowance = yardstick_.allowance();
+      if (allowance == 0) {
+        return 0;
+      }
+      std::optional<double> scale = scale_of(equation_, exact_case_, outcome_, sizes_, allowance);
+      if (const PermittedInputs* permitted = scale ? exact_case_.permitted_inputs(allowance) : nullptr) {
+        *scale +=
+            permitted_residual(equation_, *permitted, exact_case_.collision(), outcome_.rounded(), sizes_) / allowance;
+      }
+      return scale ? yardstick_.allowed(*scale) : std::nullopt;
+    });
+  }
+
+  const OneEquation& equation_;
+  Relation relation_;
+  const ExactCase& exact_case_;
+  const LiftedOutcome& outcome_;
+  const Yardstick& yardstick_;
+  PerVector<double> sizes_;
+  Lazy<std::optional<double>> allowed_;
+};
+
+template <class OneEquation>
+Comparison compare_one(const OneEquation& equation, Relation relation, const ExactCase& exact_case,
+                       const LiftedOutcome& outcome, const Yardstick& yardstick) {
+  const Compared<OneEquation> compared(equation, relation, exact_case, outcome, yardstick);
+  if (yardstick.uses_bounds()) {
+    if (std::optional<Comparison> decided = compared.by_enclosures()) {
       count(Stage::enclosure);
-      return *within ? Comparison{} : violation(sides, missed, *bound);
+      return *std::move(decided);
     }
   }
   count(Stage::rational);
-  const auto sides = equation(exact_case.exact(), outcome.exact());
-  const auto missed = missing(sides, relation, [](const Rational& x, int sign) { return sign_of(x) != -sign; });
-  if (norm_at_most(missed, 0)) {
-    return {};
-  }
-  const std::optional<double> bound = allowed();
-  if (!bound) {
-    Comparison undecided;
-    undecided.is_decided = false;
-    return undecided;
-  }
-  if (norm_at_most(missed, *bound)) {
-    return {};
-  }
-  return violation(sides, missed, *bound);
+  return compared.by_rationals();
 }
 
 }  // namespace
@@ -360,13 +400,11 @@ Comparison compare_change_by(const LiftedMatrix& shown, const ExactCase& exact_c
   CAROM_EXPECTS(shown.is_finite());
   const ByShownMatrix equation{shown, reads_impulse_off_a(exact_case.collision())};
   if (yardstick.allowance() > 0 && !has_part_by_matrix(equation, exact_case, outcome, yardstick.allowance())) {
-    Comparison undecided;
-    undecided.is_decided = false;
-    return undecided;
+    return undecided();
   }
-  Yardstick judged_by = yardstick;
-  judged_by.filtered = yardstick.filtered && shown.is_moderate();  // products then stay in the range of numbers
-  return compare_one(equation, Relation::equal, exact_case, outcome, judged_by);
+  // Products of moderate numbers stay in the range of binary64.
+  const bool filtered = yardstick.filtered() && shown.is_moderate();
+  return compare_one(equation, Relation::equal, exact_case, outcome, yardstick.with_filters(filtered));
 }
 
 }  // namespace carom::oracles

@@ -3,12 +3,17 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include <carom/collision/expects.hpp>
+#include <carom/collision/validate.hpp>
 #include <carom/oracles/filters/definiteness_bounds.hpp>
+#include <carom/oracles/filters/moderate.hpp>
 #include <carom/oracles/judge/exact_case.hpp>
+#include <carom/oracles/judge/exact_case_bounds.hpp>
 #include <carom/oracles/judge/permitted_noise.hpp>
+#include <carom/oracles/judge/second_order.hpp>
 #include <carom/oracles/laws/certify.hpp>
 #include <carom/oracles/laws/rough.hpp>
 #include <carom/oracles/models/models.hpp>
@@ -30,80 +35,6 @@ Vector3<T> torque_arm(const BasicBody<T>& body, const BasicCollision<T>& c) {
   return lever_arm(body, c.point).cross(c.normal);
 }
 
-/// Beyond the range of numbers, a part of second order is left out.
-void drop_infinite(Sensitivity& scale) {
-  for (const OutcomeVector k : all_outcome_vectors) {
-    scale[k] = std::isfinite(scale[k]) ? scale[k] : 0;
-  }
-}
-
-/// ‖J⁻¹ (I − f fᵀ)‖_F for the unit vector f: the largest spin that a torque of length 1 across f may cause.
-double response_across(const Body& body, const Vector3<double>& f) {
-  const Vector3<double> in_body = turned<double>(conjugate(body.orientation), f);
-  return root_of_squares(3, [&](std::size_t i) {
-    const double y = in_body[static_cast<Eigen::Index>((i + 1) % 3)];
-    const double z = in_body[static_cast<Eigen::Index>((i + 2) % 3)];
-    return std::sqrt(y * y + z * z) / body.principal_inertia[static_cast<Eigen::Index>(i)];
-  });
-}
-
-/// Adds the changes of the velocities if K changes by at most `change_of(body)` ‖J⁻¹ (I − f fᵀ)‖ for each movable body,
-/// with f along the impulse F. F then changes by at most the sum of these changes times ‖F‖ / λ, because K ⪰ λI.
-template <class ChangeOf>
-void add_change_of_matrix(const Collision& c, const Vector3<double>& impulse, const ChangeOf& change_of,
-                          Sensitivity& scale) {
-  const double length = norm_of(impulse);
-  if (length == 0) {
-    return;
-  }
-  double sum = 0;
-  for (const Body* body : {&c.a, &c.b}) {
-    sum += body->immovable ? 0 : change_of(*body) * response_across(*body, impulse / length);
-  }
-  const double change = sum / inverse_mass(c) * length;
-  const auto add_body = [&](const Body& body, OutcomeVector velocity, OutcomeVector spin) {
-    if (!body.immovable) {
-      scale[velocity] += change / body.mass;
-      scale[spin] += change * norm_of(lever_arm(body, c.point)) / body.principal_inertia.minCoeff();
-    }
-  };
-  add_body(c.a, OutcomeVector::velocity_of_a, OutcomeVector::angular_velocity_of_a);
-  add_body(c.b, OutcomeVector::velocity_of_b, OutcomeVector::angular_velocity_of_b);
-}
-
-/// [δr]ᵀ J⁻¹ [δr], the change of K of second order, changes F. The first order vanishes if r × N = 0.
-void add_second_order_of_arms(const Collision& c, const Vector3<double>& impulse, Sensitivity& scale) {
-  const auto squared = [&](const Body& body) {
-    return length_of_lever_arm(body, c.point) * length_of_lever_arm(body, c.point);
-  };
-  add_change_of_matrix(c, impulse, squared, scale);
-}
-
-/// τ_k of ExactCase::sensitivity without the part by K, or zero if τ_k is beyond the range of numbers.
-Sensitivity second_order_scale(const Collision& c) {
-  double speed = 0;
-  double lambda = 0;
-  for (const Body* body : {&c.a, &c.b}) {
-    speed += norm_of(body->velocity) + norm_of(body->angular_velocity) * length_of_lever_arm(*body, c.point);
-    lambda += body->immovable ? 0 : 1 / body->mass;
-  }
-  const double impulse = 2 * speed / lambda;  // not used if both bodies are immovable
-  const auto of_velocity = [&](const Body& body) {
-    return norm_of(body.velocity) + (body.immovable ? 0 : impulse / body.mass);
-  };
-  const auto of_spin = [&](const Body& body) {
-    return norm_of(body.angular_velocity) +
-           (body.immovable ? 0 : impulse * length_of_lever_arm(body, c.point) / body.principal_inertia.minCoeff());
-  };
-  Sensitivity scale{};
-  scale[OutcomeVector::velocity_of_a] = of_velocity(c.a);
-  scale[OutcomeVector::angular_velocity_of_a] = of_spin(c.a);
-  scale[OutcomeVector::velocity_of_b] = of_velocity(c.b);
-  scale[OutcomeVector::angular_velocity_of_b] = of_spin(c.b);
-  drop_infinite(scale);
-  return scale;
-}
-
 /// Σ_q ‖∂(N·V⁻)/∂q‖ ‖q‖, from the derivatives of N·(v + w × r) with r = P − X.
 double sensitivity_of_normal_velocity(const Collision& c) {
   // A quantity that is zero contributes nothing, even if its derivative is infinite.
@@ -119,29 +50,96 @@ double sensitivity_of_normal_velocity(const Collision& c) {
   return sum + weighted(c.normal.cross(c.a.angular_velocity - c.b.angular_velocity), norm_of(c.point));
 }
 
+/// of(k) for each vector k of an outcome.
+template <class Of>
+Sensitivity per_vector(const Of& of) {
+  Sensitivity all;
+  for (const OutcomeVector k : all_outcome_vectors) {
+    all[k] = of(k);
+  }
+  return all;
+}
+
+std::optional<int> known_sign(const Enclosure& x) { return x.sign(); }
 std::optional<int> known_sign(const Rational& x) { return sign_of(x); }
 
-/// Whether no divisor of the law's formula on this branch may be zero.
-bool has_clear_divisor(const BoundedCase& bounds, Branch branch) {
-  return branch != Branch::on_cone || bounds.has_clear_divisor();
+/// An upper bound of the condition number e₁ / e₃ of a symmetric positive definite matrix with eigenvalues e₁ ≥ e₂ ≥ e₃
+/// and trace t. e₁ ≤ t, and e₁ e₂ ≤ (t/2)². So e₁ / e₃ = e₁ · e₁ e₂ / det ≤ t³ / (4 det).
+double condition_bound(const Matrix3<Enclosure>& matrix) {
+  const double trace = (matrix(0, 0) + matrix(1, 1) + matrix(2, 2)).magnitude_above();
+  const Vector3<Enclosure> c0 = matrix.col(0);
+  const Vector3<Enclosure> c1 = matrix.col(1);
+  const Vector3<Enclosure> c2 = matrix.col(2);
+  return trace * trace * trace / (4 * c0.dot(c1.cross(c2)).magnitude_below());
+}
+
+/// Whether N·V⁻, and so its sign, is known to six digits.
+bool is_known_to_six_digits(const Enclosure& x) {
+  return x.is_exactly_zero() || x.radius() < exact_case_bounds::known_radius_of_normal_velocity * x.magnitude_below();
+}
+
+Vector3<double> middle(const Vector3<Enclosure>& v) {
+  return v.unaryExpr([](const Enclosure& x) { return x.middle(); });
+}
+
+/// The Frobenius norm of the lower bounds of the entries.
+template <int Columns>
+double norm_below(const Eigen::Matrix<Enclosure, 3, Columns>& of) {
+  return root_of_squares(static_cast<std::size_t>(of.size()),
+                         [&](std::size_t i) { return of.data()[i].magnitude_below(); });
 }
 
 }  // namespace
 
-ExactCase::ExactCase(const Collision& collision, bool filtered) : filtered_(filtered), bounds_(collision) {}
+ExactCase::ExactCase(const Collision& collision, bool filtered) : collision_(collision), filtered_(filtered) {
+  CAROM_EXPECTS(validate(collision).empty(), describe(validate(collision)));
+}
 
 const BasicCollision<Rational>& ExactCase::exact() const {
   return exact_.get([this] { return lift(collision()); });
 }
 
-const BoundedCase::NormalVelocity& ExactCase::normal_velocity() const {
+const BasicCollision<Enclosure>& ExactCase::enclosed() const {
+  return enclosed_.get(
+      [this] { return map_numbers<Enclosure>(collision_, [](double number) { return Enclosure(number); }); });
+}
+
+const DualInputs<double, collision_inputs>& ExactCase::differentiated() const {
+  return *differentiated_.get([this] {
+    return std::make_unique<DualInputs<double, collision_inputs>>(
+        dual_inputs<double, collision_inputs>(collision_, [](double x) { return x; }));
+  });
+}
+
+bool ExactCase::is_moderate() const {
+  return is_moderate_.get([this] { return oracles::is_moderate(collision_); });
+}
+
+const ExactCase::NormalVelocity& ExactCase::normal_velocity() const {
   return normal_velocity_.get([this] {
-    const std::optional<BoundedCase::NormalVelocity> bounded = filtered_ ? bounds_.normal_velocity() : std::nullopt;
-    if (bounded) {
-      return *bounded;
+    if (filtered_) {
+      if (const Enclosure closely = normal_velocity_before(enclosed()); is_known_to_six_digits(closely)) {
+        return NormalVelocity{closely.middle(), *closely.sign()};
+      }
     }
     const Rational exactly = normal_velocity_before(exact());
-    return BoundedCase::NormalVelocity{to_double(exactly), sign_of(exactly)};
+    return NormalVelocity{to_double(exactly), sign_of(exactly)};
+  });
+}
+
+const Vector3<double>& ExactCase::relative_velocity() const {
+  return relative_velocity_.get(
+      [this] { return middle(oracles::relative_velocity<Enclosure>(enclosed(), unchanged(enclosed()))); });
+}
+
+const Sensitivity& ExactCase::norms_before() const {
+  return norms_before_.get([this] { return oracles::norms_before(collision_); });
+}
+
+const ExactCase::StopImpulses& ExactCase::stop_impulses() const {
+  return stop_impulses_.get([this] {
+    const detail::RoughImpulses<Enclosure> of(enclosed(), &enclosed_collision_matrix());
+    return StopImpulses{middle(of.stops_approach), middle(of.stops_point)};
   });
 }
 
@@ -174,7 +172,7 @@ const PermittedInputs* ExactCase::permitted_inputs(double allowance) const {
       .get(allowance,
            [&] {
              return PermittedInputs::first_order_is_blind(collision(), allowance, normal_velocity_sensitivity())
-                        ? std::make_unique<PermittedInputs>(bounds_, allowance)
+                        ? std::make_unique<PermittedInputs>(*this, allowance)
                         : nullptr;
            })
       .get();
@@ -190,15 +188,31 @@ Branch ExactCase::branch(Law law) const {
 
 bool ExactCase::is_inside_cone() const {
   return is_inside_cone_.get([this] {
-    const std::optional<bool> bounded = filtered_ ? bounds_.is_inside_cone() : std::nullopt;
-    return bounded ? *bounded : *oracles::is_inside_cone<Rational>(exact(), nullptr, &known_sign);
+    const auto sign = [](const auto& x) { return known_sign(x); };
+    const std::optional<bool> bounded =
+        filtered_ ? oracles::is_inside_cone(enclosed(), &enclosed_collision_matrix(), sign) : std::nullopt;
+    return bounded ? *bounded : *oracles::is_inside_cone<Rational>(exact(), nullptr, sign);
   });
 }
 
 bool ExactCase::reaches_cone() const {
   return reaches_cone_.get([this] {
-    const std::optional<bool> bounded = filtered_ ? bounds_.reaches_cone() : std::nullopt;
-    return bounded ? *bounded : *oracles::reaches_cone<Rational>(exact(), nullptr, &known_sign);
+    const auto sign = [](const auto& x) { return known_sign(x); };
+    const std::optional<bool> bounded =
+        filtered_ ? oracles::reaches_cone(enclosed(), &enclosed_collision_matrix(), sign) : std::nullopt;
+    return bounded ? *bounded : *oracles::reaches_cone<Rational>(exact(), nullptr, sign);
+  });
+}
+
+bool ExactCase::has_clear_divisor() const {
+  CAROM_EXPECTS(is_moderate());
+  return has_clear_divisor_.get([this] {
+    const BasicCollision<Enclosure>& c = enclosed();
+    const Vector3<Enclosure> d = detail::RoughImpulses<Enclosure>(c, &enclosed_collision_matrix()).difference();
+    const Vector3<Enclosure> tangential = c.normal.cross(d);
+    const double terms = sqrt(Enclosure(tangential.dot(tangential))).magnitude_above() +
+                         (c.friction * c.normal.dot(d)).magnitude_above();
+    return Rough::divisor<Enclosure>(c, d).magnitude_below() >= exact_case_bounds::least_share_of_divisor * terms;
   });
 }
 
@@ -248,11 +262,10 @@ bool ExactCase::is_near_cone_surface(Law law, double allowance) const {
     return false;
   }
   const ConeDistance& distance = cone_distance_.get([this] {
-    return bounds_.is_moderate() && bounds_.is_well_conditioned() ? cone_distance(collision())
-                                                                  : enclosed_cone_distance(collision());
+    return is_moderate() && is_well_conditioned() ? cone_distance(collision()) : enclosed_cone_distance(collision());
   });
   const PermittedInputs* permitted = permitted_inputs(allowance);
-  return distance.is_within(allowance) || (permitted != nullptr && permitted->reach_both_sides_of_cone(bounds_));
+  return distance.is_within(allowance) || (permitted != nullptr && permitted->reach_both_sides_of_cone(*this));
 }
 
 bool ExactCase::acts_at_once_here(Law law, double allowance) const {
@@ -269,11 +282,22 @@ Approach ExactCase::answered_as(Law law, Approach as) const {
   return acts ? as : approach();
 }
 
+const Truth<Enclosure>& ExactCase::colliding_truth(Law law) const {
+  return of(law).enclosed_truth.get([&] {
+    const Branch side = branch(law);
+    // An impulse along N needs K N alone. The sum over columns of K would cancel if a lever arm is along N.
+    const bool is_along_normal =
+        with_law(law, side, []<class LawType>(LawType) { return std::is_same_v<LawType, Frictionless>; });
+    return oracles::colliding_truth(enclosed(), law, side, is_along_normal ? nullptr : &enclosed_collision_matrix());
+  });
+}
+
+Vector3<double> ExactCase::colliding_impulse(Law law) const { return middle(colliding_truth(law).impulse); }
+
 const Truth<Enclosure>& ExactCase::enclosed_truth(Law law, Approach as) const {
-  if (answered_as(law, as) == Approach::colliding) {
-    return bounds_.colliding_truth(law, branch(law));
-  }
-  return enclosed_unchanged_.get([&] { return truth_of(bounds_.enclosed(), law, as, Branch::only); });
+  return answered_as(law, as) == Approach::colliding
+             ? colliding_truth(law)
+             : enclosed_unchanged_.get([&] { return truth_of(enclosed(), law, as, Branch::only); });
 }
 
 void ExactCase::check_enclosed_truth(Law law, Approach as) const {
@@ -283,7 +307,7 @@ void ExactCase::check_enclosed_truth(Law law, Approach as) const {
   }
   is_enclosed_truth_checked_.get({law, as}, [&] {
     const Truth<Enclosure>& truth = enclosed_truth(law, as);
-    if (const char* const name = first_refuted(collision(), bounds_.enclosed(), law, as, truth.outcome)) {
+    if (const char* const name = first_refuted(collision(), enclosed(), law, as, truth.outcome)) {
       throw JudgeError(std::string("the enclosed truth does not satisfy ") + name, collision());
     }
     return true;
@@ -292,13 +316,10 @@ void ExactCase::check_enclosed_truth(Law law, Approach as) const {
 
 const Sensitivity& ExactCase::unchanged_sensitivity() const {
   return unchanged_sensitivity_.get([this] {
-    Sensitivity sum = bounds_.norms_before();
     const Outcome<double> outcome = unchanged(collision());
-    for (const OutcomeVector k : all_outcome_vectors) {
-      // The derivative of a vector with respect to itself is the identity, whose Frobenius norm is √3.
-      sum[k] += std::sqrt(3.0) * norm_of(*vectors(outcome)[k]);
-    }
-    return sum;
+    // The derivative of a vector with respect to itself is the identity, whose Frobenius norm is √3.
+    return per_vector(
+        [&](OutcomeVector k) { return norms_before()[k] + std::sqrt(3.0) * norm_of(*vectors(outcome)[k]); });
   });
 }
 
@@ -317,71 +338,54 @@ Sensitivity ExactCase::sensitivity_with_noise(Law law, const Yardstick& yardstic
 Sensitivity ExactCase::sensitivity_as(Law law, Approach as, double allowance) const {
   const bool collides = as == Approach::colliding &&
                         (approach() == Approach::colliding || branch(law) != Branch::on_cone || reaches_cone());
-  Sensitivity sum = collides ? colliding_first_order(law, branch(law)) : unchanged_sensitivity();
-  if (collides && is_near_cone_surface(law, allowance) && reaches_cone()) {
+  return collides
+             ? colliding_sensitivity(law, allowance)
+             : per_vector([&](OutcomeVector k) { return unchanged_sensitivity()[k] + allowance * second_order()[k]; });
+}
+
+Sensitivity ExactCase::colliding_sensitivity(Law law, double allowance) const {
+  Sensitivity sum = colliding_first_order(law, branch(law));
+  const auto at_least = [&](const auto& other) {
+    sum = per_vector([&](OutcomeVector k) { return std::max(sum[k], other(k)); });
+  };
+  if (is_near_cone_surface(law, allowance) && reaches_cone()) {
     const Sensitivity& beyond = colliding_first_order(law, other_side(branch(law)));
-    for (const OutcomeVector k : all_outcome_vectors) {
-      sum[k] = std::max(sum[k], beyond[k]);
-    }
+    at_least([&](OutcomeVector k) { return beyond[k]; });
   }
-  const bool grazes = collides && is_grazing(allowance);
-  for (const OutcomeVector k : all_outcome_vectors) {
-    sum[k] += allowance * second_order()[k];
-    if (collides) {
-      sum[k] += allowance * (second_order_of_arms(law)[k] + (grazes ? second_order_from_rest()[k] : 0));
-    }
-  }
-  if (const PermittedInputs* permitted = collides ? permitted_inputs(allowance) : nullptr) {
-    const Branch side = branch(law);
-    const Vector3<double> impulse =
-        bounds_.colliding_truth(law, side).impulse.unaryExpr([](const Enclosure& x) { return x.middle(); });
+  const bool grazes = is_grazing(allowance);
+  sum = per_vector([&](OutcomeVector k) {
+    return sum[k] + allowance * second_order()[k] +
+           allowance * (second_order_of_arms(law)[k] + (grazes ? second_order_from_rest()[k] : 0));
+  });
+  if (const PermittedInputs* permitted = permitted_inputs(allowance)) {
     const bool from_rest = approach() != Approach::colliding && !acts_at_once_here(law, allowance);
-    const PerVector<double> distance = permitted->distance_of_answers(bounds_, impulse, law, side, from_rest);
-    for (const OutcomeVector k : all_outcome_vectors) {
-      sum[k] = std::max(sum[k], distance[k] / allowance);
-    }
+    const PerVector<double> distance =
+        permitted->distance_of_answers(*this, colliding_impulse(law), law, branch(law), from_rest);
+    at_least([&](OutcomeVector k) { return distance[k] / allowance; });
   }
   return sum;
 }
 
 const Sensitivity& ExactCase::second_order() const {
-  return second_order_.get([this] { return second_order_scale(collision()); });
+  return second_order_.get([this] { return oracles::second_order(collision()); });
 }
 
 const Sensitivity& ExactCase::second_order_of_arms(Law law) const {
-  return of(law).second_order_of_arms.get([&] {
+  return of(law).second_order_of_arms.get([&]() -> Sensitivity {
     const Collision& c = collision();
-    Sensitivity scale{};
-    if (branch(law) != Branch::only) {
-      // F = (1 + ε) P_I + κ (P_II − P_I) with κ ≤ 1 + e_t.
-      const double share = 1 + c.tangential_restitution;
-      add_second_order_of_arms(c, (1 + c.restitution + share) * bounds_.stop_impulses().of_approach, scale);
-      add_second_order_of_arms(c, share * bounds_.stop_impulses().of_point, scale);
-    } else {
-      add_second_order_of_arms(
-          c, bounds_.colliding_truth(law, branch(law)).impulse.unaryExpr([](const Enclosure& x) { return x.middle(); }),
-          scale);
+    if (branch(law) == Branch::only) {
+      return oracles::second_order_of_arms(c, {colliding_impulse(law)});
     }
-    drop_infinite(scale);
-    return scale;
+    // F = (1 + ε) P_I + κ (P_II − P_I) with κ ≤ 1 + e_t.
+    const double share = 1 + c.tangential_restitution;
+    return oracles::second_order_of_arms(
+        c, {(1 + c.restitution + share) * stop_impulses().of_approach, share * stop_impulses().of_point});
   });
 }
 
 const Sensitivity& ExactCase::second_order_from_rest() const {
-  return second_order_from_rest_.get([this] {
-    const Collision& c = collision();
-    const double normal = norm_of(c.normal);
-    // |N·V⁻| and its rounding are at most the allowance times the sensitivity each, and λ ‖F‖ ≤ (1 + ε) |N·V⁻| / ‖N‖.
-    const double impulse =
-        (1 + c.restitution) * 2 * normal_velocity_sensitivity() / (normal * oracles::inverse_mass(c));
-    const auto crossed = [&](const Body& body) {
-      return 2 * length_of_lever_arm(body, c.point) * norm_of(lever_arm(body, c.point));
-    };
-    Sensitivity scale{};
-    add_change_of_matrix(c, c.normal * (impulse / normal), crossed, scale);
-    drop_infinite(scale);
-    return scale;
-  });
+  return second_order_from_rest_.get(
+      [this] { return oracles::second_order_from_rest(collision(), normal_velocity_sensitivity()); });
 }
 
 bool ExactCase::has_two_answers(Law law, double allowance) const {
@@ -396,12 +400,12 @@ bool ExactCase::has_two_answers(Law law, double allowance) const {
 const Sensitivity& ExactCase::colliding_first_order(Law law, Branch branch) const {
   // Binary64 or double-double arithmetic if it does not lose too many digits, otherwise exact arithmetic.
   return of(law).colliding_sensitivity[branch].get([&]() -> Sensitivity {
-    if (bounds_.is_moderate() && bounds_.is_well_conditioned() && has_clear_divisor(bounds_, branch)) {
+    if (is_moderate() && is_well_conditioned() && has_clear_divisor(branch)) {
       if (const auto known = colliding_sensitivity(collision(), law, branch)) {
         return *known;
       }
     }
-    if (const auto known = enclosed_sensitivity(collision(), law, branch, bounds_.is_moderate())) {
+    if (const auto known = enclosed_sensitivity(collision(), law, branch, is_moderate())) {
       return *known;
     }
     return exact_sensitivity(collision(), law, branch);
@@ -409,27 +413,57 @@ const Sensitivity& ExactCase::colliding_first_order(Law law, Branch branch) cons
 }
 
 bool ExactCase::is_moderate(Law law) const {
-  return bounds_.is_moderate() && (approach() == Approach::inert || has_clear_divisor(bounds_, branch(law)));
+  return is_moderate() && (approach() == Approach::inert || has_clear_divisor(branch(law)));
 }
 
 const Sensitivity& ExactCase::sensitivity_below(Law law) const {
   CAROM_EXPECTS(is_moderate(law), law);
-  return approach() == Approach::colliding ? bounds_.colliding_sensitivity_below(law, branch(law))
-                                           : bounds_.norms_before();
+  if (approach() != Approach::colliding) {
+    return norms_before();
+  }
+  return of(law).sensitivity_below.get([&] {
+    const Outcome<Enclosure>& outcome = colliding_truth(law).outcome;
+    return per_vector([&](OutcomeVector k) { return norms_before()[k] + norm_below(*vectors(outcome)[k]) / 2; });
+  });
 }
 
 const Matrix3<Rational>& ExactCase::collision_matrix() const {
   return collision_matrix_.get([this] { return response_matrix(exact()); });
 }
 
+const Matrix3<Enclosure>& ExactCase::enclosed_collision_matrix() const {
+  return enclosed_collision_matrix_.get([this] { return response_matrix(enclosed()); });
+}
+
+bool ExactCase::is_well_conditioned() const {
+  constexpr double well_conditioned = 1 << 20;
+  return condition_bound(enclosed_collision_matrix()) < well_conditioned;
+}
+
 double ExactCase::collision_matrix_sensitivity(double allowance) const {
   const double first_order = collision_matrix_sensitivity_.get([this] {
-    const auto k = response_matrix(bounds_.differentiated().collision);
+    const auto k = response_matrix(differentiated().collision);
     return sensitivity_of({&k(0, 0), &k(0, 1), &k(0, 2), &k(1, 0), &k(1, 1), &k(1, 2), &k(2, 0), &k(2, 1), &k(2, 2)},
-                          bounds_.differentiated().quantities);
+                          differentiated().quantities);
   });
   const PermittedInputs* permitted = permitted_inputs(allowance);
   return first_order + (permitted != nullptr ? permitted->second_order_of_matrix() / allowance : 0);
+}
+
+double ExactCase::collision_matrix_sensitivity_below() const {
+  CAROM_EXPECTS(is_moderate());
+  return collision_matrix_sensitivity_below_.get([this] {
+    double largest_terms{};
+    for (const Body* body : {&collision_.a, &collision_.b}) {
+      if (!body->immovable) {
+        largest_terms += lever_arm(*body, collision_.point).squaredNorm() / body->principal_inertia.minCoeff();
+      }
+    }
+    const double norm = norm_below(enclosed_collision_matrix());
+    const double lambda = inverse_mass(enclosed()).magnitude_below();
+    return norm >= exact_case_bounds::least_share_of_largest_terms * largest_terms ? std::max(norm, lambda) / 2
+                                                                                   : lambda / 2;
+  });
 }
 
 bool ExactCase::is_definite() const {
@@ -444,7 +478,7 @@ bool ExactCase::is_bounded_by(const Rational& bound) const {
     return is_at_most(collision_matrix(), bound);
   }
   const std::optional<bool> decided = is_positive_semidefinite(
-      less_multiple_of_identity<Enclosure>(-bounds_.collision_matrix(), Enclosure(Rational(-bound))));
+      less_multiple_of_identity<Enclosure>(-enclosed_collision_matrix(), Enclosure(Rational(-bound))));
   return decided ? *decided : is_at_most_by_enclosures(collision_matrix(), bound);
 }
 
@@ -452,7 +486,7 @@ bool ExactCase::is_collinear() const {
   return is_collinear_.get([this] {
     const auto is_along_normal = [&](BasicBody<Rational> BasicCollision<Rational>::*exact_body,
                                      BasicBody<Enclosure> BasicCollision<Enclosure>::*near_body) {
-      const BasicCollision<Enclosure>& near = bounds_.enclosed();
+      const BasicCollision<Enclosure>& near = enclosed();
       if ((near.*near_body).immovable) {
         return true;
       }
@@ -468,9 +502,9 @@ bool ExactCase::is_head_on() const {
   return is_head_on_.get([this] {
     const auto tangential = [](const auto& c) {
       using T = std::decay_t<decltype(c.restitution)>;
-      return Vector3<T>(c.normal.cross(relative_velocity<T>(c, unchanged(c))));
+      return Vector3<T>(c.normal.cross(oracles::relative_velocity<T>(c, unchanged(c))));
     };
-    return !(filtered_ && is_surely_not_zero(tangential(bounds_.enclosed()))) && is_zero(tangential(exact()));
+    return !(filtered_ && is_surely_not_zero(tangential(enclosed()))) && is_zero(tangential(exact()));
   });
 }
 

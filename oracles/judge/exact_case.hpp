@@ -4,24 +4,42 @@
 #include <memory>
 #include <utility>
 
-#include <carom/oracles/filters/bounded_case.hpp>
 #include <carom/oracles/filters/lazy.hpp>
 #include <carom/oracles/judge/permitted_inputs.hpp>
 #include <carom/oracles/judge/yardstick.hpp>
+#include <carom/oracles/laws/branch.hpp>
+#include <carom/oracles/laws/equations.hpp>
+#include <carom/oracles/laws/truth.hpp>
+#include <carom/oracles/models/sensitivity.hpp>
+#include <carom/oracles/numbers/inputs.hpp>
 
 namespace carom::oracles {
 
-/// A valid collision, and exact facts about it. Each fact is computed on first use. For one thread. λ is 1/m_A + 1/m_B.
+/// A valid collision, and facts about it: exact, or in arithmetic with error bounds. Each fact is computed on first
+/// use. For one thread. λ is 1/m_A + 1/m_B. y_k are the vectors of an outcome, and y_k⁻ those before the impulse.
 class ExactCase {
  public:
   /// If `filtered`, numbers with error bounds may decide a fact before ℚ. The facts are the same. Precondition: the
   /// collision is valid.
   explicit ExactCase(const Collision& collision, bool filtered = true);
 
-  [[nodiscard]] const Collision& collision() const { return bounds_.collision(); }
+  [[nodiscard]] const Collision& collision() const { return collision_; }
   [[nodiscard]] const BasicCollision<Rational>& exact() const;
+  [[nodiscard]] const BasicCollision<Enclosure>& enclosed() const;
+  [[nodiscard]] const DualInputs<double, collision_inputs>& differentiated() const;
 
-  [[nodiscard]] const BoundedCase& bounds() const { return bounds_; }
+  /// Whether the collision is moderate (moderate.hpp), so that its scales and sensitivities are finite.
+  [[nodiscard]] bool is_moderate() const;
+
+  struct NormalVelocity {
+    double value;  // rounded, correct to six digits
+    int sign;      // −1, 0 or 1
+  };
+  /// N·V⁻.
+  [[nodiscard]] const NormalVelocity& normal_velocity() const;
+
+  /// V⁻, rounded from enclosures, because cancellation in binary64 may leave V⁻ without a correct digit.
+  [[nodiscard]] const Vector3<double>& relative_velocity() const;
 
   [[nodiscard]] Approach approach() const;
 
@@ -33,6 +51,23 @@ class ExactCase {
 
   /// Whether the permitted inputs include both colliding and separating contacts.
   [[nodiscard]] bool is_grazing(double allowance) const;
+
+  /// ‖y_k⁻‖, a lower bound of the sensitivity of y_k.
+  [[nodiscard]] const Sensitivity& norms_before() const;
+
+  /// ‖∂g/∂y_k‖ of an equation g for each k. `differentiate` computes these norms on first use.
+  template <class Differentiate>
+  [[nodiscard]] const PerVector<double>& slopes(AffineEquation equation, const Differentiate& differentiate) const {
+    return slopes_[equation].get(differentiate);
+  }
+
+  /// The impulses P_I and P_II of the law `rough` (models/rough.hpp), rounded from enclosures.
+  struct StopImpulses {
+    Vector3<double> of_approach;  // P_I
+    Vector3<double> of_point;     // P_II
+  };
+  /// Precondition: a body is movable.
+  [[nodiscard]] const StopImpulses& stop_impulses() const;
 
   /// The formula by which the law answers if the contact collides. Preconditions: a body is movable; the law is one
   /// of `laws_with_truth`.
@@ -104,15 +139,29 @@ class ExactCase {
   /// surface. If so, `accuracy` decides nothing.
   [[nodiscard]] bool is_open(Law law, double allowance) const;
 
-  /// A cheap lower bound of `sensitivity`: BoundedCase::colliding_sensitivity_below if the contact collides, otherwise
-  /// ‖y_k⁻‖, even if the contact grazes. Precondition: is_moderate(law).
+  /// Whether the sensitivity of `rough` on the cone's surface is certainly finite. Preconditions: is_moderate(); a body
+  /// is movable.
+  [[nodiscard]] bool has_clear_divisor() const;
+
+  /// A cheap lower bound of `sensitivity`: ‖y_k⁻‖, plus ½ ‖y_k‖ for the answer y if the contact collides. It is ‖y_k⁻‖
+  /// even if the contact grazes. y is homogeneous of degree one in the velocities. So the part of Σ_q ‖∂y_k/∂q‖ ‖q‖ by
+  /// the velocities is at least ‖y_k‖ (Euler). The factor ½ covers the rounding of this bound and of the sensitivity.
+  /// Precondition: is_moderate(law).
   [[nodiscard]] const Sensitivity& sensitivity_below(Law law) const;
 
   [[nodiscard]] const Matrix3<Rational>& collision_matrix() const;
+  [[nodiscard]] const Matrix3<Enclosure>& enclosed_collision_matrix() const;
+
+  /// Whether bounds show that the condition number of K is below 2²⁰. An inverse of K in binary64 then keeps ten
+  /// digits.
+  [[nodiscard]] bool is_well_conditioned() const;
 
   /// Σ_q ‖∂K/∂q‖ ‖q‖. If PermittedInputs::first_order_is_blind, the sum includes the effect of the squared changes of
   /// the lever arms.
   [[nodiscard]] double collision_matrix_sensitivity(double allowance) const;
+  /// A lower bound of Σ_q ‖∂K/∂q‖ ‖q‖ (exact_case_bounds.hpp): λ/2, or ‖K‖_F/2 if this is larger and ‖K‖_F exceeds its
+  /// rounding errors. Precondition: is_moderate().
+  [[nodiscard]] double collision_matrix_sensitivity_below() const;
 
   /// Whether λI ⪯ K, decided exactly. This always holds, because K − λI is the sum of [r]ᵀ J⁻¹ [r] ⪰ 0 over the movable
   /// bodies, with [r] y = r × y.
@@ -131,12 +180,22 @@ class ExactCase {
   struct OfLaw {
     Lazy<Truth<Rational>> truth;
     Lazy<Truth<Radical>> truth_on_cone;
+    Lazy<Truth<Enclosure>> enclosed_truth;
     PerBranch<Lazy<Sensitivity>> colliding_sensitivity;
+    Lazy<Sensitivity> sensitivity_below;
     Lazy<Sensitivity> second_order_of_arms;
   };
 
-  [[nodiscard]] const BoundedCase::NormalVelocity& normal_velocity() const;
+  /// The law's answer to a contact that collides, to about 100 bits, with error bounds. Precondition: a body is
+  /// movable.
+  [[nodiscard]] const Truth<Enclosure>& colliding_truth(Law law) const;
+  /// Its impulse, rounded.
+  [[nodiscard]] Vector3<double> colliding_impulse(Law law) const;
+  /// Whether no divisor of the law's formula on this branch may be zero. Precondition: is_moderate().
+  [[nodiscard]] bool has_clear_divisor(Branch branch) const { return branch != Branch::on_cone || has_clear_divisor(); }
   [[nodiscard]] const Sensitivity& unchanged_sensitivity() const;
+  /// The sensitivity of the colliding answer.
+  [[nodiscard]] Sensitivity colliding_sensitivity(Law law, double allowance) const;
   [[nodiscard]] const Sensitivity& colliding_first_order(Law law, Branch branch) const;
   [[nodiscard]] bool is_inside_cone() const;
   [[nodiscard]] bool reaches_cone() const;
@@ -159,25 +218,35 @@ class ExactCase {
     return of_law_.get(law, [] { return OfLaw(); });
   }
 
+  Collision collision_;
   bool filtered_;
+  Lazy<BasicCollision<Rational>> exact_;
+  Lazy<BasicCollision<Enclosure>> enclosed_;
+  Lazy<std::unique_ptr<DualInputs<double, collision_inputs>>> differentiated_;  // large and seldom used
+  Lazy<bool> is_moderate_;
+  Lazy<NormalVelocity> normal_velocity_;
+  Lazy<double> normal_velocity_sensitivity_;
+  Lazy<Vector3<double>> relative_velocity_;
+  Lazy<Sensitivity> norms_before_;
+  PerAffineEquation<Lazy<PerVector<double>>> slopes_;
+  LazyMap<double, std::unique_ptr<PermittedInputs>> permitted_inputs_;
+  Lazy<StopImpulses> stop_impulses_;
   Lazy<bool> is_inside_cone_;
   Lazy<bool> reaches_cone_;
-  Lazy<BoundedCase::NormalVelocity> normal_velocity_;
-  Lazy<double> normal_velocity_sensitivity_;
-  LazyMap<double, std::unique_ptr<PermittedInputs>> permitted_inputs_;
+  Lazy<bool> has_clear_divisor_;
+  Lazy<ConeDistance> cone_distance_;
   LazyMap<Law, OfLaw> of_law_;
   LazyMap<std::pair<Law, Approach>, double> sizes_of_change_;
   LazyMap<std::pair<Law, Approach>, bool> is_enclosed_truth_checked_;
-  BoundedCase bounds_;
-  Lazy<BasicCollision<Rational>> exact_;
-  Lazy<ConeDistance> cone_distance_;
   Lazy<Truth<Rational>> unchanged_;
   Lazy<Truth<Enclosure>> enclosed_unchanged_;
   Lazy<Sensitivity> unchanged_sensitivity_;
   Lazy<Sensitivity> second_order_;
   Lazy<Sensitivity> second_order_from_rest_;
   Lazy<Matrix3<Rational>> collision_matrix_;
+  Lazy<Matrix3<Enclosure>> enclosed_collision_matrix_;
   Lazy<double> collision_matrix_sensitivity_;
+  Lazy<double> collision_matrix_sensitivity_below_;
   Lazy<bool> is_definite_;
   Lazy<bool> is_collinear_;
   Lazy<bool> is_head_on_;

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include <carom/collision/expects.hpp>
-#include <carom/oracles/judge/permitted_inputs.hpp>
+#include <carom/oracles/judge/exact_case.hpp>
 #include <carom/oracles/models/models.hpp>
 
 namespace carom::oracles {
@@ -14,9 +14,9 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-PermittedInputs::PermittedInputs(const BoundedCase& bounds, double allowance) : allowance_(allowance) {
+PermittedInputs::PermittedInputs(const ExactCase& exact_case, double allowance) : allowance_(allowance) {
   CAROM_EXPECTS(0 < allowance && allowance < 0.5, allowance);
-  const Collision& c = bounds.collision();
+  const Collision& c = exact_case.collision();
   const VectorBall point = vector(c.point);
   const auto body_with_arm = [&](const Body& body) -> OfBody {
     const VectorBall position{body.position, allowance * length_of_position(body)};
@@ -30,7 +30,7 @@ PermittedInputs::PermittedInputs(const BoundedCase& bounds, double allowance) : 
   const auto at_point = [&](const OfBody& of) {
     return vector(of.body.velocity) + cross(vector(of.body.angular_velocity), of.arm);
   };
-  relative_velocity_ = {bounds.relative_velocity(), (at_point(a_) - at_point(b_)).radius};
+  relative_velocity_ = {exact_case.relative_velocity(), (at_point(a_) - at_point(b_)).radius};
   normal_velocity_ = dot(unit_normal_, relative_velocity_);
   restitution_ = scalar(c.restitution);
   friction_ = scalar(c.friction);
@@ -104,9 +104,9 @@ VectorBall PermittedInputs::by_matrix(const Vector3<double>& impulse, double rad
   return {impulse, missed / least_inverse_mass_};
 }
 
-PermittedInputs::RoughParts PermittedInputs::rough_parts(const BoundedCase& bounds) const {
-  const VectorBall stops_approach = along_normal(bounds.stop_impulses().of_approach, normal_velocity_.radius);
-  const VectorBall stops_point = by_matrix(bounds.stop_impulses().of_point, relative_velocity_.radius);
+PermittedInputs::RoughParts PermittedInputs::rough_parts(const ExactCase& exact_case) const {
+  const VectorBall stops_approach = along_normal(exact_case.stop_impulses().of_approach, normal_velocity_.radius);
+  const VectorBall stops_point = by_matrix(exact_case.stop_impulses().of_point, relative_velocity_.radius);
   const VectorBall difference = stops_point - stops_approach;
   const ScalarBall numerator = friction_ * (ScalarBall{1, 0} + restitution_) * dot(unit_normal_, stops_approach);
   const VectorBall tangential = cross(unit_normal_, difference);
@@ -119,8 +119,8 @@ PermittedInputs::RoughParts PermittedInputs::rough_parts(const BoundedCase& boun
           share(numerator.largest(), divisor.least())};
 }
 
-VectorBall PermittedInputs::rough(const BoundedCase& bounds, const Vector3<double>& impulse) const {
-  const RoughParts parts = rough_parts(bounds);
+VectorBall PermittedInputs::rough(const ExactCase& exact_case, const Vector3<double>& impulse) const {
+  const RoughParts parts = rough_parts(exact_case);
   const VectorBall along = (ScalarBall{1, 0} + restitution_) * parts.stops_approach;
   const Vector3<double>& d = parts.difference.centre;
   const Vector3<double> friction = impulse - along.centre;
@@ -132,7 +132,7 @@ VectorBall PermittedInputs::rough(const BoundedCase& bounds, const Vector3<doubl
   return {impulse, along.radius + largest * parts.difference.radius + change * length};
 }
 
-VectorBall PermittedInputs::impulses(const BoundedCase& bounds, const Vector3<double>& impulse, Law law,
+VectorBall PermittedInputs::impulses(const ExactCase& exact_case, const Vector3<double>& impulse, Law law,
                                      Branch branch) const {
   const ScalarBall rebound = ScalarBall{1, 0} + restitution_;
   switch (law == Law::rough && branch == Branch::only ? Law::frictionless : law) {
@@ -143,7 +143,7 @@ VectorBall PermittedInputs::impulses(const BoundedCase& bounds, const Vector3<do
     case Law::sticking:
       return by_matrix(impulse, (relative_velocity_ + (restitution_ * normal_velocity_) * unit_normal_).radius);
     case Law::rough:
-      return rough(bounds, impulse);
+      return rough(exact_case, impulse);
     case Law::coulomb:
     case Law::any:
       break;
@@ -151,10 +151,10 @@ VectorBall PermittedInputs::impulses(const BoundedCase& bounds, const Vector3<do
   determines_no_outcome(law);
 }
 
-PerVector<double> PermittedInputs::distance_of_answers(const BoundedCase& bounds, const Vector3<double>& impulse,
+PerVector<double> PermittedInputs::distance_of_answers(const ExactCase& exact_case, const Vector3<double>& impulse,
                                                        Law law, Branch branch, bool from_rest) const {
   CAROM_EXPECTS(!(a_.body.immovable && b_.body.immovable));
-  VectorBall all = impulses(bounds, impulse, law, branch);
+  VectorBall all = impulses(exact_case, impulse, law, branch);
   if (from_rest) {
     all = {Vector3<double>::Zero(), all.largest()};
   }
@@ -187,9 +187,9 @@ double PermittedInputs::second_order_of_matrix() const {
   return sum;
 }
 
-bool PermittedInputs::reach_both_sides_of_cone(const BoundedCase& bounds) const {
+bool PermittedInputs::reach_both_sides_of_cone(const ExactCase& exact_case) const {
   CAROM_EXPECTS(!(a_.body.immovable && b_.body.immovable));
-  const RoughParts parts = rough_parts(bounds);
+  const RoughParts parts = rough_parts(exact_case);
   return !(parts.least_share > whole_share_.largest()) && !(parts.largest_share < whole_share_.least());
 }
 

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <carom/oracles/filters/bounded_case.hpp>
+#include <carom/collision/law.hpp>
+#include <carom/oracles/laws/branch.hpp>
 #include <carom/oracles/numbers/ball.hpp>
 
 namespace carom::oracles {
+
+class ExactCase;
 
 /// All collisions whose quantities (quantities.hpp) differ from those of a given collision by at most `allowance` times
 /// their lengths. The class encloses a law's answers to these collisions. The judge uses it if derivatives do not
@@ -12,7 +15,7 @@ namespace carom::oracles {
 class PermittedInputs {
  public:
   /// Preconditions: the collision is valid; 0 < allowance < 1/2.
-  PermittedInputs(const BoundedCase& bounds, double allowance);
+  PermittedInputs(const ExactCase& exact_case, double allowance);
 
   /// Whether derivatives fail to describe the law's answers to permitted inputs, by conditions 1 to 3 of
   /// docs/reference/yardstick.md#hard-cases. `normal_velocity_sensitivity` is Σ_q ‖∂(N·V⁻)/∂q‖ ‖q‖.
@@ -24,14 +27,14 @@ class PermittedInputs {
 
   /// For each vector, an upper bound of the distance from y to the law's answers to permitted inputs. The vector y
   /// belongs to the law's colliding answer, with the impulse `impulse`. If `from_rest`, y is the vector before the
-  /// impulse instead. The bound is infinite if a number leaves the range of binary64. Preconditions: `bounds` is that
-  /// of the constructor; a body is movable; the law is one of `laws_with_truth`.
-  [[nodiscard]] PerVector<double> distance_of_answers(const BoundedCase& bounds, const Vector3<double>& impulse,
+  /// impulse instead. The bound is infinite if a number leaves the range of binary64. Preconditions: `exact_case` is
+  /// that of the constructor; a body is movable; the law is one of `laws_with_truth`.
+  [[nodiscard]] PerVector<double> distance_of_answers(const ExactCase& exact_case, const Vector3<double>& impulse,
                                                       Law law, Branch branch, bool from_rest) const;
 
   /// Whether answers of the law `rough` to permitted inputs may lie on both sides of the cone's surface.
-  /// Preconditions: `bounds` is that of the constructor; a body is movable.
-  [[nodiscard]] bool reach_both_sides_of_cone(const BoundedCase& bounds) const;
+  /// Preconditions: `exact_case` is that of the constructor; a body is movable.
+  [[nodiscard]] bool reach_both_sides_of_cone(const ExactCase& exact_case) const;
 
   /// An upper bound of the second-order change of K by changes δr of the lever arms: Σ ‖[δr]ᵀ J⁻¹ [δr]‖ over the
   /// bodies, with [δr] y = δr × y.
@@ -78,9 +81,9 @@ class PermittedInputs {
   [[nodiscard]] VectorBall along_normal(const Vector3<double>& impulse, double radius) const;
   /// All impulses F′ with ‖K′ F′ − K F‖ ≤ `radius`, for F = `impulse`.
   [[nodiscard]] VectorBall by_matrix(const Vector3<double>& impulse, double radius) const;
-  [[nodiscard]] RoughParts rough_parts(const BoundedCase& bounds) const;
-  [[nodiscard]] VectorBall rough(const BoundedCase& bounds, const Vector3<double>& impulse) const;
-  [[nodiscard]] VectorBall impulses(const BoundedCase& bounds, const Vector3<double>& impulse, Law law,
+  [[nodiscard]] RoughParts rough_parts(const ExactCase& exact_case) const;
+  [[nodiscard]] VectorBall rough(const ExactCase& exact_case, const Vector3<double>& impulse) const;
+  [[nodiscard]] VectorBall impulses(const ExactCase& exact_case, const Vector3<double>& impulse, Law law,
                                     Branch branch) const;
 
   double allowance_;

@@ -9,7 +9,7 @@ namespace carom::oracles {
 
 PerVector<double> permitted_noise(const Collision& collision, const Yardstick& yardstick) {
   PerVector<double> noise{};
-  if (!yardstick.digits) {
+  if (!yardstick.digits()) {
     return noise;
   }
   const auto radius = [](const Body& body) {
@@ -31,7 +31,7 @@ PerVector<double> permitted_noise(const Collision& collision, const Yardstick& y
 }
 
 void add_permitted_noise(const Collision& collision, const Yardstick& yardstick, PerVector<double>& sizes) {
-  if (!yardstick.digits) {
+  if (!yardstick.digits()) {
     return;  // an exact judge has no noise, and the allowance 0
   }
   const PerVector<double> noise = permitted_noise(collision, yardstick);

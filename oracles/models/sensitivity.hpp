@@ -40,8 +40,8 @@ inline constexpr double ten_digits = 0x1p-34;
 /// position far from the origin, the sum may keep only two digits.
 ///
 /// Preconditions: the collision is moderate (moderate.hpp); a body is movable; the law is one of `laws_with_truth`;
-/// BoundedCase::is_well_conditioned(), except for the frictionless law. For `on_cone`, also
-/// BoundedCase::has_clear_divisor().
+/// ExactCase::is_well_conditioned(), except for the frictionless law. For `on_cone`, also
+/// ExactCase::has_clear_divisor().
 [[nodiscard]] std::optional<Sensitivity> colliding_sensitivity(const Collision& collision, Law law, Branch branch);
 
 /// `colliding_sensitivity` in double-double arithmetic, for any valid collision with a movable body. No value if the

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <array>
 #include <concepts>
 #include <type_traits>
 
@@ -30,32 +29,16 @@ template <class T>
           response<T>(collision.b, collision.point, Vector3<T>(-impulse))};
 }
 
-/// The changes of all velocities by the unit impulse along each world axis.
+/// The collision matrix by its definition: column i is the change of relative velocity by a unit impulse along axis i.
 template <class T>
-[[nodiscard]] std::array<Outcome<T>, 3> unit_responses(const BasicCollision<T>& collision) {
-  std::array<Outcome<T>, 3> responses;
+[[nodiscard]] Matrix3<T> response_matrix(const BasicCollision<T>& collision) {
+  Matrix3<T> matrix;
   for (int i = 0; i < 3; ++i) {
     Vector3<T> unit{T(0), T(0), T(0)};
     unit[i] = T(1);
-    responses[static_cast<std::size_t>(i)] = response<T>(collision, unit);
-  }
-  return responses;
-}
-
-/// The collision matrix by its definition: column i is the change of relative velocity by a unit impulse along axis i.
-template <class T>
-[[nodiscard]] Matrix3<T> response_matrix(const BasicCollision<T>& collision,
-                                         const std::array<Outcome<T>, 3>& responses) {
-  Matrix3<T> matrix;
-  for (int i = 0; i < 3; ++i) {
-    matrix.col(i) = relative_velocity<T>(collision, responses[static_cast<std::size_t>(i)]);
+    matrix.col(i) = relative_velocity<T>(collision, response<T>(collision, unit));
   }
   return matrix;
-}
-
-template <class T>
-[[nodiscard]] Matrix3<T> response_matrix(const BasicCollision<T>& collision) {
-  return response_matrix<T>(collision, unit_responses(collision));
 }
 
 /// The solution of M x = b by Cramer's rule. Precondition: M is regular.

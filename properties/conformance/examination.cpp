@@ -123,7 +123,7 @@ Verdict Examination::verdict_on(const Case& one) {
     }
     return properties::lift(answer);
   };
-  const JudgedCase judged_case(one, claim_.yardstick.filtered, claim_.effects);
+  const JudgedCase judged_case(one, claim_.yardstick.filtered(), claim_.effects);
   try {
     const auto* const about = std::get_if<properties::AboutSession>(&statement_.invariant->about);
     return about != nullptr ? verdict_of_session(*about, one.collision)
@@ -167,7 +167,7 @@ std::string Examination::violation() {
   const auto& [one, found, found_answer, has_ended] = *last_;
   std::optional<Verdict> verdict;
   if (!has_failed_) {
-    claim_.yardstick.filtered = false;  // the report shows numbers from exact arithmetic
+    claim_.yardstick = claim_.yardstick.with_filters(false);  // the report shows numbers from exact arithmetic
     try {
       verdict = verdict_on(one);
     } catch (...) {

@@ -25,7 +25,7 @@ std::string gate_diagnosis(const Suite& suite) {
   options.cases = cases_of_each_family;
   options.families = suite.families;
   options.within = suite.within;
-  options.yardstick = suite.yardstick;
+  options.limits = suite.yardstick.limits();
   options.relations_every = relations_every;
   options.shrinks = false;
   options.stop = stop.get_token();

@@ -86,11 +86,11 @@ properties::Claim Statement::claim() const {
 }
 
 std::vector<Statement> statements(const Subject& subject, const Options& options) {
-  oracles::Yardstick yardstick =
-      read_at("Options", [&] { return properties::yardstick_with(options.limit_ulps, options.digits); });
-  yardstick.filtered = !judges_exactly(options);
+  oracles::Limits limits =
+      read_at("Options", [&] { return properties::limits_with(options.limit_ulps, options.digits); });
+  limits.filtered = !judges_exactly(options);
   const Subject claiming = with_options(subject, options);
-  const properties::Claim claim = properties::claim_of(claiming, yardstick);
+  const properties::Claim claim = properties::claim_of(claiming, limits);
   const properties::Domain within = domain_of(subject, options);
   std::vector<const Family*> families = families_of(options, within);
   if (std::none_of(claim.invariants.begin(), claim.invariants.end(),

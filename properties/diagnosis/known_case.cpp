@@ -132,8 +132,7 @@ Vector3<double> law_impulse(const Collision& collision, Law law, std::optional<o
   };
   const double growth = oracles::growth_in_collision_matrix(collision);
   const double allowed = is_wide_slow ? largest_growth(double{}) : largest_growth(Wide{});
-  if (as != oracles::Approach::colliding || !is_linear(law) || !exact_case.bounds().is_moderate() ||
-      !(growth <= allowed)) {
+  if (as != oracles::Approach::colliding || !is_linear(law) || !exact_case.is_moderate() || !(growth <= allowed)) {
     return law_answer(collision, law, as).impulse;
   }
   if (is_wide_slow) {

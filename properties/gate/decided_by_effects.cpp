@@ -59,7 +59,7 @@ bool decides(DeclaredEffect effect, const JudgedCase& one, const Subject& subjec
 /// Draws a few cases of each family within the domain. The share is empty if there are none.
 Share share_within(const Domain& within, DeclaredEffect effect, const Subject& subject, const GateOptions& options) {
   constexpr std::uint64_t cases_of_family = 8;
-  const oracles::Yardstick yardstick = options.yardstick.in(subject.precision);
+  const oracles::Yardstick yardstick = oracles::Yardstick::of(subject.precision, options.limits);
   Share share;
   for (const Family* family : options.families) {
     if (!family->is_valid || !has_cases_within(within, *family, options.seed)) {

@@ -281,7 +281,7 @@ class Worker {
     for (std::uint64_t i = 0; i < task.last - task.first; ++i) {
       const Case drawn = drawn_case_within(run_->options.within, family, run_->options.seed, task.case_number(i));
       oracles::on_collision(drawn.collision, [&] {
-        const JudgedCase& one = cases.emplace_back(drawn, run_->options.yardstick.filtered);
+        const JudgedCase& one = cases.emplace_back(drawn, run_->options.limits.filtered);
         coverage_[task.family] += coverage_of(one);
         if (one.is_valid()) {
           look_at(task.family, task.case_number(i), one);
@@ -407,7 +407,7 @@ GateReport run_gate(const std::vector<Subject>& subjects, const GateOptions& opt
   claims.reserve(subjects.size());
   for (const Subject& subject : subjects) {
     CAROM_EXPECTS(subject.absent.empty(), subject.name, subject.absent);
-    claims.push_back(claim_of(subject, options.yardstick));
+    claims.push_back(claim_of(subject, options.limits));
     claims.back().within = options.within;
   }
   Run run{subjects, claims, options};

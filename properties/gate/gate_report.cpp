@@ -105,7 +105,7 @@ std::vector<std::string> SubjectResult::violated_invariants() const {
 
 std::vector<std::string> SubjectResult::never_judged(const GateOptions& options) const {
   std::vector<std::string> names;
-  const Claim claim = claim_of(subject, options.yardstick);
+  const Claim claim = claim_of(subject, options.limits);
   for (const Invariant* invariant : claim.invariants) {
     const bool is_claimed = std::ranges::any_of(
         options.families, [&](const Family* family) { return claim.is_made_in(*invariant, *family); });

@@ -44,8 +44,8 @@ struct GateOptions {
   /// Families beyond the claimed domain. They show the limits of each subject and decide no verdict. A run with a
   /// budget or with `fail_fast` ignores them.
   std::vector<const Family*> beyond_domain = {};
-  oracles::Yardstick yardstick;  // each subject's own unit roundoff replaces `unit_roundoff`
-  Workers workers = {};          // each worker opens a session of every subject
+  oracles::Limits limits = {};
+  Workers workers = {};  // each worker opens a session of every subject
   /// Each relation is judged on one case in `relations_every`, and different relations on different cases. The value 0
   /// means 1 for subjects in this process, and 4 for programs, for which a question costs a hundred times as much.
   /// Suppose that one answer in 100 is wrong, and only one relation in one family of 1000 cases shows this. With 4, the

@@ -54,7 +54,7 @@ void SubjectTally::add(std::size_t family, std::uint64_t index, const JudgedCase
   }
   if (judgement.accuracy && judgement.accuracy->is_decided) {
     result.worst_backward_error =
-        std::max(result.worst_backward_error, judgement.accuracy->backward_error(claim.yardstick.unit_roundoff));
+        std::max(result.worst_backward_error, judgement.accuracy->backward_error(claim.yardstick.unit_roundoff()));
     if (judged_case.exact().approach() == Approach::colliding && judgement.accuracy->is_of_truth) {
       digits.add(judgement.accuracy->digits());
     }

@@ -73,7 +73,7 @@ std::deque<JudgedCase> with_effects(const Claim& claim, const std::deque<JudgedC
   for (const JudgedCase& one : cases) {
     if (claim.effects != DeclaredEffects{}) {
       oracles::on_collision(one.generated().collision,
-                            [&] { own.emplace_back(one.generated(), claim.yardstick.filtered, claim.effects); });
+                            [&] { own.emplace_back(one.generated(), claim.yardstick.filtered(), claim.effects); });
     }
   }
   return own;
@@ -101,8 +101,8 @@ void drop_unclaimed(Judgement& judgement, const Claim& claim, const Family& fami
 void FirstViolation::add_to(SubjectTally& tally, const Claim& claim) const {
   oracles::on_collision(asked.one.collision, [&] {
     if (is_of_new_case) {
-      tally.add(asked.family, asked.index, JudgedCase(asked.one, claim.yardstick.filtered, claim.effects), asked.answer,
-                judgement, claim);
+      tally.add(asked.family, asked.index, JudgedCase(asked.one, claim.yardstick.filtered(), claim.effects),
+                asked.answer, judgement, claim);
     } else {
       tally.add(asked.family, asked.index, asked.one, asked.answer, judgement.verdicts.back());
     }

@@ -75,7 +75,7 @@ Witness shrunk_witness(const Subject& subject, const Claim& claim, Witness witne
   witness.is_reproduced = verdict_on(witness.original).status == Status::violated || is_over;
   const Case simplest =
       simplest_violation(witness.original, *only.invariants[0], witness.verdict, verdict_on, most_shrink_calls);
-  only.yardstick.filtered = false;  // the report shows numbers from exact arithmetic
+  only.yardstick = claim.yardstick.with_filters(false);  // the report shows numbers from exact arithmetic
   Restarts once(2);
   Session fresh = is_over ? open_restarting(subject, once) : std::move(session);
   const AnswerAndJudgement shrunk = judge_in_session(only, fresh, simplest);
@@ -107,7 +107,7 @@ void add_witnesses(GateReport& report) {
     Witness& witness = result.witnesses[found[i].witness];
     const std::string fault = why_failed([&] {
       if (options.shrinks && !options.stop.stop_requested()) {
-        Claim claim = claim_of(result.subject, options.yardstick);
+        Claim claim = claim_of(result.subject, options.limits);
         claim.within = options.within;
         witness = shrunk_witness(result.subject, claim, witness, options.within);
       }
@@ -148,7 +148,7 @@ Case simplest_violation(const Case& one, const Invariant& invariant, const Verdi
 }
 
 AnswerAndJudgement judge_in_session(const Claim& claim, Session& session, const Case& one) {
-  const JudgedCase judged_case(one, claim.yardstick.filtered, claim.effects);
+  const JudgedCase judged_case(one, claim.yardstick.filtered(), claim.effects);
   const Answer answer = answers_of(session, std::span(&one.collision, 1)).front();
   const Trial trial(judged_case, claim, lift(answer));
   const std::vector<Answer> replies =

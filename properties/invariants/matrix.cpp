@@ -52,13 +52,13 @@ auto norm_at_most(const Matrix3<T>& matrix, double bound) {
 /// the sensitivity. K ⪰ λI (`ExactCase::is_definite`), so each eigenvalue of C is then at least λ, within the permitted
 /// rounding.
 bool is_surely_exact(const Evidence& e, const LiftedMatrix& shown) {
-  const oracles::BoundedCase& bounds = e.exact_case.bounds();
-  if (!e.yardstick.uses_bounds() || !bounds.is_moderate() || !shown.is_moderate()) {
+  const oracles::ExactCase& exact_case = e.exact_case;
+  if (!e.yardstick.uses_bounds() || !exact_case.is_moderate() || !shown.is_moderate()) {
     return false;
   }
-  const double allowed = e.allowance() * bounds.collision_matrix_sensitivity_below();
+  const double allowed = e.allowance() * exact_case.collision_matrix_sensitivity_below();
   const bool is_near =
-      norm_at_most<Enclosure>(shown.in<Enclosure>() - bounds.collision_matrix(), allowed).value_or(false);
+      norm_at_most<Enclosure>(shown.in<Enclosure>() - exact_case.enclosed_collision_matrix(), allowed).value_or(false);
   if (is_near) {
     count(oracles::Stage::enclosure);
   }
@@ -66,9 +66,9 @@ bool is_surely_exact(const Evidence& e, const LiftedMatrix& shown) {
 }
 
 /// Whether bounds show K ⪯ 16 λI, with no permitted rounding.
-bool is_surely_well_conditioned(const oracles::BoundedCase& bounds) {
-  const Enclosure bound = Enclosure(16) * inverse_mass(bounds.enclosed());
-  return is_positive_semidefinite(less_multiple_of_identity<Enclosure>(-bounds.collision_matrix(), -bound))
+bool is_surely_well_conditioned(const oracles::ExactCase& exact_case) {
+  const Enclosure bound = Enclosure(16) * inverse_mass(exact_case.enclosed());
+  return is_positive_semidefinite(less_multiple_of_identity<Enclosure>(-exact_case.enclosed_collision_matrix(), -bound))
       .value_or(false);
 }
 
@@ -114,7 +114,7 @@ Verdict check_definite(const Evidence& e, const LiftedMatrix& shown) {
 }
 
 Verdict check_well_conditioned(const Evidence& e, const LiftedMatrix& shown) {
-  if (is_surely_exact(e, shown) && is_surely_well_conditioned(e.exact_case.bounds())) {
+  if (is_surely_exact(e, shown) && is_surely_well_conditioned(e.exact_case)) {
     return {};
   }
   if (!e.yardstick.allowed(sensitivity(e))) {

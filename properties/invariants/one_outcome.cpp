@@ -145,7 +145,7 @@ Verdict check_backward_error(const Evidence& e) {
         verdict.right.push_back(rounded_for_print((*vectors(truth.outcome)[k])[i]));
       }
     };
-    if (e.yardstick.filtered) {
+    if (e.yardstick.filtered()) {
       show(e.exact_case.enclosed_truth(e.law));
     } else {
       e.exact_case.with_truth(e.law, e.exact_case.approach(), show);

@@ -45,8 +45,8 @@ Verdict agree(const Evidence& e, const oracles::LiftedOutcome& first, const Expe
       return std::pair{*vectors(exactly)[k], *vectors(second.exact())[k]};
     };
     worst = both(std::move(worst), vector_equals(*vectors(enclosed)[k], *vectors(second.enclosed())[k], exact_pair,
-                                                 e.yardstick.allowed(sensitivity[k]), e.yardstick.filtered, name_of(k),
-                                                 "as related and as computed"));
+                                                 e.yardstick.allowed(sensitivity[k]), e.yardstick.filtered(),
+                                                 name_of(k), "as related and as computed"));
   }
   return worst;
 }
@@ -127,7 +127,7 @@ Verdict related_pair(const Evidence& e, std::span<const Related> related, double
       return surely_near(second_expected, second_outcome.enclosed(), e.allowance(),
                          weighted_sum(factor, of_first, of_second));
     };
-    if (agree_by(first_case.bounds().norms_before(), second_case.bounds().norms_before()) ||
+    if (agree_by(first_case.norms_before(), second_case.norms_before()) ||
         agree_by(first_case.sensitivity_below(e.law), second_case.sensitivity_below(e.law))) {
       return {};
     }
@@ -240,7 +240,7 @@ decltype(auto) collision_in(const oracles::ExactCase& exact_case) {
   if constexpr (std::is_same_v<T, Rational>) {
     return exact_case.exact();
   } else if constexpr (std::is_same_v<T, oracles::Enclosure>) {
-    return exact_case.bounds().enclosed();
+    return exact_case.enclosed();
   } else {
     return exact_case.collision();
   }

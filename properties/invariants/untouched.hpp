@@ -11,13 +11,13 @@ namespace carom::properties {
 /// times the law's sensitivity.
 [[nodiscard]] inline Verdict vector_untouched(const Evidence& e, OutcomeVector k,
                                               const oracles::Sensitivity& sensitivity) {
-  const auto before = unchanged(e.exact_case.bounds().enclosed());
+  const auto before = unchanged(e.exact_case.enclosed());
   const auto exact_pair = [&] {
     const auto exactly_before = unchanged(e.exact_case.exact());
     return std::pair{*vectors(e.outcome.exact())[k], *vectors(exactly_before)[k]};
   };
   return vector_equals(*vectors(e.outcome.enclosed())[k], *vectors(before)[k], exact_pair,
-                       e.yardstick.allowed(sensitivity[k]), e.yardstick.filtered, name_of(k), "after and before");
+                       e.yardstick.allowed(sensitivity[k]), e.yardstick.filtered(), name_of(k), "after and before");
 }
 
 }  // namespace carom::properties

@@ -107,10 +107,9 @@ template <class Exact>
                                               const oracles::LiftedOutcome& outcome,
                                               const oracles::Yardstick& yardstick,
                                               std::span<const OutcomeVector> which = all_outcome_vectors) {
-  const oracles::BoundedCase& bounds = exact_case.bounds();
-  return yardstick.uses_bounds() && bounds.is_moderate() && outcome.is_moderate() &&
-         surely_near(unchanged(bounds.enclosed()), outcome.enclosed(), yardstick.allowance(), bounds.norms_before(),
-                     which);
+  return yardstick.uses_bounds() && exact_case.is_moderate() && outcome.is_moderate() &&
+         surely_near(unchanged(exact_case.enclosed()), outcome.enclosed(), yardstick.allowance(),
+                     exact_case.norms_before(), which);
 }
 
 /// The worse of two verdicts that must both hold. The order from the worst is: violated, undecided, holds, outside the

@@ -34,19 +34,11 @@ void keep(std::optional<double>& kept, const std::optional<double>& other, const
 double larger(double x, double y) { return std::max(x, y); }
 double smaller(double x, double y) { return std::min(x, y); }
 
-oracles::Yardstick ulps_of_binary64(double limit_ulps) {
-  oracles::Yardstick yardstick;
-  yardstick.limit_ulps = limit_ulps;
-  return yardstick.in(Precision::binary64);
-}
-
 /// Every claimed invariant of one outcome.
 Claim claim_about_outcome(const Demand& demand) {
   Subject asked;
   asked.law = demand.law;
-  oracles::Yardstick yardstick = ulps_of_binary64(demand.limit_ulps);
-  yardstick.digits = demand.digits;
-  Claim claim = claim_of(asked, yardstick);
+  Claim claim = claim_of(asked, {demand.limit_ulps, demand.digits});
   std::erase_if(claim.invariants, [](const Invariant* invariant) { return invariant->asks(); });
   return claim;
 }
@@ -79,7 +71,7 @@ Certificate& Certificate::operator+=(const Certificate& other) {
 Certifier::Certifier(const Collision& collision, const Demand& demand)
     : demand_(demand),
       judged_({collision, false}),
-      ulps_(ulps_of_binary64(demand.limit_ulps)),
+      ulps_(oracles::Yardstick::of(Precision::binary64, {demand.limit_ulps})),
       claim_(claim_about_outcome(demand)) {
   CAROM_EXPECTS(validate(collision).empty(), describe(validate(collision)));
   CAROM_EXPECTS(demand.law != Law::any);
@@ -99,7 +91,7 @@ Result Certifier::judge(const Candidate& candidate, const Answer& answer) const 
     const oracles::Accuracy accuracy = oracles::accuracy(exact(), demand_.law, outcome, ulps_);
     if (accuracy.is_decided) {
       is_allowed = accuracy.is_allowed();
-      result.backward_error = accuracy.backward_error(ulps_.unit_roundoff);
+      result.backward_error = accuracy.backward_error(ulps_.unit_roundoff());
       result.digits = collides() ? std::optional<double>(accuracy.digits()) : std::nullopt;
     } else if (!exact().is_open(demand_.law, ulps_.allowance())) {
       result.failure = "not decided: the scale overflows or underflows";
@@ -109,7 +101,7 @@ Result Certifier::judge(const Candidate& candidate, const Answer& answer) const 
     result.digits = oracles::nearest_answer(exact(), answers_of_coulomb(), *reported).digits;
   }
   if (!demand_.digits) {
-    const oracles::Yardstick of_candidate = ulps_.in(candidate.subject.precision);
+    const oracles::Yardstick of_candidate = oracles::Yardstick::of(candidate.subject.precision, ulps_.limits());
     if (const std::optional<Unjudged> why = reason_unjudged(exact(), of_candidate)) {
       result.failure = in_words(*why);
     } else if (!is_allowed) {
@@ -139,9 +131,7 @@ bool Certifier::has_digits(const oracles::LiftedOutcome& outcome, const Result& 
 }
 
 std::string Certifier::violated_invariant(const Answer& answer) const {
-  const Trial trial(judged_, claim_, lift(answer), no_relations);
-  const Judgement judgement = trial.judge(std::span<ExactAnswer>());
-  for (const NamedVerdict& named : judgement.verdicts) {
+  for (const NamedVerdict& named : judge_answer(judged_, claim_, lift(answer)).verdicts) {
     if (named.verdict.status == Status::violated) {
       return std::string(named.invariant->name);
     }

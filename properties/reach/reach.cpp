@@ -73,8 +73,8 @@ bool fails(const SubjectResult& result) {
 
 class Search {
  public:
-  Search(const Subject& subject, const ReachOptions& options, const oracles::Yardstick& yardstick)
-      : subject_(&subject), options_(&options), yardstick_(yardstick) {
+  Search(const Subject& subject, const ReachOptions& options, const oracles::Limits& limits)
+      : subject_(&subject), options_(&options), limits_(limits) {
     if (subject.is_program()) {
       kept_.emplace(subject);
     }
@@ -134,7 +134,7 @@ class Search {
     options.seed = seed;
     options.cases = cases;
     options.within = domain;
-    options.yardstick = yardstick_;
+    options.limits = limits_;
     options.workers = workers;
     options.fail_fast = true;
     options.shrinks = shrinks;
@@ -174,7 +174,7 @@ class Search {
 
   const Subject* subject_;
   const ReachOptions* options_;
-  oracles::Yardstick yardstick_;
+  oracles::Limits limits_;
   std::optional<KeptSessions> kept_;  // of a program
 };
 
@@ -255,7 +255,7 @@ Range range_of(const Ends& ends, const Domain& core, LimitedQuantity quantity) {
 
 Reach measured_reach(const Subject& subject, const ReachOptions& options) {
   CAROM_EXPECTS(has_cases_within(options.core, *family_named("generic"), options.seed), to_text(options.core));
-  const Search search(subject, options, options.yardstick);
+  const Search search(subject, options, options.limits);
   const Reach interrupted{{{}, "interrupted"}, {}, options.core};
   Reach reach;
   reach.domain = options.core;

@@ -15,9 +15,9 @@ namespace carom::properties {
 
 struct ReachOptions {
   std::uint64_t seed = 1;
-  oracles::Yardstick yardstick;
-  /// A yardstick that permits less rounding. If given, the ends are searched with it, too.
-  std::optional<oracles::Yardstick> stricter = {};
+  oracles::Limits limits = {};
+  /// Limits that permit less rounding. If given, the ends are searched with it, too.
+  std::optional<oracles::Limits> stricter = {};
   Workers workers = {};
   Domain core;                       // the subject must hold here; `default_core` is a choice
   std::uint64_t cases_of_slab = 10;  // of each family, times its weight, for each step of a search
@@ -38,7 +38,7 @@ struct Face {
   std::string error = {};  // why the subject could not be judged beyond the end; empty if it could
 };
 
-/// The ends of the ranges with one yardstick.
+/// The ends of the ranges with one set of limits.
 struct Ends {
   /// A violation in the core, an error of the subject there, or a stop. Then nothing else is known.
   std::optional<Witness> in_core = {};
@@ -50,7 +50,7 @@ struct Ends {
 
 struct Reach {
   Ends ends = {};
-  /// The ends with the stricter yardstick. None if the options have none, or if nothing is known of `ends`.
+  /// The ends with the stricter limits. None if the options have none, or if nothing is known of `ends`.
   std::optional<Ends> stricter = {};
   /// The domain that results from all faces together. If it had a violation, its ranges were narrowed towards the core,
   /// all in one proportion.

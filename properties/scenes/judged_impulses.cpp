@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
-#include <span>
 #include <utility>
 
 #include <carom/properties/scenes/judged_impulses.hpp>
@@ -18,8 +17,8 @@ Subject solver_of_scene(Law law, Precision precision) {
 
 }  // namespace
 
-ImpulseJudge::ImpulseJudge(Law law, Precision precision, std::uint64_t every, const oracles::Yardstick& yardstick)
-    : subject_(solver_of_scene(law, precision)), claim_(claim_of(subject_, yardstick)), every_(every) {}
+ImpulseJudge::ImpulseJudge(Law law, Precision precision, std::uint64_t every, const oracles::Limits& limits)
+    : subject_(solver_of_scene(law, precision)), claim_(claim_of(subject_, limits)), every_(every) {}
 
 void ImpulseJudge::record(const scene::Event& event) {
   if (!event.has_impulse || every_ == 0 || impulses_++ % every_ != 0) {
@@ -33,8 +32,7 @@ void ImpulseJudge::record(const scene::Event& event) {
   outcome.b = widen(event.outcome.b);
   // The bodies of a scene are convex and uniform, and the contacts are on their surfaces.
   const JudgedCase judged_case({event.collision, true});
-  const Trial trial(judged_case, claim_, lift(Answer(outcome)), no_relations);
-  const Judgement judgement = trial.judge(std::span<ExactAnswer>{}, worst_backward_error_);
+  const Judgement judgement = judge_answer(judged_case, claim_, lift(Answer(outcome)), worst_backward_error_);
   ++judged_;
   bool is_bad = false;
   for (const NamedVerdict& named : judgement.verdicts) {
@@ -50,7 +48,7 @@ void ImpulseJudge::record(const scene::Event& event) {
   violated_ += is_bad ? 1 : 0;
   if (judgement.accuracy) {
     worst_backward_error_ =
-        std::max(worst_backward_error_, judgement.accuracy->backward_error(claim_.yardstick.unit_roundoff));
+        std::max(worst_backward_error_, judgement.accuracy->backward_error(claim_.yardstick.unit_roundoff()));
   }
 }
 

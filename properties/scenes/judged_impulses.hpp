@@ -24,7 +24,7 @@ struct BadImpulse {
 class ImpulseJudge {
  public:
   /// Judges every `every`-th impulse; none if `every` is 0.
-  ImpulseJudge(Law law, Precision precision, std::uint64_t every, const oracles::Yardstick& yardstick);
+  ImpulseJudge(Law law, Precision precision, std::uint64_t every, const oracles::Limits& limits);
 
   void record(const scene::Event& event);
 

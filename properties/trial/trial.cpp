@@ -30,7 +30,7 @@ std::vector<oracles::ExactCase> exact_cases(const std::vector<Collision>& collis
 template <class T, class WorkOut>
 T remembered(std::vector<std::pair<std::pair<double, double>, T>>& known, const oracles::Yardstick& yardstick,
              const WorkOut& work_out) {
-  const std::pair key{yardstick.unit_roundoff, yardstick.allowance()};
+  const std::pair key{yardstick.unit_roundoff(), yardstick.allowance()};
   const auto found = std::find_if(known.begin(), known.end(), [&](const auto& one) { return one.first == key; });
   return found != known.end() ? found->second : known.emplace_back(key, work_out()).second;
 }
@@ -100,8 +100,9 @@ std::vector<const Invariant*> not_claimed_without_matrix(const Subject& subject)
   return not_claimed;
 }
 
-Claim claim_of(const Subject& subject, const oracles::Yardstick& yardstick) {
-  Claim claim{subject.law, yardstick.in(subject.precision), {}, deviations_of(subject), {}, subject.effects};
+Claim claim_of(const Subject& subject, const oracles::Limits& limits) {
+  Claim claim{subject.law,    oracles::Yardstick::of(subject.precision, limits), {}, deviations_of(subject), {},
+              subject.effects};
   for (const Invariant& invariant : all_invariants()) {
     const bool deviates = std::any_of(
         claim.deviations.begin(), claim.deviations.end(),
@@ -114,7 +115,7 @@ Claim claim_of(const Subject& subject, const oracles::Yardstick& yardstick) {
   return claim;
 }
 
-oracles::Yardstick yardstick_with(double limit_ulps, std::optional<int> digits) {
+oracles::Limits limits_with(double limit_ulps, std::optional<int> digits) {
   constexpr int most_digits = 18;
   if (!(limit_ulps > 0) || !std::isfinite(limit_ulps)) {
     throw std::invalid_argument("limit_ulps: expected a positive number, found " + std::to_string(limit_ulps));
@@ -123,10 +124,7 @@ oracles::Yardstick yardstick_with(double limit_ulps, std::optional<int> digits) 
     throw std::invalid_argument("digits: expected an integer from 1 to " + std::to_string(most_digits) + ", found " +
                                 std::to_string(*digits));
   }
-  oracles::Yardstick yardstick;
-  yardstick.limit_ulps = limit_ulps;
-  yardstick.digits = digits;
-  return yardstick;
+  return {limit_ulps, digits};
 }
 
 JudgedCase::JudgedCase(const Case& generated, bool filtered, const DeclaredEffects& effects)
@@ -206,7 +204,7 @@ void Trial::prepare() {
     }
     if (const auto* of_outcome = std::get_if<AboutRelation::OfOutcome>(&relation->ask)) {
       by_outcome_.push_back(
-          exact_cases((*of_outcome)(judged_case.exact().collision(), outcome->rounded()), claim.yardstick.filtered));
+          exact_cases((*of_outcome)(judged_case.exact().collision(), outcome->rounded()), claim.yardstick.filtered()));
       questions_[i] = by_outcome_.back();
     } else {
       questions_[i] = judged_case.questions_of(invariant);

@@ -24,7 +24,7 @@ namespace carom::properties {
 /// The law, the yardstick and the invariants by which a subject is judged.
 struct Claim {
   Law law = Law::any;
-  oracles::Yardstick yardstick;
+  oracles::Yardstick yardstick = oracles::Yardstick::of_exact_arithmetic();
   /// The invariants that are claimed for the law, without those that the subject deviates from in all families.
   /// Invariants about the collision matrix are included only if the subject shows its matrix.
   std::vector<const Invariant*> invariants;
@@ -41,11 +41,11 @@ struct Claim {
 [[nodiscard]] std::vector<const Invariant*> not_claimed_without_matrix(const Subject& subject);
 
 /// The claim of a subject. Ignores a deviation whose invariant or family does not exist.
-[[nodiscard]] Claim claim_of(const Subject& subject, const oracles::Yardstick& yardstick);
+[[nodiscard]] Claim claim_of(const Subject& subject, const oracles::Limits& limits);
 
-/// The yardstick of these limits. Throws std::invalid_argument unless `limit_ulps` is positive and finite, and `digits`
+/// Checks the limits. Throws std::invalid_argument unless `limit_ulps` is positive and finite, and `digits`
 /// is from 1 to 18.
-[[nodiscard]] oracles::Yardstick yardstick_with(double limit_ulps, std::optional<int> digits);
+[[nodiscard]] oracles::Limits limits_with(double limit_ulps, std::optional<int> digits);
 
 /// A case with exact facts, shared by all subjects that are judged on the case. For one thread.
 class JudgedCase {

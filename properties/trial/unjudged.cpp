@@ -94,7 +94,7 @@ std::string_view in_words(Unjudged reason) {
 }
 
 std::optional<Unjudged> reason_unjudged(const oracles::ExactCase& exact_case, const oracles::Yardstick& yardstick) {
-  const double u = yardstick.unit_roundoff;
+  const double u = yardstick.unit_roundoff();
   if (u >= unit_roundoff(Precision::binary32)) {
     const Collision& c = exact_case.collision();
     if (!stays_in_binary32(c, u * exact_case.normal_velocity_sensitivity() / norm_of(c.normal))) {

@@ -7,6 +7,7 @@
 #include <carom/impulse/frictionless.hpp>
 #include <carom/impulse/reflection.hpp>
 #include <carom/impulse/solve3.hpp>
+#include <carom/impulse/solved_impulse.hpp>
 
 namespace carom::impulse {
 
@@ -60,9 +61,21 @@ template <class S>
   return in_basis<S>(matrix, basis.transpose());
 }
 
+namespace detail {
+
+/// Ldlt, without an excess of the impulse. Rounding may make C singular, although C ⪰ λI.
+struct LdltWithoutExcess {
+  template <class S>
+  [[nodiscard]] static Vector3<S> solve(const Matrix3<S>& c, const Vector3<S>& change, const S& least) {
+    return without_excess<S>(Ldlt::solve<S>(c, change, least), change, least);
+  }
+};
+
+}  // namespace detail
+
 /// The outcome of the reflection law in a basis {N, T0, T1}, by the note's equations 25 to 28. In equation 25, N·V⁻
 /// replaces the vector V⁻ that the note prints by mistake. `see` receives the matrix C in world axes.
-template <class S, class See = UnseenMatrix>
+template <class Solve = Ldlt, class S, class See = UnseenMatrix>
 [[nodiscard]] Outcome<S> reflection_in_given_basis(const Contact<S>& contact, const Matrix3<S>& basis,
                                                    const See& see = {}) {
   const S approach = normal_velocity(contact) / std::sqrt(contact.normal.dot(contact.normal));
@@ -74,7 +87,7 @@ template <class S, class See = UnseenMatrix>
     see(in_world_axes(c, basis));
   }
   const Vector3<S> right_hand_side{-(S(1) + contact.restitution) * approach, S(0), S(0)};
-  return apply_impulse<S>(contact, basis * Ldlt::solve<S>(c, right_hand_side, inverse_mass(contact)));
+  return apply_impulse<S>(contact, basis * Solve::template solve<S>(c, right_hand_side, inverse_mass(contact)));
 }
 
 /// The outcome of the reflection law as §2 of the note prints it. If V⁻ has no tangential part, the outcome is that of
@@ -98,7 +111,7 @@ template <class S, class See = UnseenMatrix>
     see_matrix(contact, normal_velocity(contact), see);
     return frictionless(contact);
   }
-  return reflection_in_given_basis(contact, stable_tangent_basis(contact), see);
+  return reflection_in_given_basis<detail::LdltWithoutExcess>(contact, stable_tangent_basis(contact), see);
 }
 
 }  // namespace carom::impulse

@@ -82,11 +82,11 @@ json replay(const json& request) {
   std::optional<properties::Claim> claim;
   std::optional<report::ReplayedCase> replayed;
   if (judged) {
-    claim = properties::claim_of(judged->subject, judged->options.yardstick);
+    claim = properties::claim_of(judged->subject, judged->options.limits);
     claim->within = judged->options.within;
     properties::AnswerAndJudgement answered = judged_answer(judged->subject, *claim, one);
     replayed = report::ReplayedCase{std::move(answered.answer), std::move(answered.judgement)};
-    to_show.is_filtered = claim->yardstick.filtered;
+    to_show.is_filtered = claim->yardstick.filtered();
     to_show.judged = {&judged->subject, &claim->yardstick, &*replayed};
   }
   const report::ShownCase shown = report::shown_case(to_show);
@@ -103,7 +103,7 @@ json replay(const json& request) {
 
 json judge(const json& request) {
   const Request judged = request_from(request);
-  properties::Claim claim = properties::claim_of(judged.subject, judged.options.yardstick);
+  properties::Claim claim = properties::claim_of(judged.subject, judged.options.limits);
   claim.within = judged.options.within;
   const properties::AnswerAndJudgement answered = judged_answer(judged.subject, claim, case_of(request));
   json verdicts = json::object();

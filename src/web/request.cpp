@@ -78,12 +78,11 @@ Subject subject_from(json record) {
   return subject;
 }
 
-oracles::Yardstick yardstick_from(detail::ObjectReader<json>& options) {
+oracles::Limits limits_from(detail::ObjectReader<json>& options) {
   constexpr int most_digits = 18;
-  oracles::Yardstick yardstick;
-  yardstick.limit_ulps = oracles::default_limit_ulps;
-  options.optional_number("limit_ulps", yardstick.limit_ulps);
-  if (!(yardstick.limit_ulps > 0 && std::isfinite(yardstick.limit_ulps))) {
+  oracles::Limits limits;
+  options.optional_number("limit_ulps", limits.limit_ulps);
+  if (!(limits.limit_ulps > 0 && std::isfinite(limits.limit_ulps))) {
     throw FormatError(options.at("limit_ulps"), "expected a positive number");
   }
   if (options.has("digits")) {
@@ -91,12 +90,12 @@ oracles::Yardstick yardstick_from(detail::ObjectReader<json>& options) {
     if (digits < 1 || digits > most_digits) {
       throw FormatError(options.at("digits"), fmt::format("expected a whole number from 1 to {}", most_digits));
     }
-    yardstick.digits = static_cast<int>(digits);
+    limits.digits = static_cast<int>(digits);
   }
   if (options.has("exact")) {
-    yardstick.filtered = !options.required("exact").get<bool>();
+    limits.filtered = !options.required("exact").get<bool>();
   }
-  return yardstick;
+  return limits;
 }
 
 report::Environment environment_from(const json& record) {
@@ -166,7 +165,7 @@ Request request_from(const json& record) {
   into.seed = options.has("seed") ? count_from(options.required("seed"), options.at("seed")) : 1;
   into.cases = count_at(options, "cases", 1, into.cases);
   into.relations_every = count_at(options, "relations_every", 1, 1);
-  into.yardstick = yardstick_from(options);
+  into.limits = limits_from(options);
   into.within = options.has("within")
                     ? domain_given("within", text_at(options.required("within"), options.at("within")))
                     : properties::domain_from(request.subject.domain);

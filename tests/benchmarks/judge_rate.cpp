@@ -91,7 +91,7 @@ std::uint64_t judge_all(const Prepared& work, const std::vector<Claim>& claims, 
           trial.judge(std::span(asked.related).first(trial.question_count()), known[s]);
       verdicts += judgement.verdicts.size();
       if (judgement.accuracy && judgement.accuracy->is_decided) {
-        known[s] = std::max(known[s], judgement.accuracy->backward_error(claims[s].yardstick.unit_roundoff));
+        known[s] = std::max(known[s], judgement.accuracy->backward_error(claims[s].yardstick.unit_roundoff()));
       }
     }
   }
@@ -99,11 +99,9 @@ std::uint64_t judge_all(const Prepared& work, const std::vector<Claim>& claims, 
 }
 
 std::vector<Claim> claims_of(const std::vector<Subject>& subjects, bool filtered) {
-  oracles::Yardstick yardstick;
-  yardstick.filtered = filtered;
   std::vector<Claim> claims;
   for (const Subject& subject : subjects) {
-    claims.push_back(properties::claim_of(subject, yardstick));
+    claims.push_back(properties::claim_of(subject, {.filtered = filtered}));
   }
   return claims;
 }

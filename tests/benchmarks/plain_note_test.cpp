@@ -26,8 +26,7 @@ Outcome<double> solved(const Collision& collision, Law law) {
 }
 
 bool is_allowed(const Collision& collision, Law law, const Outcome<double>& outcome) {
-  oracles::Yardstick yardstick;
-  yardstick.unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
+  const auto yardstick = oracles::Yardstick::of(Precision::binary64);
   const oracles::Accuracy accuracy = oracles::accuracy(
       oracles::ExactCase(collision), law,
       oracles::LiftedOutcome(map_outcome<long double>(outcome, [](double x) -> long double { return x; })), yardstick);

@@ -70,9 +70,7 @@ std::vector<Collision> slivers(double least, std::size_t count) {
 template <class S>
 double missed(const oracles::Equation& equation, const Collision& collision, const Outcome<S>& outcome) {
   constexpr double least_that_is_shown = 0x1p-10;
-  oracles::Yardstick yardstick;
-  yardstick.unit_roundoff = std::numeric_limits<S>::epsilon() / 2;
-  yardstick.limit_ulps = least_that_is_shown;
+  const auto yardstick = oracles::Yardstick::of(precision_of<S>, {least_that_is_shown});
   const oracles::Comparison comparison = oracles::compare(
       equation, oracles::Relation::equal, oracles::ExactCase(collision),
       oracles::LiftedOutcome(map_outcome<long double>(outcome, [](S x) { return static_cast<long double>(x); })),
@@ -151,11 +149,10 @@ Collision rod_on_its_tip(properties::Stream& stream, double ratio) {
 
 template <class S>
 double backward_error(const Collision& c, Law law, const Outcome<S>& outcome) {
-  oracles::Yardstick yardstick;
-  yardstick.unit_roundoff = std::numeric_limits<S>::epsilon() / 2;
+  const auto yardstick = oracles::Yardstick::of(precision_of<S>);
   const auto reported = map_outcome<long double>(outcome, [](S x) { return static_cast<long double>(x); });
   return oracles::accuracy(oracles::ExactCase(c), law, oracles::LiftedOutcome(reported), yardstick)
-      .backward_error(yardstick.unit_roundoff);
+      .backward_error(yardstick.unit_roundoff());
 }
 
 /// Whether the rod is thinner than the rounding of its position. If so, any spin about its long axis is permitted.

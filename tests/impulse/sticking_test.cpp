@@ -30,14 +30,13 @@ Collision fast_spin_along_lever_arm() {
 
 TEST(Sticking, KeepsTheDigitsOfEachComponentOfV) {
   const Collision c = fast_spin_along_lever_arm();
-  oracles::Yardstick yardstick;
-  yardstick.unit_roundoff = 0x1p-53;
+  const auto yardstick = oracles::Yardstick::of(Precision::binary64);
   const auto outcome = map_outcome<long double>(sticking<Ldlt>(make_contact<double>(c)),
                                                 [](double x) { return static_cast<long double>(x); });
   const oracles::Accuracy accuracy =
       oracles::accuracy(oracles::ExactCase(c), Law::sticking, oracles::LiftedOutcome(outcome), yardstick);
   EXPECT_TRUE(accuracy.is_decided);
-  EXPECT_LT(accuracy.backward_error(yardstick.unit_roundoff), oracles::default_limit_ulps / 2);
+  EXPECT_LT(accuracy.backward_error(yardstick.unit_roundoff()), oracles::default_limit_ulps / 2);
 }
 
 }  // namespace

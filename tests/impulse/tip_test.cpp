@@ -30,9 +30,7 @@ TYPED_TEST_SUITE(Tips, Scalars);
 template <class S>
 double missed_restitution(const oracles::ExactCase& one, const Outcome<S>& outcome) {
   constexpr double least_that_is_shown = 0x1p-10;
-  oracles::Yardstick yardstick;
-  yardstick.unit_roundoff = std::numeric_limits<S>::epsilon() / 2;
-  yardstick.limit_ulps = least_that_is_shown;
+  const auto yardstick = oracles::Yardstick::of(precision_of<S>, {least_that_is_shown});
   const oracles::Comparison comparison = oracles::compare(
       oracles::equation::Restitution{}, oracles::Relation::equal, one,
       oracles::LiftedOutcome(map_outcome<long double>(outcome, [](S x) { return static_cast<long double>(x); })),

@@ -133,7 +133,7 @@ TEST(Comparison, NamesEachSettingInWhichTheRunsDiffer) {
        [](report::Run& report) {
          report.families.push_back({"z", "", {}, {}});
        }},
-      {"yardstick", [](report::Run& report) { report.settings.yardstick.digits = 4; }},
+      {"yardstick", [](report::Run& report) { report.settings.limits.digits = 4; }},
       {"interval between the cases on which relations are judged",
        [](report::Run& report) { report.settings.relations_every = 4; }},
       {"ended early", [](report::Run& report) { report.settings.fail_fast = true; }},

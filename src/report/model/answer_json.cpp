@@ -148,30 +148,30 @@ Verdict Json<Verdict>::read(const Field& field, Reading reading) {
   return verdict;
 }
 
-json Json<oracles::Yardstick>::write(const oracles::Yardstick& yardstick) {
-  json record{{"limit_ulps", yardstick.limit_ulps}};
-  if (yardstick.digits) {
-    record["digits"] = *yardstick.digits;
+json Json<oracles::Limits>::write(const oracles::Limits& limits) {
+  json record{{"limit_ulps", limits.limit_ulps}};
+  if (limits.digits) {
+    record["digits"] = *limits.digits;
   }
-  if (!yardstick.filtered) {
+  if (!limits.filtered) {
     record["exact"] = true;
   }
   return record;
 }
 
-oracles::Yardstick Json<oracles::Yardstick>::read(const Field& record, Reading /*reading*/) {
-  oracles::Yardstick yardstick;
-  yardstick.limit_ulps = record.at("limit_ulps").number();
+oracles::Limits Json<oracles::Limits>::read(const Field& record, Reading /*reading*/) {
+  oracles::Limits limits;
+  limits.limit_ulps = record.at("limit_ulps").number();
   if (const std::optional<Field> digits = record.find("digits")) {
     constexpr std::uint64_t most = 18;
     if (digits->count() < 1 || digits->count() > most) {
       digits->fail("a number from 1 to 18");
     }
-    yardstick.digits = static_cast<int>(digits->count());
+    limits.digits = static_cast<int>(digits->count());
   }
   const std::optional<Field> exact = record.find("exact");
-  yardstick.filtered = !(exact && exact->flag());
-  return yardstick;
+  limits.filtered = !(exact && exact->flag());
+  return limits;
 }
 
 json Json<properties::UnjudgedCounts>::write(const properties::UnjudgedCounts& counts) {

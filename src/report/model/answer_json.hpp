@@ -26,9 +26,9 @@ struct Json<properties::Verdict> {
 };
 
 template <>
-struct Json<oracles::Yardstick> {
-  static nlohmann::json write(const oracles::Yardstick& yardstick);
-  static oracles::Yardstick read(const Field& field, Reading reading);
+struct Json<oracles::Limits> {
+  static nlohmann::json write(const oracles::Limits& limits);
+  static oracles::Limits read(const Field& field, Reading reading);
 };
 
 template <>

@@ -98,8 +98,8 @@ std::string cases_in_words(const Settings& settings) {
                                  : or_none(settings.cases, "unknown");
 }
 
-std::string yardstick_in_words(const oracles::Yardstick& yardstick) {
-  return limit_in_words(yardstick) + (yardstick.filtered ? "" : ", only in exact arithmetic");
+std::string limits_in_words(const oracles::Limits& limits) {
+  return limit_in_words(limits) + (limits.filtered ? "" : ", only in exact arithmetic");
 }
 
 std::vector<std::string> families_of(const Run& run) {
@@ -264,7 +264,7 @@ std::vector<Difference> differences_between(const Run& before, const Run& now) {
     differences.push_back({"families of one run only", list_of(gone), list_of(added)});
   }
   note("domain", to_text(before.settings.within), to_text(now.settings.within));
-  note("yardstick", yardstick_in_words(before.settings.yardstick), yardstick_in_words(now.settings.yardstick));
+  note("yardstick", limits_in_words(before.settings.limits), limits_in_words(now.settings.limits));
   note("interval between the cases on which relations are judged", relations(before), relations(now));
   note("ended early", cut_short(before), cut_short(now));
   note("shard", part(before), part(now));

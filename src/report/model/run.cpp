@@ -36,7 +36,7 @@ Settings settings_of(const GateOptions& options, std::vector<std::string> deviat
     settings.cases = options.cases;
   }
   settings.within = options.within;
-  settings.yardstick = options.yardstick;
+  settings.limits = options.limits;
   settings.fail_fast = options.fail_fast;
   settings.relations_every = options.relations_every;
   settings.deviates = std::move(deviates);
@@ -183,16 +183,16 @@ std::string witness_path(const std::string& directory, const Subject& subject, c
 namespace {
 
 /// The options of a replay by which its verdict is the same.
-std::string replay_options(const Subject& subject, const oracles::Yardstick& yardstick) {
+std::string replay_options(const Subject& subject, const oracles::Limits& limits) {
   std::string command =
       fmt::format(" --subject {}", quoted(subject.specification.empty() ? subject.name : subject.specification));
-  if (yardstick.limit_ulps != oracles::default_limit_ulps) {
-    command += fmt::format(" --limit-ulps {}", yardstick.limit_ulps);
+  if (limits.limit_ulps != oracles::default_limit_ulps) {
+    command += fmt::format(" --limit-ulps {}", limits.limit_ulps);
   }
-  if (yardstick.digits) {
-    command += fmt::format(" --digits {}", *yardstick.digits);
+  if (limits.digits) {
+    command += fmt::format(" --digits {}", *limits.digits);
   }
-  if (!yardstick.filtered) {
+  if (!limits.filtered) {
     command += " --exact";
   }
   return command;
@@ -200,16 +200,15 @@ std::string replay_options(const Subject& subject, const oracles::Yardstick& yar
 
 }  // namespace
 
-std::string replay_command(const std::string& witness_file, const Subject& subject,
-                           const oracles::Yardstick& yardstick) {
-  return fmt::format("carom replay {}", quoted(witness_file)) + replay_options(subject, yardstick);
+std::string replay_command(const std::string& witness_file, const Subject& subject, const oracles::Limits& limits) {
+  return fmt::format("carom replay {}", quoted(witness_file)) + replay_options(subject, limits);
 }
 
 std::string replay_command(const properties::diagnosis::FaultWitness& witness, const Settings& settings,
                            const Subject& subject) {
   return fmt::format("carom replay --family {} --case {} --seed {}{}", witness.family, witness.index, settings.seed,
                      within_option(settings.within)) +
-         replay_options(subject, settings.yardstick);
+         replay_options(subject, settings.limits);
 }
 std::vector<const properties::Witness*> witnesses_by_telling(const JudgedSubject& subject) {
   std::vector<const properties::Witness*> ordered;

@@ -35,7 +35,7 @@ struct Settings {
   std::optional<double> budget_seconds;        // in place of `cases`
   properties::Domain within = {};              // of the cases
   std::vector<std::string> without_case = {};  // families that have no case within the domain, so none was posed
-  oracles::Yardstick yardstick;
+  oracles::Limits limits;
   bool fail_fast = false;
   std::uint64_t relations_every = 0;  // 0: the default of GateOptions
   std::vector<std::string> deviates;  // deviations from the command line, which apply to every subject
@@ -153,7 +153,7 @@ struct Overall {
 
 /// The POSIX shell command that replays the witness in `witness_file` with the same verdict.
 [[nodiscard]] std::string replay_command(const std::string& witness_file, const Subject& subject,
-                                         const oracles::Yardstick& yardstick);
+                                         const oracles::Limits& limits);
 
 /// The POSIX shell command that draws the case of a fault again, with the same verdict.
 [[nodiscard]] std::string replay_command(const properties::diagnosis::FaultWitness& witness, const Settings& settings,

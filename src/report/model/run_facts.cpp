@@ -23,7 +23,7 @@ RunFacts run_facts(const properties::GateOptions& options, const std::vector<Sub
                  {"cases of each family", std::to_string(options.cases)},
                  {"families", listed(families)},
                  {"within", properties::to_text(options.within)},
-                 {"yardstick", Json<oracles::Yardstick>::write(options.yardstick).dump()},
+                 {"yardstick", Json<oracles::Limits>::write(options.limits).dump()},
                  {"relations_every", std::to_string(options.relations_every)},
                  {"deviates", listed(deviates)}};
   std::vector<std::string> names;

@@ -495,7 +495,7 @@ void fields(A& archive, Is<Run> auto& run) {
   archive.unless_default("budget_seconds", run.settings.budget_seconds);
   archive.unless_default("within", run.settings.within);
   archive.unless_default("without_case", run.settings.without_case);
-  archive("yardstick", run.settings.yardstick);
+  archive("yardstick", run.settings.limits);
   archive.unless_default("fail_fast", run.settings.fail_fast);
   archive.unless_default("relations_every", run.settings.relations_every);
   archive.unless_default("deviates", run.settings.deviates);
@@ -529,7 +529,7 @@ properties::GateOptions options_from(const Field& record, const Settings& settin
   options.seed = settings.seed;
   options.cases = record.at("cases_of_each_family").count();
   options.within = settings.within;
-  options.yardstick = settings.yardstick;
+  options.limits = settings.limits;
   options.relations_every = settings.relations_every;
   options.shard = *settings.shard;
   for (const Field& family : record.at("families").elements()) {
@@ -631,8 +631,8 @@ json witness_record(const properties::Witness& witness, const Subject& subject, 
   record["statement"] = invariant.statement;
   record["formula"] = invariant.formula;
   record["seed"] = settings.seed;
-  record["yardstick"] = Json<oracles::Yardstick>::write(settings.yardstick);
-  record["replay"] = replay_command(witness_file, subject, settings.yardstick);
+  record["yardstick"] = Json<oracles::Limits>::write(settings.limits);
+  record["replay"] = replay_command(witness_file, subject, settings.limits);
   const properties::JudgedCase judged_case(witness.shrunk, true, subject.effects);
   if (!judged_case.is_valid()) {
     return record;

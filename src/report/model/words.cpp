@@ -33,8 +33,8 @@ std::string in_words(const Digits& digits) {
                     : no_number;
 }
 
-std::string limit_in_words(const oracles::Yardstick& yardstick) {
-  return yardstick.digits ? fmt::format("{} digits", *yardstick.digits) : fmt::format("{} ulps", yardstick.limit_ulps);
+std::string limit_in_words(const oracles::Limits& limits) {
+  return limits.digits ? fmt::format("{} digits", *limits.digits) : fmt::format("{} ulps", limits.limit_ulps);
 }
 
 std::string within_option(const properties::Domain& domain) {

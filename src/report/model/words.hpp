@@ -14,7 +14,7 @@ namespace carom::report {
 [[nodiscard]] std::string shown(const std::string& text);
 
 /// "32 ulps" or "8 digits".
-[[nodiscard]] std::string limit_in_words(const oracles::Yardstick& yardstick);
+[[nodiscard]] std::string limit_in_words(const oracles::Limits& limits);
 
 /// " --within size=0.1:10", the option for a command line; empty for the domain of everything.
 [[nodiscard]] std::string within_option(const properties::Domain& domain);

@@ -111,7 +111,7 @@ std::string not_shrunk_in_words(const Witness& witness) {
 std::string replay_line(const Run& run, const JudgedSubject& subject, const Witness& witness,
                         const std::string& out_directory) {
   const Subject& of = subject.result.subject;
-  return replay_command(witness_path(out_directory, of, witness.invariant), of, run.settings.yardstick);
+  return replay_command(witness_path(out_directory, of, witness.invariant), of, run.settings.limits);
 }
 
 Section findings_part(const Run& run, const JudgedSubject& subject, const std::string& out_directory) {

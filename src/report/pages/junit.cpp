@@ -126,8 +126,7 @@ Totals add_judged(pugi::xml_node root, const Run& run, std::size_t subject) {
            {"value", boundary_in_words(result.beyond_domain[f])}});
     }
   }
-  for (const properties::Invariant* invariant :
-       properties::claim_of(result.subject, run.settings.yardstick).invariants) {
+  for (const properties::Invariant* invariant : properties::claim_of(result.subject, run.settings.limits).invariants) {
     const std::string name(invariant->name);
     add_case(suite, result, name, standing_of(run, subject, name));
   }

@@ -52,7 +52,7 @@ Cell signed_cell(const char* look, const char* sign, const char* spoken, std::st
 
 Cell invariant_cell(const Run& run, std::size_t s, const properties::Invariant& invariant) {
   const SubjectResult& result = run.subjects[s].result;
-  const properties::Claim claim = properties::claim_of(result.subject, run.settings.yardstick);
+  const properties::Claim claim = properties::claim_of(result.subject, run.settings.limits);
   if (std::find(claim.invariants.begin(), claim.invariants.end(), &invariant) == claim.invariants.end()) {
     return signed_cell("unclaimed", "·", "not claimed");
   }
@@ -129,7 +129,7 @@ Document invariants_part(const Run& run) {
 }
 
 Document families_part(const Run& run) {
-  const double limit = run.settings.yardstick.limit_ulps;
+  const double limit = run.settings.limits.limit_ulps;
   std::vector<std::string> names;
   for (const RunFamily& family : run.families) {
     names.push_back(family.name);

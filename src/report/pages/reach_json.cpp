@@ -21,10 +21,9 @@ json witness_record(const properties::Witness& witness) {
           {"violation", shown(properties::in_words(witness.verdict))}};
 }
 
-json ends_record(const properties::Ends& ends, const oracles::Yardstick& yardstick) {
-  json record{{"yardstick", Json<oracles::Yardstick>::write(yardstick)},
-              {"error", shown(ends.error)},
-              {"faces", json::array()}};
+json ends_record(const properties::Ends& ends, const oracles::Limits& limits) {
+  json record{
+      {"yardstick", Json<oracles::Limits>::write(limits)}, {"error", shown(ends.error)}, {"faces", json::array()}};
   if (ends.in_core) {
     record["in_core"] = witness_record(*ends.in_core);
   }
@@ -42,7 +41,7 @@ json ends_record(const properties::Ends& ends, const oracles::Yardstick& yardsti
 
 json reach_record(const MeasuredDomain& measured) {
   const auto& [subject, deviates, options, reach, effects] = measured;
-  json record = ends_record(reach.ends, options.yardstick);
+  json record = ends_record(reach.ends, options.limits);
   record.update({{"carom", version},
                  {"subject", subject},
                  {"seed", options.seed},

@@ -21,7 +21,7 @@ std::string reach_svg(const MeasuredDomain& measured, const properties::Domain& 
       fmt::format("The domain of {}", shown(subject)),
       fmt::format("For each quantity, a bar shows where {} holds if only this quantity leaves the core {}.",
                   shown(subject), to_text(options.core)),
-      limit_in_words(options.yardstick),
+      limit_in_words(options.limits),
       reach.stricter ? limit_in_words(*options.stricter) : "",
       beside.is_everything() ? "" : shown(name_of_beside),
       {}};

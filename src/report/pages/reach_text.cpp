@@ -22,7 +22,7 @@ std::string witness_text(const properties::Witness& witness) {
 
 std::string end_in_words(double end) { return fmt::format("{:.3g}", end); }
 
-/// The end of the same range with the stricter yardstick.
+/// The end of the same range with the stricter limits.
 std::string stricter_end(const properties::Ends& stricter, const Face& face) {
   const auto found = std::find_if(stricter.faces.begin(), stricter.faces.end(), [&](const Face& other) {
     return other.quantity == face.quantity && other.is_upper == face.is_upper;
@@ -55,7 +55,7 @@ Table table_of(const MeasuredDomain& measured) {
   return table;
 }
 
-/// Empty if the stricter yardstick holds in the core, or if there is none.
+/// Empty if the stricter limits hold in the core, or if there is none.
 std::string stricter_in_core(const MeasuredDomain& measured) {
   const std::optional<properties::Ends>& stricter = measured.reach.stricter;
   if (!stricter || !stricter->faces.empty()) {
@@ -75,7 +75,7 @@ std::string reach_text(const MeasuredDomain& measured) {
   const std::string effects = properties::to_text(declared);
   std::string text =
       fmt::format("Carom {}: the domain of {}, seed {}, limit {}\nThe search starts from {}.\n{}{}\n", version,
-                  shown(subject), options.seed, limit_in_words(options.yardstick), to_text(options.core),
+                  shown(subject), options.seed, limit_in_words(options.limits), to_text(options.core),
                   deviates.empty() ? "" : fmt::format("Not judged: {}.\n", fmt::join(deviates, ", ")),
                   effects.empty() ? "" : fmt::format("Judged without its declared effects: {}.\n", effects));
   if (!reach.ends.error.empty()) {

@@ -32,12 +32,12 @@ Document summary_part(const Run& run) {
              {"baseline", run.baseline ? baseline_verdict(*run.baseline) : ""},
              {"seed", std::to_string(settings.seed)},
              {"cases", extent_of(run)},
-             {"limit", limit_in_words(settings.yardstick)},
+             {"limit", limit_in_words(settings.limits)},
              {"relations", settings.relations_every > 0
                                ? fmt::format("each is judged on every {}th case", settings.relations_every)
                                : "each is judged on every case; for programs on every fourth case"},
-             {"judge", settings.yardstick.filtered ? "exact arithmetic, and faster bounds if they decide the verdict"
-                                                   : "only exact arithmetic (--exact)"}}});
+             {"judge", settings.limits.filtered ? "exact arithmetic, and faster bounds if they decide the verdict"
+                                                : "only exact arithmetic (--exact)"}}});
   return document;
 }
 

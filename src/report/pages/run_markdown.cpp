@@ -16,7 +16,7 @@ std::string opening(const Run& run) {
   const Overall overall = overall_of(run);
   Document content{Paragraph{fmt::format("{} of {} subjects that count are sound; {}, seed {}, limit {}; Carom {}.",
                                          overall.sound, overall.subjects, extent_of(run), run.settings.seed,
-                                         limit_in_words(run.settings.yardstick), version)}};
+                                         limit_in_words(run.settings.limits), version)}};
   if (run.baseline) {
     content.emplace_back(Paragraph{fmt::format("Against the baseline: {}.", baseline_verdict(*run.baseline))});
   }

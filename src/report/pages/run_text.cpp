@@ -10,8 +10,8 @@ namespace carom::report {
 
 std::string run_text(const Run& run, const std::string& out_directory) {
   Document document{Paragraph{fmt::format("Carom {}: {}, seed {}, limit {}{}", version, extent_of(run),
-                                          run.settings.seed, limit_in_words(run.settings.yardstick),
-                                          run.settings.yardstick.filtered ? "" : ", judged only in exact arithmetic")}};
+                                          run.settings.seed, limit_in_words(run.settings.limits),
+                                          run.settings.limits.filtered ? "" : ", judged only in exact arithmetic")}};
   if (run.interrupted) {
     document.emplace_back(Section{"", {Paragraph{"INTERRUPTED: these are the results so far"}}});
   }

@@ -110,11 +110,11 @@ void show_judgement(const CaseToShow::Judged& judged, ShownCase& shown) {
   const properties::Judgement& judgement = replayed->judgement;
   json& record = shown.record;
   record["subject"] = subject->name;
-  record["yardstick"] = Json<oracles::Yardstick>::write(*yardstick);
+  record["yardstick"] = Json<oracles::Limits>::write(yardstick->limits());
   record["outcome"] = Json<Answer>::write(replayed->answer);
   if (judgement.accuracy) {
     record["backward_error_ulps"] = judgement.accuracy->is_decided
-                                        ? number_to_json(judgement.accuracy->backward_error(yardstick->unit_roundoff))
+                                        ? number_to_json(judgement.accuracy->backward_error(yardstick->unit_roundoff()))
                                         : json();
   }
   for (const properties::NamedVerdict& named : judgement.verdicts) {
@@ -129,8 +129,8 @@ void show_judgement(const CaseToShow::Judged& judged, ShownCase& shown) {
     shown.text += fmt::format("  violated in {} of {} spellings of the request, first in {}\n",
                               replayed->violated_spellings, replayed->spellings, replayed->spelt);
   }
-  shown.text += fmt::format("{}, judged{}\n{}", subject->name, yardstick->filtered ? "" : " only in exact arithmetic",
-                            judgement_text(judgement, replayed->answer, yardstick->unit_roundoff));
+  shown.text += fmt::format("{}, judged{}\n{}", subject->name, yardstick->filtered() ? "" : " only in exact arithmetic",
+                            judgement_text(judgement, replayed->answer, yardstick->unit_roundoff()));
 }
 
 }  // namespace

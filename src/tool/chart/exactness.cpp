@@ -11,9 +11,7 @@
 #include <carom/collision/validate.hpp>
 #include <carom/oracles/judge/accuracy.hpp>
 #include <carom/oracles/judge/coulomb_answers.hpp>
-#include <carom/properties/trial/declared_effects.hpp>
 #include <carom/properties/trial/trial.hpp>
-#include <carom/properties/trial/unjudged.hpp>
 
 namespace carom::tool::chart {
 namespace {
@@ -33,46 +31,19 @@ std::vector<Collision> colliding(const Generate& generate, std::size_t count) {
   return found;
 }
 
-oracles::Yardstick yardstick_of(const Subject& subject, double limit_ulps) {
-  oracles::Yardstick yardstick;
-  yardstick.limit_ulps = limit_ulps;
-  return yardstick.in(subject.precision);
-}
-
-void add_result(report::ExactnessBuilder& builder, const oracles::ExactCase& posed, const Subject& subject,
-                const Answer& answer, double limit_ulps) {
-  if (std::holds_alternative<Skipped>(answer)) {
+/// The accuracy of an answer to a colliding contact. The claim has no invariants.
+void add_result(report::ExactnessBuilder& builder, const properties::JudgedCase& judged, const properties::Claim& claim,
+                const Answer& answer) {
+  const properties::Judgement judgement = judge_answer(judged, claim, properties::lift(answer));
+  if (judgement.skipped || judgement.unjudged || judged.exact().approach() != oracles::Approach::colliding) {
     return;
   }
-  const oracles::Yardstick yardstick = yardstick_of(subject, limit_ulps);
-  std::optional<properties::JudgedCase> without_effects;
-  if (subject.effects != DeclaredEffects{}) {
-    without_effects.emplace(properties::Case{posed.collision(), false}, true, subject.effects);
+  const std::optional<oracles::Accuracy>& accuracy = judgement.accuracy;
+  if (accuracy && accuracy->is_decided) {
+    builder.add(accuracy->backward_error(claim.yardstick.unit_roundoff()), accuracy->digits(), accuracy->is_allowed());
+  } else if (!accuracy || !judged.exact().is_open(claim.law, claim.yardstick.allowance())) {
+    builder.add(std::numeric_limits<double>::infinity(), 0, false);  // an undecided outcome counts as a failure
   }
-  const oracles::ExactCase& judged = without_effects ? without_effects->exact() : posed;
-  if (without_effects ? without_effects->reason_unjudged_by(yardstick)
-                      : properties::reason_unjudged(posed, yardstick)) {
-    return;
-  }
-  if (judged.approach() != oracles::Approach::colliding) {
-    return;
-  }
-  properties::ExactAnswer lifted = properties::lift(answer);
-  properties::take_out_effects(lifted, subject.effects, judged, subject.law, yardstick.allowance());
-  const auto* const outcome = std::get_if<oracles::LiftedOutcome>(&lifted);
-  if (outcome == nullptr) {
-    builder.add(std::numeric_limits<double>::infinity(), 0, false);
-    return;
-  }
-  if (judged.is_open(subject.law, yardstick.allowance())) {
-    return;
-  }
-  const oracles::Accuracy accuracy = oracles::accuracy(judged, subject.law, *outcome, yardstick);
-  if (!accuracy.is_decided) {  // an undecided outcome counts as a failure
-    builder.add(std::numeric_limits<double>::infinity(), 0, false);
-    return;
-  }
-  builder.add(accuracy.backward_error(yardstick.unit_roundoff), accuracy.digits(), accuracy.is_allowed());
 }
 
 struct CoulombCase {
@@ -93,18 +64,10 @@ struct CoulombCase {
   }
 };
 
-/// The subject's claim without the invariants that compare the answers to two collisions.
-properties::Claim claim_about_outcome(const Subject& subject, double limit_ulps) {
-  oracles::Yardstick yardstick;
-  yardstick.limit_ulps = limit_ulps;
-  properties::Claim claim = properties::claim_of(subject, yardstick);
-  std::erase_if(claim.invariants, [](const properties::Invariant* invariant) { return invariant->asks(); });
-  return claim;
-}
-
-void add_coulomb_result(report::ExactnessBuilder& builder, const CoulombCase& one, const Subject& subject,
-                        const Answer& answer, double limit_ulps) {
-  if (properties::reason_unjudged(one.judged.exact(), yardstick_of(subject, limit_ulps))) {
+void add_coulomb_result(report::ExactnessBuilder& builder, const CoulombCase& one, const properties::Claim& claim,
+                        const Answer& answer) {
+  const properties::Judgement judgement = judge_answer(one.judged, claim, properties::lift(answer));
+  if (judgement.unjudged) {
     return;
   }
   const auto* const outcome = std::get_if<ReportedOutcome>(&answer);
@@ -112,9 +75,6 @@ void add_coulomb_result(report::ExactnessBuilder& builder, const CoulombCase& on
     one.add_to(builder, 0, false);
     return;
   }
-  const properties::Judgement judgement = properties::try_case(
-      one.judged, claim_about_outcome(subject, limit_ulps),
-      [&](const Collision&) -> properties::ExactAnswer { return oracles::LiftedOutcome(*outcome); });
   const bool is_violated = std::any_of(
       judgement.verdicts.begin(), judgement.verdicts.end(),
       [](const properties::NamedVerdict& named) { return named.verdict.status == properties::Status::violated; });
@@ -143,6 +103,13 @@ std::vector<report::Exactness> measured_exactness(ChartedSubjects& charted, std:
                                                   AnswersOfCoulomb answers_of_coulomb) {
   const std::span<const Subject> subjects = charted.subjects();
   const std::vector<std::vector<Answer>> answers = charted.answers_to(collisions);
+  std::vector<properties::Claim> claims;
+  for (const Subject& subject : subjects) {
+    claims.push_back(properties::claim_of(subject, {limit_ulps}));
+    if (subject.law != Law::coulomb) {
+      claims.back().invariants.clear();  // the chart shows the accuracy alone
+    }
+  }
   // The cases are the outer loop, so that the truth of a case is computed once.
   std::vector<std::vector<report::ExactnessBuilder>> parts(std::max(1U, workers.count),
                                                            std::vector<report::ExactnessBuilder>(subjects.size()));
@@ -150,16 +117,18 @@ std::vector<report::Exactness> measured_exactness(ChartedSubjects& charted, std:
   workers.run(parts.size(), [&](std::size_t worker) {
     std::vector<report::ExactnessBuilder>& part = parts[worker];
     for (std::size_t i = next++; i < collisions.size(); i = next++) {
-      const oracles::ExactCase exact_case(collisions[i]);
+      const properties::JudgedCase without_effects(properties::Case{collisions[i], false});
       std::optional<CoulombCase> coulomb_case;
       for (std::size_t s = 0; s < subjects.size(); ++s) {
         if (subjects[s].law == Law::coulomb) {
           if (!coulomb_case) {
             coulomb_case.emplace(collisions[i], answers_of_coulomb);
           }
-          add_coulomb_result(part[s], *coulomb_case, subjects[s], answers[s][i], limit_ulps);
+          add_coulomb_result(part[s], *coulomb_case, claims[s], answers[s][i]);
+        } else if (claims[s].effects == DeclaredEffects{}) {
+          add_result(part[s], without_effects, claims[s], answers[s][i]);
         } else {
-          add_result(part[s], exact_case, subjects[s], answers[s][i], limit_ulps);
+          add_result(part[s], {{collisions[i], false}, true, claims[s].effects}, claims[s], answers[s][i]);
         }
       }
     }

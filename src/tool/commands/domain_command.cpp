@@ -35,7 +35,7 @@ struct DomainArguments {
   std::optional<properties::Domain> core;
   std::uint64_t seed = 1;
   std::uint64_t cases = 200;
-  YardstickArguments judged;
+  LimitArguments judged;
   unsigned jobs = 0;    // 0: one for each core
   double timeout = 5;   // for each reply of a program [s]
   std::string out;      // a file for --within; empty for none
@@ -46,21 +46,20 @@ struct DomainArguments {
 };
 
 /// The default limit in ulps, if it permits less rounding than the digits that are asked for.
-std::optional<oracles::Yardstick> stricter_than(const oracles::Yardstick& yardstick, Precision precision) {
-  oracles::Yardstick in_ulps = yardstick;
+std::optional<oracles::Limits> stricter_than(const oracles::Limits& limits, Precision precision) {
+  oracles::Limits in_ulps = limits;
   in_ulps.digits.reset();
-  in_ulps.unit_roundoff = unit_roundoff(precision);
-  const bool is_stricter = yardstick.digits && in_ulps.allowance() < yardstick.allowance();
-  in_ulps.unit_roundoff = yardstick.unit_roundoff;
-  return is_stricter ? std::optional(in_ulps) : std::nullopt;
+  const bool is_stricter =
+      oracles::Yardstick::of(precision, in_ulps).allowance() < oracles::Yardstick::of(precision, limits).allowance();
+  return limits.digits && is_stricter ? std::optional(in_ulps) : std::nullopt;
 }
 
 properties::ReachOptions options_of(const DomainArguments& arguments, Precision precision,
                                     const std::stop_token& stop) {
   properties::ReachOptions options;
   options.seed = arguments.seed;
-  options.yardstick = arguments.judged.yardstick();
-  options.stricter = stricter_than(options.yardstick, precision);
+  options.limits = arguments.judged.limits();
+  options.stricter = stricter_than(options.limits, precision);
   options.workers = threads(arguments.jobs);
   options.core = arguments.core.value_or(properties::default_core());
   options.cases_of_box = arguments.cases;
@@ -139,7 +138,7 @@ void add_domain(CLI::App& app, Chosen& chosen) {
       ->capture_default_str();
   add_deviates(*command, arguments->deviates, "The output lists them");
   add_jobs(*command, arguments->jobs, "Number of threads");
-  add_yardstick(*command, arguments->judged);
+  add_limits(*command, arguments->judged);
   add_timeout(*command, arguments->timeout);
   add_format(*command, arguments->format, {"text", "json"});
   command->callback([&chosen, arguments] { chosen = [arguments] { return measure_domain(*arguments); }; });

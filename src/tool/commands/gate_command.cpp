@@ -48,7 +48,7 @@ struct GateArguments {
   std::uint64_t cases = properties::default_cases;
   std::optional<std::chrono::nanoseconds> budget;  // in place of `cases`
   bool fail_fast = false;
-  YardstickArguments judged;
+  LimitArguments judged;
   unsigned jobs = 0;        // 0: one for each core
   std::string out;          // a directory; empty for none
   std::string annotations;  // "github", or empty for none
@@ -156,7 +156,7 @@ properties::GateOptions options_of(const GateArguments& arguments, const propert
   if (!arguments.budget && !arguments.fail_fast) {
     options.beyond_domain = std::move(posed.beyond_domain);
   }
-  options.yardstick = arguments.judged.yardstick();
+  options.limits = arguments.judged.limits();
   options.workers = threads(arguments.jobs);
   options.progress = progress_line(arguments.budget ? "ms of the budget spent" : "cases judged");
   options.stop = stop;
@@ -303,7 +303,7 @@ void add_gate(CLI::App& app, Chosen& chosen) {
   command->add_option("--summary", arguments->summary, "File to which a summary in Markdown is appended")
       ->type_name("FILE");
   add_jobs(*command, arguments->jobs, "Number of threads");
-  add_yardstick(*command, arguments->judged);
+  add_limits(*command, arguments->judged);
   add_timeout(*command, arguments->timeout);
   add_format(*command, arguments->format, {"text", "json"});
   command->callback([&chosen, arguments] { chosen = [arguments] { return gate(*arguments); }; });

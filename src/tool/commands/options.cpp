@@ -27,13 +27,7 @@ std::string is_count(const std::string& text) {
                                                                   : "expected an integer from 0 to 2^64 - 1";
 }
 
-oracles::Yardstick YardstickArguments::yardstick() const {
-  oracles::Yardstick yardstick;
-  yardstick.limit_ulps = limit_ulps;
-  yardstick.digits = digits;
-  yardstick.filtered = !exact;
-  return yardstick;
-}
+oracles::Limits LimitArguments::limits() const { return {limit_ulps, digits, !exact}; }
 
 void add_accuracy(CLI::App& command, double& limit, std::optional<int>& digits, const std::string& of_limit,
                   const std::string& of_digits) {
@@ -51,7 +45,7 @@ void add_accuracy(CLI::App& command, double& limit, std::optional<int>& digits, 
   command.add_option("--digits", digits, of_digits)->check(CLI::Range(1, 18))->excludes(limit_ulps);
 }
 
-void add_yardstick(CLI::App& command, YardstickArguments& arguments) {
+void add_limits(CLI::App& command, LimitArguments& arguments) {
   add_accuracy(command, arguments.limit_ulps, arguments.digits, "Largest permitted backward error, in ulps",
                "N permits a relative error of 10^-N, in place of --limit-ulps");
   command.add_flag("--exact", arguments.exact,

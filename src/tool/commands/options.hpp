@@ -15,17 +15,17 @@
 namespace carom::tool {
 
 /// The options of the yardstick, the amount of rounding that is allowed.
-struct YardstickArguments {
+struct LimitArguments {
   double limit_ulps = 32;
   std::optional<int> digits;
   bool exact = false;  // whether to judge in ℚ alone, without the filters
 
-  [[nodiscard]] oracles::Yardstick yardstick() const;
+  [[nodiscard]] oracles::Limits limits() const;
 };
 
 void add_accuracy(CLI::App& command, double& limit_ulps, std::optional<int>& digits, const std::string& of_limit,
                   const std::string& of_digits);
-void add_yardstick(CLI::App& command, YardstickArguments& arguments);
+void add_limits(CLI::App& command, LimitArguments& arguments);
 
 /// Adds the option for the seconds that a program may take for each reply.
 void add_timeout(CLI::App& command, double& seconds);

@@ -29,7 +29,7 @@ struct ReplayArguments {
   std::optional<properties::Domain> within = {};  // of the case
   std::string subject;                            // empty: the one that a witness names
   double timeout = 5;                             // for each reply of a program [s]
-  YardstickArguments judged;
+  LimitArguments judged;
   bool shows_all_laws = false;  // whether to show laws that the subject does not claim
   std::string format = "text";
 };
@@ -76,7 +76,7 @@ bool replay_one(const ReadCollision& read, const ReplayArguments& arguments, Rep
 int replay(const ReplayArguments& arguments) {
   const std::stop_token stop = stop_on_interrupt();
   const Orphanage orphanage;
-  ReplaySubjects subjects(arguments.subject, arguments.timeout, arguments.judged.yardstick(),
+  ReplaySubjects subjects(arguments.subject, arguments.timeout, arguments.judged.limits(),
                           arguments.within.value_or(properties::Domain()), stop);
   bool violated = false;
   const auto visit = [&](const ReadCollision& read) {
@@ -124,7 +124,7 @@ void add_replay(CLI::App& app, Chosen& chosen) {
                       "Subject to judge (default: the subject of the witness, unless it is a program)");
   command->add_flag("--all-laws", arguments->shows_all_laws,
                     "Show the outcome of every law, not only of the law that the subject claims");
-  add_yardstick(*command, arguments->judged);
+  add_limits(*command, arguments->judged);
   add_timeout(*command, arguments->timeout);
   add_format(*command, arguments->format, {"text", "json"});
   command->callback([&chosen, arguments] {

@@ -54,7 +54,7 @@ std::vector<properties::NamedVerdict> session_verdicts(const properties::Claim& 
 
 }  // namespace
 
-ReplaySubject::ReplaySubject(const std::string& name, double timeout_seconds, const oracles::Yardstick& yardstick,
+ReplaySubject::ReplaySubject(const std::string& name, double timeout_seconds, const oracles::Limits& limits,
                              const properties::Domain& within, const std::stop_token& stop) {
   const unsigned spellings = runs_in_this_process(name) ? 1 : spelling_count;
   for (unsigned spelling = 0; spelling < spellings; ++spelling) {
@@ -66,7 +66,7 @@ ReplaySubject::ReplaySubject(const std::string& name, double timeout_seconds, co
         subject, [&] { return properties::open_restarting(subject, restarts_->emplace_back(most_failures), stop); }));
     subject_ = std::move(subject);
   }
-  claim_ = properties::claim_of(subject_, yardstick);
+  claim_ = properties::claim_of(subject_, limits);
   claim_.within = within;
 }
 
@@ -100,12 +100,12 @@ void ReplaySubject::close() {
   }
 }
 
-ReplaySubjects::ReplaySubjects(std::string subject, double timeout_seconds, const oracles::Yardstick& yardstick,
+ReplaySubjects::ReplaySubjects(std::string subject, double timeout_seconds, const oracles::Limits& limits,
                                properties::Domain within, std::stop_token stop)
     : subject_(std::move(subject)),
       timeout_seconds_(timeout_seconds),
       stop_(std::move(stop)),
-      yardstick_(yardstick),
+      limits_(limits),
       within_(within) {}
 
 ReplaySubject* ReplaySubjects::subject_for(const ReadCollision& read) {
@@ -134,7 +134,7 @@ ReplaySubject& ReplaySubjects::named(const std::string& name) {
   const auto found = open_.find(name);
   return found != open_.end()
              ? found->second
-             : open_.emplace(name, ReplaySubject(name, timeout_seconds_, yardstick_, within_, stop_)).first->second;
+             : open_.emplace(name, ReplaySubject(name, timeout_seconds_, limits_, within_, stop_)).first->second;
 }
 
 }  // namespace carom::tool

@@ -28,7 +28,7 @@ using report::ReplayedCase;
 class ReplaySubject {
  public:
   /// Throws UsageError if the subject cannot be run.
-  ReplaySubject(const std::string& name, double timeout_seconds, const oracles::Yardstick& yardstick,
+  ReplaySubject(const std::string& name, double timeout_seconds, const oracles::Limits& limits,
                 const properties::Domain& within, const std::stop_token& stop);
 
   [[nodiscard]] const Subject& subject() const { return subject_; }
@@ -55,8 +55,8 @@ class ReplaySubjects {
  public:
   /// `subject` judges every collision; if it is empty, each file names its subject. `timeout_seconds` is for each reply
   /// of a program. Relations are judged only if the related collisions lie in `within`.
-  ReplaySubjects(std::string subject, double timeout_seconds, const oracles::Yardstick& yardstick,
-                 properties::Domain within, std::stop_token stop);
+  ReplaySubjects(std::string subject, double timeout_seconds, const oracles::Limits& limits, properties::Domain within,
+                 std::stop_token stop);
 
   /// The subject that judges this collision; nullptr if there is none. Throws UsageError.
   [[nodiscard]] ReplaySubject* subject_for(const ReadCollision& read);
@@ -73,7 +73,7 @@ class ReplaySubjects {
   std::string subject_;
   double timeout_seconds_;
   std::stop_token stop_;
-  oracles::Yardstick yardstick_;
+  oracles::Limits limits_;
   properties::Domain within_;
   std::map<std::string, ReplaySubject> open_;
 };

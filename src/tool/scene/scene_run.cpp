@@ -33,7 +33,7 @@ SceneRun::SceneRun(const scene::Scene& scene, const SceneOptions& options)
       simulation_(scene),
       first_(simulation_.state()),
       ledger_(first_),
-      judge_(scene.law, judged_precision(scene), options.judge_every, oracles::Yardstick().in(judged_precision(scene))),
+      judge_(scene.law, judged_precision(scene), options.judge_every, oracles::Limits()),
       samples_(first_, sample_count),
       has_turned_(simulation_.size(), false) {
   simulation_.stop_on(options.stop);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <cmath>
 
-#include <carom/oracles/filters/bounded_case_bounds.hpp>
+#include <carom/oracles/judge/exact_case_bounds.hpp>
 #include <carom/oracles/laws/equations.hpp>
 #include <carom/oracles/models/superposition.hpp>
 #include <carom/oracles/numbers/dual.hpp>
@@ -10,14 +10,14 @@
 #include "normalised_collision.hpp"
 #include "support/exact.hpp"
 
-/// Checks the inequalities and constants of oracles/filters/bounded_case_bounds.hpp. That header defines the symbols.
+/// Checks the inequalities and constants of oracles/judge/exact_case_bounds.hpp. That header defines the symbols.
 namespace carom::bounds {
 namespace {
 
-namespace bounded_case_bounds = oracles::bounded_case_bounds;
+namespace exact_case_bounds = oracles::exact_case_bounds;
 
 TEST(BoundedCase, KnowANormalVelocityToSixDigits) {
-  EXPECT_TRUE(covers(1e-6, bounded_case_bounds::known_radius_of_normal_velocity + u, 1.1));
+  EXPECT_TRUE(covers(1e-6, exact_case_bounds::known_radius_of_normal_velocity + u, 1.1));
 }
 
 template <class S, class Convert>
@@ -77,10 +77,9 @@ double error_of_matrix_sensitivity() {
 /// Inequalities (2) and (3) for K.
 TEST(BoundedCase, CoverTheRoundingOfTheMatrixSensitivity) {
   const double needed = error_of_matrix_sensitivity();
-  EXPECT_TRUE(covers(bounded_case_bounds::roundings_of_matrix_sensitivity, needed, 4));
-  EXPECT_LE(
-      bounded_case_bounds::roundings_of_matrix_sensitivity * u / bounded_case_bounds::least_share_of_largest_terms,
-      0.25);
+  EXPECT_TRUE(covers(exact_case_bounds::roundings_of_matrix_sensitivity, needed, 4));
+  EXPECT_LE(exact_case_bounds::roundings_of_matrix_sensitivity * u / exact_case_bounds::least_share_of_largest_terms,
+            0.25);
 }
 
 }  // namespace

@@ -126,7 +126,7 @@ Magnitude sensitivity(const std::vector<const MagnitudeDual*>& y, const std::vec
                                       [&](std::size_t i, std::size_t j) { return y[i]->derivative[j]; });
 }
 
-/// Inequalities (1), (3) and (4) for the linear laws. (bounded_case_bounds.hpp covers `rough`.) Masses and moments
+/// Inequalities (1), (3) and (4) for the linear laws. (exact_case_bounds.hpp covers `rough`.) Masses and moments
 /// occur only in denominators, so the smallest give the largest results.
 TEST(ModerateBounds, CoverTheSensitivityOfTheTruth) {
   Largest largest;

@@ -27,11 +27,11 @@ TEST(Slopes, OfAChangeByAMatrixHaveTheBitsOfForwardDifferentiation) {
   for (const auto& [family, one] : unit::sampled_cases(20)) {
     const Collision& c = one.collision;
     const ExactCase exact_case(c);
-    if (!has_movable_body(c) || !exact_case.bounds().is_moderate()) {
+    if (!has_movable_body(c) || !exact_case.is_moderate()) {
       continue;
     }
     Matrix3<double> matrix =
-        exact_case.bounds().collision_matrix().unaryExpr([](const Enclosure& x) { return x.middle(); });
+        exact_case.enclosed_collision_matrix().unaryExpr([](const Enclosure& x) { return x.middle(); });
     matrix(0, 1) *= 1.25;  // the subject may be wrong
     for (const bool read_off_a : {true, false}) {
       if (read_off_a ? c.a.immovable : c.b.immovable) {

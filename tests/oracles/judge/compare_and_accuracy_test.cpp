@@ -405,7 +405,7 @@ TEST(Accuracy, AllowsWhatTheYardstickSays) {
     c.a.velocity = {0, -speed, 0};
     c.b.immovable = true;
     const ExactCase exact_case(c);
-    ASSERT_EQ(exact_case.bounds().is_moderate(), speed == 1);
+    ASSERT_EQ(exact_case.is_moderate(), speed == 1);
     for (const bool filtered : {false, true}) {
       Yardstick yardstick;
       yardstick.unit_roundoff = 0x1p-30;

@@ -68,7 +68,7 @@ KnownLine line_of_sensitivities(const Sweep& sweep, Law law) {
     const ExactCase exact_case(c);
     const Branch branch = exact_case.branch(law);
     line.numbers[0] += colliding_sensitivity(c, law, branch) ? 1 : 0;
-    if (const auto enclosed = enclosed_sensitivity(c, law, branch, exact_case.bounds().is_moderate())) {
+    if (const auto enclosed = enclosed_sensitivity(c, law, branch, exact_case.is_moderate())) {
       line.numbers[1] += 1;
       for (const double one : *enclosed) {
         line.numbers[2] += std::log2(1 + one);

@@ -297,8 +297,8 @@ TEST(ConeDistance, IsTheSameBothWays) {
   int compared = 0;
   for (const auto& [family, one] : unit::sampled_cases(20)) {
     const ExactCase exact_case(one.collision);
-    if (exact_case.approach() != Approach::colliding || !exact_case.bounds().is_moderate() ||
-        !exact_case.bounds().is_well_conditioned()) {
+    if (exact_case.approach() != Approach::colliding || !exact_case.is_moderate() ||
+        !exact_case.is_well_conditioned()) {
       continue;
     }
     const ConeDistance quick = cone_distance(one.collision);

@@ -228,17 +228,17 @@ TEST(Sensitivity, IsTheSameByImplicitDifferentiation) {
   int compared = 0;
   for (const auto& [family, one] : unit::sampled_cases(20)) {
     const ExactCase exact_case(one.collision);
-    if (exact_case.approach() != Approach::colliding || !exact_case.bounds().is_moderate()) {
+    if (exact_case.approach() != Approach::colliding || !exact_case.is_moderate()) {
       continue;
     }
     const Matrix3<double> k =
-        exact_case.bounds().collision_matrix().unaryExpr([](const auto& x) { return x.middle(); });
+        exact_case.enclosed_collision_matrix().unaryExpr([](const auto& x) { return x.middle(); });
     if (k.trace() * k.trace() * k.trace() > 0x1p+22 * k.determinant()) {
       continue;
     }
     for (const Law law : laws_with_truth) {
       const Branch branch = exact_case.branch(law);
-      if (branch == Branch::on_cone && !exact_case.bounds().has_clear_divisor()) {
+      if (branch == Branch::on_cone && !exact_case.has_clear_divisor()) {
         continue;
       }
       const std::optional<Sensitivity> quick = colliding_sensitivity(one.collision, law, branch);
@@ -438,7 +438,7 @@ TEST(Grazing, TakesEveryDerivativeOfTheNormalVelocity) {
   int seen = 0;
   for (const auto& [family, one] : unit::valid_cases(4)) {
     const ExactCase exact_case(one.collision);
-    const auto& inputs = exact_case.bounds().differentiated();
+    const auto& inputs = exact_case.differentiated();
     const auto velocity = normal_velocity_before(inputs.collision);
     const double sensitivity = sensitivity_of({&velocity}, inputs.quantities);
     EXPECT_NEAR(exact_case.normal_velocity_sensitivity(), sensitivity, 0x1p-40 * sensitivity) << family;

@@ -163,7 +163,7 @@ TEST(Certify, NoticesEachCorruptedComponentWhereNothingHappens) {
 TEST(Certify, RefutesEachCorruptedComponentOfAnEnclosedTruth) {
   for (const Collision& collision : contacts_to_certify()) {
     const ExactCase exact_case(collision);
-    const BasicCollision<Enclosure>& enclosed = exact_case.bounds().enclosed();
+    const BasicCollision<Enclosure>& enclosed = exact_case.enclosed();
     for (const Law law : linear_laws) {
       EXPECT_NO_THROW(exact_case.check_enclosed_truth(law, Approach::colliding));
       const Outcome<Enclosure>& outcome = exact_case.enclosed_truth(law).outcome;

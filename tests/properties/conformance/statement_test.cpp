@@ -89,8 +89,8 @@ TEST(Statements, FollowTheOptions) {
   EXPECT_FALSE(invariants_of(all).contains("energy"));
   EXPECT_TRUE(invariants_of(all).contains("restitution"));
   for (const Statement& statement : all) {
-    EXPECT_EQ(statement.suite->yardstick.limit_ulps, 64);
-    EXPECT_EQ(statement.suite->yardstick.unit_roundoff, unit_roundoff(Precision::binary64));
+    EXPECT_EQ(statement.suite->yardstick.limits().limit_ulps, 64);
+    EXPECT_EQ(statement.suite->yardstick.unit_roundoff(), unit_roundoff(Precision::binary64));
   }
 }
 
@@ -111,7 +111,7 @@ TEST(Statements, LeaveOutADeviationInItsFamilyAlone) {
 TEST(Statements, AreJudgedExactlyWhereThatIsAskedFor) {
   const Subject idle = idle_callable(Law::any);
   const auto is_exact = [&](bool option) {
-    return !statements(idle, {.exact = option}).at(0).suite->yardstick.filtered;
+    return !statements(idle, {.exact = option}).at(0).suite->yardstick.filtered();
   };
   EXPECT_FALSE(is_exact(false));
   EXPECT_TRUE(is_exact(true));

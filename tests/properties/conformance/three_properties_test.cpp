@@ -330,7 +330,7 @@ TEST(ThreeProperties, AreJudgedAsByTheGate) {
       if (outcome == nullptr) {
         continue;
       }
-      properties::Claim claim = properties::claim_of(*subject, oracles::Yardstick());
+      properties::Claim claim = properties::claim_of(*subject, {});
       std::erase_if(claim.invariants, [](const properties::Invariant* one) {
         return std::ranges::none_of(properties::three_properties(), [&](const properties::Property& property) {
           return std::ranges::find(property.invariants, one->name) != property.invariants.end();

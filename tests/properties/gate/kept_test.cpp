@@ -31,6 +31,7 @@ const std::map<std::string, Number> rare{{"reflection-llt-float", {202, 75335}},
 /// Regression cases of sound subjects. The last tests the judge, and the others test solvers.
 const std::vector<std::pair<std::string, Number>> mended{
     {"reflection-in-stable-basis-float", {101, 13155}},
+    {"reflection-in-stable-basis-float", {202, 12285}},
     {"rough-float", {20261125, 42175}},
     {"rough-float", {303, 4026, "near_special"}},
     {"rough-batch-float", {20261125, 42175}},

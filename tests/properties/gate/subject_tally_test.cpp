@@ -14,7 +14,7 @@ void add_many(SubjectTally& tally, std::uint64_t count) {
   const JudgedCase judged_case(unit::case_of("elastic", 1));
   ASSERT_EQ(judged_case.exact().approach(), oracles::Approach::colliding);
   Claim claim;
-  claim.yardstick.unit_roundoff = 0x1p-53;
+  claim.yardstick = oracles::Yardstick::of(Precision::binary64);
   Stream stream = stream_from(count);
   Judgement judgement;
   Verdict violated;

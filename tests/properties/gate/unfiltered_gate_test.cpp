@@ -16,7 +16,7 @@ struct JudgedRun {
 JudgedRun run_of(bool filtered) {
   GateOptions options;
   options.cases = 8;
-  options.yardstick.filtered = filtered;
+  options.limits.filtered = filtered;
   for (const Family& family : all_families()) {
     options.families.push_back(&family);
   }

@@ -33,7 +33,7 @@ std::vector<Examinee> built_in_examinees() {
     examinee.name = subject.name;
     std::replace(examinee.name.begin(), examinee.name.end(), '-', '_');
     examinee.law = subject.law;
-    examinee.yardstick.unit_roundoff = unit_roundoff(subject.precision);
+    examinee.yardstick = oracles::Yardstick::of(subject.precision);
     examinee.solve = [session = std::make_shared<Session>(subject.open())](const Collision& collision) {
       return lift((*session)(std::span(&collision, 1)).at(0));
     };

@@ -24,7 +24,6 @@ Examinee exactly(std::string name, Law law, Solve solve) {
   Examinee examinee;
   examinee.name = std::move(name);
   examinee.law = law;
-  examinee.yardstick.unit_roundoff = 0;
   examinee.shows_matrix = law != Law::frictionless;
   examinee.solve = [solve](const Collision& collision) -> ExactAnswer {
     if (!validate(collision).empty()) {

@@ -15,7 +15,7 @@ namespace carom::properties {
 struct Examinee {
   std::string name;  // valid as a GoogleTest name
   Law law = Law::any;
-  oracles::Yardstick yardstick;
+  oracles::Yardstick yardstick = oracles::Yardstick::of_exact_arithmetic();
   ExactSolve solve;
   bool shows_matrix = false;
 };

@@ -48,13 +48,11 @@ ShownSolve shown_solve(std::string_view family, std::uint64_t index, Law law = L
 }
 
 std::vector<NamedVerdict> verdicts_on(const ShownSolve& one, const std::optional<Matrix>& matrix, bool filtered) {
-  oracles::Yardstick yardstick;
-  yardstick.filtered = filtered;
   Subject subject;
   subject.law = Law::any;
   subject.precision = Precision::binary64;
   subject.shows_collision_matrix = true;
-  Claim claim = claim_of(subject, yardstick);
+  Claim claim = claim_of(subject, {.filtered = filtered});
   std::erase_if(claim.invariants, [](const Invariant* invariant) { return !invariant->is_of_matrix(); });
   ReportedOutcome outcome = one.outcome;
   outcome.collision_matrix = matrix;

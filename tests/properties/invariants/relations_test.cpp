@@ -20,7 +20,7 @@ Verdict verdict_of_swap(const Answer& answer_to_swapped) {
   const Collision c = unit::plain_collision();
   Claim claim;
   claim.law = Law::reflection;
-  claim.yardstick.unit_roundoff = unit_roundoff(Precision::binary64);
+  claim.yardstick = oracles::Yardstick::of(Precision::binary64);
   claim.invariants = {invariant_named("swap")};
   const auto solve = [&](const Collision& asked) -> ExactAnswer {
     return asked.normal == c.normal ? answer_of_reflection(asked) : ExactAnswer(answer_to_swapped(asked));

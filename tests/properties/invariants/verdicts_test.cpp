@@ -114,7 +114,7 @@ TEST(BackwardError, PrintsAnExactZeroAsZero) {
   const JudgedCase judged_case({c, true});
   Claim claim;
   claim.law = Law::frictionless;
-  claim.yardstick.unit_roundoff = 0x1p-53;
+  claim.yardstick = oracles::Yardstick::of(Precision::binary64);
   claim.invariants = {invariant_named("backward_error")};
   const Judgement judgement =
       try_case(judged_case, claim, [](const Collision& at) { return oracles::LiftedOutcome(reported(unchanged(at))); });

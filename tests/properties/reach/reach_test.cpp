@@ -178,8 +178,8 @@ TEST(Reach, StartsFromACoreOfZerosAndFromOneBeyondTheSearch) {
 /// J⁻¹ in world axes loses digits of slender bodies before it loses all but three.
 TEST(Reach, SearchesTheEndsWithAStricterYardstickToo) {
   ReachOptions both = options();
-  both.stricter = both.yardstick;
-  both.yardstick.digits = 3;
+  both.stricter = both.limits;
+  both.limits.digits = 3;
   const Subject subject = *subjects::subject_named("reflection-world-float");
   const Reach reach = measured_reach(subject, both);
   ReachOptions alone = options();

@@ -236,8 +236,8 @@ TEST(Planted, AnImpulseThatIsOffByABillionthIsViolated) {
 
 TEST(ImpulseJudge, JudgesEveryNthImpulse) {
   std::vector<Event> events = unit::events_of(table(), 1000);
-  ImpulseJudge third(Law::rough, Precision::binary64, 3, unit::yardstick_of(Precision::binary64));
-  ImpulseJudge none(Law::rough, Precision::binary64, 0, unit::yardstick_of(Precision::binary64));
+  ImpulseJudge third(Law::rough, Precision::binary64, 3, {});
+  ImpulseJudge none(Law::rough, Precision::binary64, 0, {});
   std::uint64_t impulses = 0;
   for (const Event& event : events) {
     third.record(event);

@@ -17,7 +17,6 @@
 
 namespace carom::unit {
 
-[[nodiscard]] inline oracles::Yardstick yardstick_of(Precision precision) { return oracles::Yardstick().in(precision); }
 
 /// Changes an event before the checkers receive it. Returns false to withhold the event from them.
 using Alter = std::function<bool(scene::Event&)>;
@@ -39,7 +38,7 @@ struct WatchedRun {
         first(simulation.state()),
         history(first),
         ledger(first),
-        judge(simulation.scene().law, simulation.scene().precision, 1, yardstick_of(simulation.scene().precision)) {
+        judge(simulation.scene().law, simulation.scene().precision, 1, {}) {
     for (std::size_t k = 0; k < most_events; ++k) {
       const scene::Event* const next = simulation.advance();
       if (next == nullptr) {

@@ -196,15 +196,14 @@ TEST(DeclaredEffects, AreNotJudgedAtTheirLimit) {
   c.b.immovable = true;
   c.normal = {0, 1, 0};
   c.restitution = 0.5;
-  oracles::Yardstick yardstick;
-  yardstick.unit_roundoff = unit_roundoff(Precision::binary64);
+  auto yardstick = oracles::Yardstick::of(Precision::binary64);
   const auto reason = [&](double threshold) {
     return JudgedCase(one, true, only(DeclaredEffect::restitution_threshold, threshold)).reason_unjudged_by(yardstick);
   };
   EXPECT_EQ(reason(0.5), Unjudged::at_declared_limit);
   EXPECT_EQ(reason(0.5 + 0x1p-50), Unjudged::at_declared_limit);
   EXPECT_EQ(reason(0.5 + 0x1p-40), std::nullopt);
-  yardstick.digits = 3;  // inputs are not rounded more because an answer may be
+  yardstick = oracles::Yardstick::of(Precision::binary64, {.digits = 3});  // inputs are not rounded more because an answer may be
   EXPECT_EQ(reason(0.5 + 0x1p-50), Unjudged::at_declared_limit);
   EXPECT_EQ(reason(0.5 + 0x1p-40), std::nullopt);
   c.restitution = 0;  // the threshold changes nothing

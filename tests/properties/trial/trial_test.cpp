@@ -59,12 +59,10 @@ void judge_at_the_largest_limit(int most) {
     for (const char* name : {"frictionless-double", "reflection-double"}) {
       Subject subject = subjects::subject_named(name).value();
       subject.precision = Precision::binary32;
-      oracles::Yardstick yardstick;
-      yardstick.limit_ulps = 1e15;
-      Claim claim = claim_of(subject, yardstick);
+      Claim claim = claim_of(subject, {1e15});
       std::erase_if(claim.invariants, [](const Invariant* invariant) { return invariant->asks(); });
       const std::vector<NamedVerdict> filtered = judge_one(subject, claim, one).judgement.verdicts;
-      claim.yardstick.filtered = false;
+      claim.yardstick = claim.yardstick.with_filters(false);
       const std::vector<NamedVerdict> exact = judge_one(subject, claim, one).judgement.verdicts;
       const auto agree = [](const NamedVerdict& x, const NamedVerdict& y) {
         return x.verdict.status == y.verdict.status && x.verdict.is_undecided == y.verdict.is_undecided;
@@ -142,10 +140,7 @@ TEST(Trial, JudgesEveryValidCollisionToTheEnd) {
 
 Verdict verdict_on(const Case& one, const char* invariant, double limit_ulps, bool filtered) {
   const Subject subject = subjects::subject_named("frictionless-double").value();
-  oracles::Yardstick yardstick;
-  yardstick.limit_ulps = limit_ulps;
-  yardstick.filtered = filtered;
-  Claim claim = claim_of(subject, yardstick);
+  Claim claim = claim_of(subject, {limit_ulps, {}, filtered});
   claim.invariants = {invariant_named(invariant)};
   return judge_one(subject, claim, one).judgement.verdicts.at(0).verdict;
 }

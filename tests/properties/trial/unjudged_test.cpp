@@ -8,9 +8,7 @@ namespace carom::properties {
 namespace {
 
 std::optional<Unjudged> reason(const Collision& collision, Precision precision) {
-  oracles::Yardstick yardstick;
-  yardstick.unit_roundoff = unit_roundoff(precision);
-  return reason_unjudged(oracles::ExactCase(collision), yardstick);
+  return reason_unjudged(oracles::ExactCase(collision), oracles::Yardstick::of(precision));
 }
 
 bool is_judged(const Collision& collision, Precision precision) { return !reason(collision, precision); }

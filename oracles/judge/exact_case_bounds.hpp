@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-/// The inequalities by which BoundedCase decides facts about a collision (docs/internals/bounds.md). u = 2⁻⁵³.
-namespace carom::oracles::bounded_case_bounds {
+/// The inequalities by which ExactCase decides facts about a collision (docs/internals/bounds.md). u = 2⁻⁵³.
+namespace carom::oracles::exact_case_bounds {
 
 /// An `Enclosure` of N·V⁻ has six digits if its radius is below this share of |N·V⁻|.
 inline constexpr double known_radius_of_normal_velocity = 0x1p-20;
@@ -22,4 +22,4 @@ inline constexpr double least_share_of_largest_terms = 0x1p-20;
 /// division multiplies the sum by at most ‖D‖ / d ≤ 2⁴⁰ ‖K‖ / λ ≤ 2³⁰⁰. So the sum is finite.
 inline constexpr double least_share_of_divisor = 0x1p-40;
 
-}  // namespace carom::oracles::bounded_case_bounds
+}  // namespace carom::oracles::exact_case_bounds
