@@ -91,7 +91,8 @@ void compare(const Judgement& fast, const Judgement& exact, const oracles::Yards
     }
   }
   // If digits are asked for, the permitted error contains noise, too.
-  if (exact.accuracy && !yardstick.digits && !are_alike(*fast.accuracy, *exact.accuracy, yardstick.allowance())) {
+  if (exact.accuracy && !yardstick.digits &&
+      !are_alike(fast.accuracy.value(), *exact.accuracy, yardstick.allowance())) {
     differs("other errors");
   }
 }
