@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "agreement.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <vector>
 
 #include <carom/properties/trial/answers.hpp>
 
@@ -17,6 +20,7 @@ using properties::ExactAnswer;
 using properties::JudgedCase;
 using properties::Judgement;
 using properties::Status;
+using properties::Verdict;
 
 std::string_view name_of(Status status) {
   switch (status) {
@@ -39,14 +43,10 @@ class Judge {
  public:
   Judge(const properties::Case& one, bool filtered) : judged_case_(one), filtered_(filtered) {}
 
-  Judgement operator()(Claim claim, Relations relations, const Answers& answers, double known_backward_error,
-                       std::chrono::nanoseconds& spent) const {
+  Judgement operator()(Claim claim, Relations relations, const Answers& answers, double known_backward_error) const {
     claim.yardstick.filtered = filtered_;
-    const auto start = std::chrono::steady_clock::now();
     const properties::Trial trial(judged_case_, claim, properties::lift(answers.first), turn_of(relations));
-    Judgement judgement = trial.judge(answers.related, known_backward_error);
-    spent += std::chrono::steady_clock::now() - start;
-    return judgement;
+    return trial.judge(answers.related, known_backward_error);
   }
 
  private:
@@ -63,43 +63,41 @@ Answers answers_of(const JudgedCase& judged_case, const Claim& claim, Session& s
   return answers;
 }
 
-void compare(const Judgement& fast, const Judgement& exact, const std::string& origin, Agreement& agreement) {
-  ++agreement.judgements;
-  const auto differs = [&](const std::string& what) { agreement.differences.push_back(origin + ": " + what); };
+/// Whether the errors agree to a thousandth of themselves or of the permitted errors. Reports count digits by them.
+bool are_alike(const oracles::Accuracy& fast, const oracles::Accuracy& exact, double allowance) {
+  return std::ranges::all_of(all_outcome_vectors, [&](OutcomeVector k) {
+    return fast.error[k] == exact.error[k] ||
+           std::abs(fast.error[k] - exact.error[k]) <= 0x1p-9 * (exact.error[k] + allowance * fast.sensitivity[k]);
+  });
+}
+
+void compare(const Judgement& fast, const Judgement& exact, const oracles::Yardstick& yardstick,
+             const std::string& origin, Agreement& agreement) {
+  const auto differs = [&](const std::string& what) { agreement.differences += origin + ": " + what + '\n'; };
   if (fast.verdicts.size() != exact.verdicts.size()) {
     differs("another number of verdicts");
     return;
   }
   for (std::size_t i = 0; i < exact.verdicts.size(); ++i) {
-    const Status status = exact.verdicts[i].verdict.status;
+    const Verdict& of_fast = fast.verdicts[i].verdict;
+    const Verdict& of_exact = exact.verdicts[i].verdict;
     const std::string name(exact.verdicts[i].invariant->name);
-    ++agreement.verdicts;
     Outcomes& outcomes = agreement.invariants[name];
-    ++(status == Status::holds ? outcomes.holds : status == Status::violated ? outcomes.violated : outcomes.skipped);
-    if (fast.verdicts[i].verdict.status != status) {
-      differs(name + ' ' + std::string(name_of(fast.verdicts[i].verdict.status)) + ", exactly " +
-              std::string(name_of(status)) + ": " + exact.verdicts[i].verdict.detail);
+    outcomes.holds += of_exact.status == Status::holds ? 1 : 0;
+    outcomes.violated += of_exact.status == Status::violated ? 1 : 0;
+    if (of_fast.status != of_exact.status || of_fast.is_undecided != of_exact.is_undecided) {
+      differs(name + ' ' + std::string(name_of(of_fast.status)) + ", exactly " + std::string(name_of(of_exact.status)) +
+              ": " + of_exact.detail);
     }
+  }
+  // If digits are asked for, the permitted error contains noise, too.
+  if (exact.accuracy && !yardstick.digits &&
+      !are_alike(fast.accuracy.value(), *exact.accuracy, yardstick.allowance())) {
+    differs("other errors");
   }
 }
 
 }  // namespace
-
-Agreement& Agreement::operator+=(const Agreement& other) {
-  cases += other.cases;
-  judgements += other.judgements;
-  verdicts += other.verdicts;
-  for (const auto& [name, counts] : other.invariants) {
-    Outcomes& into = invariants[name];
-    into.holds += counts.holds;
-    into.violated += counts.violated;
-    into.skipped += counts.skipped;
-  }
-  differences.insert(differences.end(), other.differences.begin(), other.differences.end());
-  filtered += other.filtered;
-  rational += other.rational;
-  return *this;
-}
 
 void compare_judges(const properties::Case& one, std::span<Examined> subjects, Relations relations,
                     const std::string& origin, Agreement& agreement) {
@@ -118,8 +116,8 @@ void compare_judges(const properties::Case& one, std::span<Examined> subjects, R
     // The judge need not compute a backward error that is at most `known`. So if `known` is infinite, lower bounds of
     // the sensitivity decide more often.
     const double known = choices.chance(2) ? 0 : std::numeric_limits<double>::infinity();
-    compare(fast(claim, relations, answers, known, agreement.filtered),
-            exact(claim, relations, answers, 0, agreement.rational), origin + ", " + examined.subject.name, agreement);
+    compare(fast(claim, relations, answers, known), exact(claim, relations, answers, 0), claim.yardstick,
+            origin + ", " + examined.subject.name, agreement);
   }
 }
 

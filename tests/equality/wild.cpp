@@ -45,9 +45,8 @@ double random_bits(Stream& stream) {
   }
 }
 
-}  // namespace
-
-Collision scaled_fields(Collision c, int most, properties::Stream& stream) {
+/// The collision with each field scaled by its own power of two, from 2^−most to 2^most.
+Collision scaled_fields(Collision c, int most, Stream& stream) {
   const auto factor = [&] { return scaled(1, most, stream); };
   for (Body* body : {&c.a, &c.b}) {
     body->mass *= factor();
@@ -61,6 +60,8 @@ Collision scaled_fields(Collision c, int most, properties::Stream& stream) {
   c.normal *= factor();
   return c;
 }
+
+}  // namespace
 
 properties::Case shortened(properties::Case one, Stream& stream) {
   constexpr int largest_exponent = 6;

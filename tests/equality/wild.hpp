@@ -6,9 +6,6 @@
 /// Wild cases: collisions that no family draws.
 namespace carom::equality {
 
-/// The collision with each field scaled by its own power of two, from 2^−most to 2^most.
-[[nodiscard]] Collision scaled_fields(Collision collision, int most, properties::Stream& stream);
-
 /// The case with its numbers rounded to 1 to 12 binary digits and clamped to sizes of 2⁻⁷ to 2⁶. Body B is immovable at
 /// least half of the time. Rational arithmetic is quick on such a case, and exact coincidences occur.
 [[nodiscard]] properties::Case shortened(properties::Case one, properties::Stream& stream);

@@ -47,11 +47,7 @@ void compare_judges(Bytes bytes) {
   const auto relations = choices / 4 % 4 == 0 ? equality::Relations::judged : equality::Relations::left_out;
   equality::compare_judges(one, std::span(&examined, 1), relations, "the judges differ", agreement);
   if (!agreement.differences.empty()) {
-    std::string text;
-    for (const std::string& difference : agreement.differences) {
-      text += difference + '\n';
-    }
-    fail(text + collision_to_json(one.collision).dump());
+    fail(agreement.differences + collision_to_json(one.collision).dump());
   }
 }
 

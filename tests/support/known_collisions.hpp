@@ -8,7 +8,7 @@
 
 #include <carom/collision/collision.hpp>
 
-/// Fixed collisions, for tests against recorded values. They do not depend on the families.
+/// Fixed collisions, which do not depend on the families.
 namespace carom::unit {
 
 struct KnownCollision {

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -28,31 +29,19 @@ Rational scaled(const Rational& p, int exponent) {
 
 Rational integer(const char* digits) { return Rational(digits); }
 
-TEST(Rational, IsTheFieldOfFractions) {
-  const auto fraction = [](long p, long q) { return Rational(static_cast<int>(p), static_cast<int>(q)); };
-  for (long p = -3; p <= 3; ++p) {
-    for (long q : {-2, 1, 3, 4}) {
-      for (long r = -3; r <= 3; ++r) {
-        for (long s : {1, 2, -6}) {
-          const Rational x = fraction(p, q);
-          const Rational y = fraction(r, s);
-          EXPECT_EQ(x + y, fraction(p * s + r * q, q * s));
-          EXPECT_EQ(x - y, fraction(p * s - r * q, q * s));
-          EXPECT_EQ(x * y, fraction(p * r, q * s));
-          if (r != 0) {
-            EXPECT_EQ(x / y, fraction(p * s, q * r));
-          }
-          const long difference = (p * s - r * q) * q * s;  // has the sign of the difference
-          EXPECT_EQ(x <=> y, difference <=> 0L);
-          EXPECT_EQ(x == y, difference == 0);
-          EXPECT_EQ(x <=> static_cast<int>(r), (p - r * q) * q <=> 0L);
-          EXPECT_EQ(static_cast<int>(r) == x, p == r * q);
-        }
-      }
-      EXPECT_EQ(-fraction(p, q), fraction(-p, q));
-      EXPECT_EQ(abs(fraction(p, q)), fraction(std::abs(p), std::abs(q)));
-      EXPECT_EQ(sign_of(fraction(p, q)), (p * q > 0) - (p * q < 0));
+/// rational_laws_test.cpp tests arithmetic.
+TEST(Rational, IsOrderedAndHasASign) {
+  const std::vector<Rational> ascending{ratio(-3, 2), Rational(-1), ratio(2, -3),
+                                        Rational(0),  ratio(1, 2),  Rational(1)};
+  for (std::size_t i = 0; i < ascending.size(); ++i) {
+    for (std::size_t j = 0; j < ascending.size(); ++j) {
+      EXPECT_EQ(ascending[i] <=> ascending[j], i <=> j);
+      EXPECT_EQ(ascending[i] == ascending[j], i == j);
     }
+    EXPECT_EQ(ascending[i] <=> 0, i <=> std::size_t{3});
+    EXPECT_EQ(1 == ascending[i], i == 5);
+    EXPECT_EQ(sign_of(ascending[i]), i < 3 ? -1 : i > 3 ? 1 : 0);
+    EXPECT_EQ(abs(ascending[i]), i < 3 ? -ascending[i] : ascending[i]);
   }
 }
 
@@ -109,18 +98,9 @@ TEST(Rational, HasARootOnlyIfItIsASquare) {
   EXPECT_THROW(static_cast<void>(sqrt(Rational(2))), std::domain_error);
 }
 
-TEST(Lift, IsExactForDoubles) {
-  EXPECT_EQ(lift(0.0L), 0);
-  EXPECT_EQ(lift(-0.0L), 0);
-  EXPECT_EQ(lift(1.5L), ratio(3, 2));
-  EXPECT_EQ(lift(-0.375L), ratio(-3, 8));
-  EXPECT_EQ(lift(0.1), scaled(integer("3602879701896397"), -55));
-  EXPECT_EQ(lift(Limits::denorm_min()), scaled(1, -1074));
-  EXPECT_EQ(lift(Limits::max()), scaled(integer("9007199254740991"), 971));
-}
-
 TEST(Lift, IsExactForExtendedNumbers) {
   constexpr int digits = LongLimits::digits;
+  EXPECT_EQ(lift(-0.0L), 0);
   EXPECT_EQ(lift(1 + LongLimits::epsilon()), 1 + scaled(1, 1 - digits));
   EXPECT_EQ(lift(1 - LongLimits::epsilon() / 2), 1 - scaled(1, -digits));
   const Rational largest = scaled(scaled(1, digits) - 1, LongLimits::max_exponent - digits);
@@ -171,11 +151,6 @@ TEST(ToDouble, IsWithinOneUnitInTheLastPlace) {
 }
 
 TEST(NearestDouble, IsExactForDoubles) {
-  properties::Stream stream = properties::stream_from(23);
-  for (int i = 0; i < 5000; ++i) {
-    const double x = std::ldexp(stream.signed_unit(), stream.integer(-1080, 1023));
-    EXPECT_EQ(nearest_double(Rational(x)), x);
-  }
   for (const double x : {0.0, Limits::max(), -Limits::max(), Limits::denorm_min(), -Limits::min()}) {
     EXPECT_EQ(nearest_double(Rational(x)), x);
   }

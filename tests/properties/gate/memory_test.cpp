@@ -2,7 +2,6 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <optional>
 
@@ -131,43 +130,6 @@ TEST(Memoryless, TellsTheBitsOfABuiltInApart) {
   int turned = 0;
   EXPECT_GT(not_memoryless(changing("frictionless-double", zeros_turned(turned))), 0U);
   EXPECT_GT(turned, 0);
-}
-
-TEST(Memoryless, IsViolatedByAProgramWhoseNumbersChange) {
-  Subject program = changing("frictionless-double", [](ReportedOutcome& outcome) {
-    outcome.a.velocity[0] = std::nextafter(static_cast<double>(outcome.a.velocity[0]), 1e300);
-  });
-  program.specification = "exec:changing";
-  EXPECT_GT(not_memoryless(program), 0U);
-}
-
-TEST(Memoryless, IsAboutTheCollisionMatrixToo) {
-  EXPECT_EQ(not_memoryless(changing("reflection-double", [](ReportedOutcome&) {})), 0U);
-  EXPECT_GT(not_memoryless(changing("reflection-double",
-                                    [](ReportedOutcome& outcome) {
-                                      if (outcome.collision_matrix) {
-                                        (*outcome.collision_matrix)(2, 1) *= 2;
-                                      }
-                                    })),
-            0U);
-  EXPECT_GT(
-      not_memoryless(changing("reflection-double", [](ReportedOutcome& outcome) { outcome.collision_matrix.reset(); })),
-      0U);
-}
-
-/// NaN equals NaN regardless of its sign.
-TEST(Memoryless, TakesNoNumberForNoNumber) {
-  ReportedOutcome first;
-  first.a.velocity[1] = std::numeric_limits<long double>::quiet_NaN();
-  ReportedOutcome again = first;
-  again.a.velocity[1] = -again.a.velocity[1];
-  ReportedOutcome number = first;
-  number.a.velocity[1] = 1;
-  const auto& about = std::get<AboutSession>(invariant_named("memoryless")->about);
-  for (const Sameness sameness : {Sameness::of_bits, Sameness::of_numbers}) {
-    EXPECT_EQ(about.check(first, again, sameness).status, Status::holds);
-    EXPECT_EQ(about.check(first, number, sameness).status, Status::violated);
-  }
 }
 
 TEST(NotJudged, IsASubjectThatSkipsOrShowsNothing) {

@@ -57,6 +57,17 @@ TEST(Memoryless, TakesZerosForTheSameOnlyAsNumbers) {
   again.a.velocity[1] = -0.0L;
   EXPECT_EQ(verdict_of(some_outcome(), again).status, Status::violated);
   EXPECT_EQ(verdict_of(some_outcome(), again, Sameness::of_numbers).status, Status::holds);
+  again.a.velocity[1] = 0x1p-16000L;
+  EXPECT_EQ(verdict_of(some_outcome(), again, Sameness::of_numbers).status, Status::violated);
+}
+
+/// NaN equals NaN regardless of its sign.
+TEST(Memoryless, TakesNoNumberForNoNumber) {
+  ReportedOutcome again = some_outcome();
+  again.b.angular_velocity[2] = -again.b.angular_velocity[2];
+  for (const Sameness sameness : {Sameness::of_bits, Sameness::of_numbers}) {
+    EXPECT_EQ(verdict_of(some_outcome(), again, sameness).status, Status::holds);
+  }
 }
 
 TEST(Memoryless, ComparesTheMatrixThatIsShown) {

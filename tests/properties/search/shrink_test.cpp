@@ -167,17 +167,5 @@ TEST(Shrink, CallsThePredicateNoMoreThanItMay) {
   }
 }
 
-TEST(Shrink, AsksOnlyAboutValidCollisions) {
-  for (const auto& [family, one] : unit::valid_cases(1)) {
-    (void)shrink(
-        one.collision,
-        [&name = family](const Collision& c) {
-          EXPECT_EQ(describe(validate(c)), "") << name;
-          return c.restitution > 0;
-        },
-        2000);
-  }
-}
-
 }  // namespace
 }  // namespace carom::properties

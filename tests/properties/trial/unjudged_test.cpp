@@ -26,37 +26,6 @@ TEST(Unjudged, IsNoBallOnAFloor) {
   EXPECT_TRUE(is_judged(ball_on_floor(), Precision::binary64));
 }
 
-/// 10⁶ m from the origin, the allowance of binary32 (32 u) times the length of a position is 2 m. So the lever arm is
-/// unknown, but the case is judged.
-TEST(Unjudged, IsNoLeverArmShorterThanItsRounding) {
-  Collision c = ball_on_floor();
-  for (Vector3<double>* place : {&c.a.position, &c.b.position, &c.point}) {
-    (*place)[0] += 1e6;
-  }
-  EXPECT_TRUE(is_judged(c, Precision::binary32));
-  EXPECT_TRUE(is_judged(c, Precision::binary64));
-}
-
-TEST(Unjudged, IsNoSpinAlongNormalAndLeverArmThatDwarfsTheApproach) {
-  Collision c = ball_on_floor();
-  c.normal = {1, 2, 3};
-  c.a.position = {1, 2, 3};
-  c.a.velocity = {-1, -2, -3};
-  c.a.angular_velocity = {1e6, 2e6, 3e6};
-  EXPECT_TRUE(is_judged(c, Precision::binary64));
-}
-
-/// A rod of 1 m by 10⁻⁴ m is 50 m from the origin. In binary32, the allowance (32 u) times the length of its position
-/// is also 10⁻⁴ m.
-TEST(Unjudged, IsNoRodThinnerThanTheRoundingOfItsPosition) {
-  Collision c = ball_on_floor();
-  c.a.principal_inertia = {1e-8, 1, 1};
-  for (Vector3<double>* place : {&c.a.position, &c.b.position, &c.point}) {
-    (*place)[0] += 50;
-  }
-  EXPECT_TRUE(is_judged(c, Precision::binary32));
-}
-
 TEST(Unjudged, IsAChangeOfSpinThatLeavesTheRangeOfBinary32) {
   Collision c = ball_on_floor();
   c.a.velocity = {0, -1e-15, 0};
