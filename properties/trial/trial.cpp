@@ -64,7 +64,7 @@ std::optional<Verdict> verdict_on_outcome(const Invariant& invariant, const Evid
   if (of_outcome == nullptr && of_matrix == nullptr) {
     return std::nullopt;
   }
-  if (is_limited && invariant.name != "backward_error") {
+  if (is_limited && (of_outcome == nullptr || !of_outcome->judges_limited)) {
     return outside_domain("a declared limit shortens a velocity; `backward_error` judges the outcome");
   }
   return of_outcome != nullptr ? of_outcome->check(evidence) : of_matrix->check(evidence);

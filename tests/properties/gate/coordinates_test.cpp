@@ -146,8 +146,8 @@ TEST(Coordinates, AreTheSolversOwn) {
     const SubjectResult result = gated(named);
     EXPECT_TRUE(result.error.empty()) << result.error;
     EXPECT_TRUE(result.is_sound()) << result.not_judged;
-    for (const std::string& invariant : result.violated_invariants()) {
-      ADD_FAILURE() << named.name << " violates " << invariant;
+    for (const Invariant* invariant : result.violated_invariants()) {
+      ADD_FAILURE() << named.name << " violates " << invariant->name;
     }
   }
 }
@@ -161,7 +161,7 @@ TEST(Coordinates, OfTheWorldLoseSlenderBodiesAlone) {
   std::size_t seen = 0;
   for (const FamilyResult& family : result.families) {
     for (const auto& [invariant, worst] : family.worst) {
-      EXPECT_GE(greater_moment_ratio(worst.original.collision), 30) << invariant;
+      EXPECT_GE(greater_moment_ratio(worst.original.collision), 30) << invariant->name;
       ++seen;
     }
     for (const ViolatedCase& violated : family.first_violated) {
