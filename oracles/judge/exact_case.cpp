@@ -401,7 +401,7 @@ const Sensitivity& ExactCase::colliding_first_order(Law law, Branch branch) cons
   // Binary64 or double-double arithmetic if it does not lose too many digits, otherwise exact arithmetic.
   return of(law).colliding_sensitivity[branch].get([&]() -> Sensitivity {
     if (is_moderate() && is_well_conditioned() && has_clear_divisor(branch)) {
-      if (const auto known = colliding_sensitivity(collision(), law, branch)) {
+      if (const auto known = oracles::colliding_sensitivity(collision(), law, branch)) {
         return *known;
       }
     }

@@ -19,11 +19,11 @@ using properties::JudgedCase;
 using properties::Judgement;
 using properties::Status;
 using properties::Verdict;
+using properties::ViolationKind;
 
 /// The subject threw. It is no std::exception, so nothing else catches it.
 struct SubjectEnded {
-  std::string how;
-  bool can_continue = true;  // whether the session can answer another collision
+  Verdict how;
 };
 
 Verdict skipped(std::string why) { return {.status = Status::skipped, .detail = std::move(why)}; }
@@ -62,11 +62,11 @@ Answer Examination::ask(const Collision& collision) {
   try {
     return session_(std::span(&collision, 1)).at(0);
   } catch (const SessionFailure& failure) {
-    throw SubjectEnded{std::string("the subject failed: ") + failure.what(), false};
+    throw SubjectEnded{properties::violation(ViolationKind::subject_failed, std::string(": ") + failure.what())};
   } catch (const std::exception& exception) {
-    throw SubjectEnded{std::string("the subject threw: ") + exception.what()};
+    throw SubjectEnded{properties::violation(ViolationKind::subject_threw, std::string(": ") + exception.what())};
   } catch (...) {
-    throw SubjectEnded{"the subject threw: an object that is no std::exception"};
+    throw SubjectEnded{properties::violation(ViolationKind::subject_threw, ": an object that is no std::exception")};
   }
 }
 
@@ -129,10 +129,10 @@ Verdict Examination::verdict_on(const Case& one) {
     return about != nullptr ? verdict_of_session(*about, one.collision)
                             : single_verdict(properties::try_case(judged_case, claim_, solve));
   } catch (const SubjectEnded& ended) {
-    answer_ = Skipped{ended.how};
+    answer_ = Skipped{ended.how.detail};
     has_thrown_ = true;
-    has_failed_ = !ended.can_continue;
-    return {.status = Status::violated, .detail = ended.how};
+    has_failed_ = ended.how.kind == ViolationKind::subject_failed;  // the session cannot answer another collision
+    return ended.how;
   }
 }
 

@@ -22,8 +22,8 @@ std::vector<std::vector<std::uint64_t>> violated_cases(const SubjectResult& resu
     all.clear();
     for (const FamilyResult& family : result.families) {
       std::set<std::uint64_t> numbers;
-      for (const auto& [name, cases] : family.violated_cases) {
-        if (!of_one_answer || invariant_named(name)->is_of_one_answer()) {
+      for (const auto& [invariant, cases] : family.violated_cases) {
+        if (!of_one_answer || invariant->is_of_one_answer()) {
           numbers.insert(cases.begin(), cases.end());
         }
       }
@@ -43,7 +43,7 @@ std::vector<std::uint64_t> judged_of(const SubjectResult& result) {
   return judged;
 }
 
-std::uint64_t cases_that_violate(const SubjectResult& result, const std::string& invariant) {
+std::uint64_t cases_that_violate(const SubjectResult& result, const Invariant* invariant) {
   std::uint64_t sum = 0;
   for (const FamilyResult& family : result.families) {
     const auto found = family.violated_cases.find(invariant);
@@ -54,25 +54,23 @@ std::uint64_t cases_that_violate(const SubjectResult& result, const std::string&
 
 /// The first invariant by `rank_as_cause` that nine tenths of the violated cases violate. If there is none, the
 /// invariant that is violated most often.
-std::string telling_invariant(const SubjectResult& result, std::uint64_t violated) {
-  std::vector<std::string> names = result.violated_invariants();
-  const auto is_of_relations = [](const std::string& name) { return !invariant_named(name)->is_of_one_answer(); };
-  if (!std::all_of(names.begin(), names.end(), is_of_relations)) {
+const Invariant* telling_invariant(const SubjectResult& result, std::uint64_t violated) {
+  std::vector<const Invariant*> all = result.violated_invariants();
+  const auto is_of_relations = [](const Invariant* invariant) { return !invariant->is_of_one_answer(); };
+  if (!std::all_of(all.begin(), all.end(), is_of_relations)) {
     // If state spoils every answer, only a repeated question shows the fault. So invariants of the session stay.
-    std::erase_if(names, [&](const std::string& name) {
-      return is_of_relations(name) && !invariant_named(name)->is_of_session();
-    });
+    std::erase_if(
+        all, [&](const Invariant* invariant) { return is_of_relations(invariant) && !invariant->is_of_session(); });
   }
-  std::ranges::stable_sort(names, {}, [](const std::string& name) { return invariant_named(name)->rank_as_cause; });
+  std::ranges::stable_sort(all, {}, &Invariant::rank_as_cause);
   constexpr double most = 0.9;
-  for (const std::string& name : names) {
-    if (static_cast<double>(cases_that_violate(result, name)) >= most * static_cast<double>(violated)) {
-      return name;
+  for (const Invariant* invariant : all) {
+    if (static_cast<double>(cases_that_violate(result, invariant)) >= most * static_cast<double>(violated)) {
+      return invariant;
     }
   }
-  return *std::max_element(names.begin(), names.end(), [&](const std::string& x, const std::string& y) {
-    return cases_that_violate(result, x) < cases_that_violate(result, y);
-  });
+  return *std::ranges::max_element(all, {},
+                                   [&](const Invariant* invariant) { return cases_that_violate(result, invariant); });
 }
 
 }  // namespace

@@ -12,11 +12,11 @@ namespace carom::properties::diagnosis {
 
 /// The probable faults of a subject: hints on which no judgement depends.
 struct Diagnosis {
-  std::string telling;           // the violated invariant that explains most of the others
-  std::uint64_t violated = 0;    // sampled cases in which any invariant is violated
-  std::uint64_t telling_in = 0;  // the number of those cases that violate `telling`
-  std::vector<Fault> faults;     // at least one, unless `missing` is set
-  std::string missing = {};      // the failure of the diagnosis; empty if there is a diagnosis
+  const Invariant* telling = nullptr;  // the violated invariant that explains most of the others
+  std::uint64_t violated = 0;          // sampled cases in which any invariant is violated
+  std::uint64_t telling_in = 0;        // the number of those cases that violate `telling`
+  std::vector<Fault> faults;           // at least one, unless `missing` is set
+  std::string missing = {};            // the failure of the diagnosis; empty if there is a diagnosis
 };
 
 /// Precondition: `result.violated_invariants()` is not empty.

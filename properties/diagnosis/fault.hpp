@@ -13,9 +13,9 @@ namespace carom::properties::diagnosis {
 
 /// A case that shows a fault. `carom replay --family` draws it again.
 struct FaultWitness {
-  std::string family;
-  std::uint64_t index = 0;  // of the case in its family
-  std::string invariant;    // that the answer violates
+  const Family* family = nullptr;
+  std::uint64_t index = 0;               // of the case in its family
+  const Invariant* invariant = nullptr;  // that the answer violates
 };
 
 struct Fault {

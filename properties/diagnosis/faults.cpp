@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 #include <iterator>
-#include <map>
 #include <set>
-#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -67,16 +65,15 @@ bool lacks_matrix(const ViolatedCase& one) {
 }
 
 /// The kind of fault of the shown matrices. `violated_by` are the invariants that the cases violate, and how often.
-MatrixFault matrix_fault(std::size_t cases, const std::map<std::string_view, std::size_t>& violated_by,
+MatrixFault matrix_fault(std::size_t cases, const PerInvariant<std::size_t>& violated_by,
                          std::span<const ViolatedCase> examples) {
   if (std::ranges::any_of(examples, lacks_matrix)) {
     return MatrixFault::missing;
   }
-  const auto number_of = [&](std::string_view invariant) {
-    const auto found = violated_by.find(invariant);
-    return found == violated_by.end() ? 0 : found->second;
-  };
-  const bool is_out_of_bounds = 2 * std::max(number_of("definite"), number_of("well_conditioned")) > cases;
+  const bool is_out_of_bounds = std::ranges::any_of(violated_by, [&](const auto& violated) {
+    const auto* const about = std::get_if<AboutMatrix>(&violated.first->about);
+    return about != nullptr && about->is_bound && 2 * violated.second > cases;
+  });
   return is_out_of_bounds ? MatrixFault::out_of_bounds : MatrixFault::another;
 }
 
@@ -139,21 +136,21 @@ class FaultSearch {
 
   [[nodiscard]] bool violates_only_matrix() const {
     return std::ranges::all_of(result_.violated_invariants(),
-                               [](const std::string& name) { return invariant_named(name)->is_of_matrix(); });
+                               [](const Invariant* invariant) { return invariant->is_of_matrix(); });
   }
 
   [[nodiscard]] bool violates(bool (Invariant::*is_such)() const) const {
     return std::ranges::any_of(all_invariants(), [&](const Invariant& invariant) {
-      return (invariant.*is_such)() && result_.count(std::string(invariant.name)).violated > 0;
+      return (invariant.*is_such)() && result_.count(invariant).violated > 0;
     });
   }
 
   /// The case, with the violated invariant that comes first as a cause. None if the case violates nothing.
   [[nodiscard]] std::optional<FaultWitness> witness_at(std::size_t family, std::uint64_t index) const {
     const Invariant* first = nullptr;
-    for (const auto& [name, numbers] : result_.families[family].violated_cases) {
-      const Invariant* invariant = invariant_named(name);
-      const bool is_earlier = first == nullptr || invariant->rank_as_cause < first->rank_as_cause;
+    for (const auto& [invariant, numbers] : result_.families[family].violated_cases) {
+      const auto place = [](const Invariant* one) { return std::pair(one->rank_as_cause, one->name); };
+      const bool is_earlier = first == nullptr || place(invariant) < place(first);
       if (is_earlier && std::ranges::binary_search(numbers, index)) {
         first = invariant;
       }
@@ -161,7 +158,7 @@ class FaultSearch {
     if (first == nullptr) {
       return std::nullopt;
     }
-    return FaultWitness{std::string(report_.options.families[family]->name), index, std::string(first->name)};
+    return FaultWitness{report_.options.families[family], index, first};
   }
 
   [[nodiscard]] std::optional<FaultWitness> witness_in(const CaseNumbers& cases) const {
@@ -188,8 +185,8 @@ class FaultSearch {
     for (std::size_t f = 0; f < matrix_alone_.size(); ++f) {
       std::set<std::uint64_t> of_matrix;
       std::set<std::uint64_t> others;
-      for (const auto& [name, numbers] : result_.families[f].violated_cases) {
-        if (const Invariant* invariant = invariant_named(name); invariant->is_of_one_answer()) {
+      for (const auto& [invariant, numbers] : result_.families[f].violated_cases) {
+        if (invariant->is_of_one_answer()) {
           (invariant->is_of_matrix() ? of_matrix : others).insert(numbers.begin(), numbers.end());
         }
       }
@@ -202,7 +199,7 @@ class FaultSearch {
     // A wrong computation also forms a wrong matrix in some cases where the outcome is right by chance: C is wrong
     // across F only. So the matrix is a fault of its own if it is wrong in most colliding cases with a right outcome.
     if (size_of(matrix_alone_) >= std::max<std::size_t>(least_violated, (right + 1) / 2)) {
-      std::map<std::string_view, std::size_t> violated_by;
+      PerInvariant<std::size_t> violated_by;
       for (std::size_t f = 0; f < matrix_alone_.size(); ++f) {
         for (const auto& violated : result_.families[f].violated_cases) {
           violated_by[violated.first] +=

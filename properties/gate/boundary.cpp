@@ -21,7 +21,7 @@ std::optional<Boundary> boundary_by(const Family& family, std::uint64_t index, c
   if (!family.is_beyond_domain() || violated == judgement.verdicts.end()) {
     return std::nullopt;
   }
-  return Boundary{family.beyond.of(collision), index, std::string(violated->invariant->name)};
+  return Boundary{family.beyond.of(collision), index, violated->invariant};
 }
 
 }  // namespace carom::properties

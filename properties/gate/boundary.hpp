@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
 
 #include <carom/properties/families/family.hpp>
 #include <carom/properties/trial/trial.hpp>
@@ -14,7 +13,7 @@ namespace carom::properties {
 struct Boundary {
   double quantity = 0;
   std::uint64_t index = 0;  // number of the case in its family
-  std::string invariant;
+  const Invariant* invariant = nullptr;
 };
 
 /// Keeps the boundary with the lesser quantity, or with the lesser case number if the quantities are equal.

@@ -17,8 +17,8 @@ std::uint64_t FamilyResult::judged() const {
   return cases - skipped - std::accumulate(unjudged.begin(), unjudged.end(), std::uint64_t{0});
 }
 
-void FamilyResult::keep_if_worst(const std::string& invariant, const WorstViolation& violation) {
-  const auto [known, is_new] = worst.emplace(invariant, violation);
+void FamilyResult::keep_if_worst(const Invariant& invariant, const WorstViolation& violation) {
+  const auto [known, is_new] = worst.emplace(&invariant, violation);
   const double own = seriousness(violation.verdict, violation.original.collision);
   const double others = seriousness(known->second.verdict, known->second.original.collision);
   const bool is_worse = own > others || (own == others && violation.index < known->second.index);
@@ -39,11 +39,11 @@ FamilyResult& FamilyResult::operator+=(const FamilyResult& other) {
   violated += other.violated;
   worst_backward_error = std::max(worst_backward_error, other.worst_backward_error);
   keep_if_least(boundary, other.boundary);
-  for (const auto& [name, count] : other.counts) {
-    counts[name] += count;
+  for (const auto& [invariant, count] : other.counts) {
+    counts[invariant] += count;
   }
-  for (const auto& [name, violation] : other.worst) {
-    keep_if_worst(name, violation);
+  for (const auto& [invariant, violation] : other.worst) {
+    keep_if_worst(*invariant, violation);
   }
   for (const ViolatedCase& one : other.first_violated) {
     keep_if_first(first_violated, one);
@@ -52,8 +52,9 @@ FamilyResult& FamilyResult::operator+=(const FamilyResult& other) {
     keep_if_first(first_violated_by_relations, one);
   }
   sampled_answers.insert(sampled_answers.end(), other.sampled_answers.begin(), other.sampled_answers.end());
-  for (const auto& [name, numbers] : other.violated_cases) {
-    violated_cases[name].insert(violated_cases[name].end(), numbers.begin(), numbers.end());
+  for (const auto& [invariant, numbers] : other.violated_cases) {
+    std::vector<std::uint64_t>& own = violated_cases[invariant];
+    own.insert(own.end(), numbers.begin(), numbers.end());
   }
   return *this;
 }
@@ -65,7 +66,7 @@ void FamilyResult::keep_answer(std::uint64_t index, const Answer& answer) {
 }
 
 void FamilyResult::order_violated_cases() {
-  for (auto& [name, numbers] : violated_cases) {
+  for (auto& [invariant, numbers] : violated_cases) {
     std::sort(numbers.begin(), numbers.end());
     numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
   }

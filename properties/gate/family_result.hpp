@@ -4,9 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include <carom/collision/enum_array.hpp>
@@ -62,17 +60,17 @@ inline constexpr std::size_t most_violated_kept = 12;
 /// The results of a subject on a family. Their size does not grow with the number of cases.
 struct FamilyResult {
   std::uint64_t cases = 0;
-  std::uint64_t skipped = 0;                    // cases that the subject could not take
-  UnjudgedCounts unjudged{};                    // valid cases that are not judged, by reason
-  EffectCounts decided_by{};                    // colliding cases that a declared effect decides
-  std::uint64_t violated = 0;                   // cases with a violation of any invariant
-  double worst_backward_error = 0;              // ulps
-  std::optional<Boundary> boundary;             // for a family beyond the claimed domain
-  std::map<std::string, Count> counts;          // by invariant
-  std::map<std::string, WorstViolation> worst;  // by invariant
-  std::uint64_t sampled = 0;                    // this many of the first cases are sampled (sample.hpp)
+  std::uint64_t skipped = 0;         // cases that the subject could not take
+  UnjudgedCounts unjudged{};         // valid cases that are not judged, by reason
+  EffectCounts decided_by{};         // colliding cases that a declared effect decides
+  std::uint64_t violated = 0;        // cases with a violation of any invariant
+  double worst_backward_error = 0;   // ulps
+  std::optional<Boundary> boundary;  // for a family beyond the claimed domain
+  PerInvariant<Count> counts;
+  PerInvariant<WorstViolation> worst;
+  std::uint64_t sampled = 0;  // this many of the first cases are sampled (sample.hpp)
   // The numbers of the sampled cases that violated each invariant. After the run, they ascend and are unique.
-  std::map<std::string, std::vector<std::uint64_t>> violated_cases;
+  PerInvariant<std::vector<std::uint64_t>> violated_cases;
   // The answers to the sampled cases that violated an invariant of one answer. After the run, they ascend and are
   // unique.
   std::vector<SampledAnswer> sampled_answers;
@@ -85,7 +83,7 @@ struct FamilyResult {
   [[nodiscard]] std::uint64_t judged() const;
 
   /// Keeps the violation if it is more serious than the stored violation of the invariant.
-  void keep_if_worst(const std::string& invariant, const WorstViolation& violation);
+  void keep_if_worst(const Invariant& invariant, const WorstViolation& violation);
 
   /// Keeps the answer to a sampled case. Calls for one case follow each other.
   void keep_answer(std::uint64_t index, const Answer& answer);

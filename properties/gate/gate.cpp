@@ -185,9 +185,6 @@ class Worker {
     for (std::size_t s = 0; s < examinees_.size(); ++s) {
       finish(s);
     }
-    for (SubjectTally& tally : tallies_) {
-      tally.name_counts();
-    }
     sessions_.clear();  // in the thread that opened them
   }
 
@@ -360,7 +357,6 @@ SubjectTally tally_of(const std::vector<Worker>& workers, std::size_t subject, c
   }
   if (first != nullptr) {
     first->add_to(tally, claim);
-    tally.name_counts();
   }
   for (FamilyResult& family : tally.families) {
     family.order_violated_cases();

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -11,14 +10,6 @@
 #include <carom/properties/gate/decided_by_effects.hpp>
 
 namespace carom::properties {
-
-namespace {
-
-/// Invariants that apply to the outcomes of colliding contacts.
-constexpr std::array exercised_by_collisions{"backward_error", "linear_momentum", "angular_momentum",
-                                             "restitution",    "non_penetration", "push"};
-
-}  // namespace
 
 std::uint64_t cases_of(const GateOptions& options, const Family& family) {
   if (options.budget) {
@@ -82,10 +73,10 @@ EffectCounts SubjectResult::decided_by() const {
   return sum;
 }
 
-Count SubjectResult::count(const std::string& invariant) const {
+Count SubjectResult::count(const Invariant& invariant) const {
   Count sum;
   for (const FamilyResult& family : families) {
-    const auto found = family.counts.find(invariant);
+    const auto found = family.counts.find(&invariant);
     if (found != family.counts.end()) {
       sum += found->second;
     }
@@ -93,27 +84,27 @@ Count SubjectResult::count(const std::string& invariant) const {
   return sum;
 }
 
-std::vector<std::string> SubjectResult::violated_invariants() const {
-  std::vector<std::string> names;
+std::vector<const Invariant*> SubjectResult::violated_invariants() const {
+  std::vector<const Invariant*> violated;
   for (const Invariant& invariant : all_invariants()) {
-    if (count(std::string(invariant.name)).violated > 0) {
-      names.emplace_back(invariant.name);
+    if (count(invariant).violated > 0) {
+      violated.push_back(&invariant);
     }
   }
-  return names;
+  return violated;
 }
 
-std::vector<std::string> SubjectResult::never_judged(const GateOptions& options) const {
-  std::vector<std::string> names;
+std::vector<const Invariant*> SubjectResult::never_judged(const GateOptions& options) const {
+  std::vector<const Invariant*> never;
   const Claim claim = claim_of(subject, options.limits);
   for (const Invariant* invariant : claim.invariants) {
     const bool is_claimed = std::ranges::any_of(
         options.families, [&](const Family* family) { return claim.is_made_in(*invariant, *family); });
-    if (std::string name(invariant->name); is_claimed && count(name).judged() == 0) {
-      names.push_back(std::move(name));
+    if (is_claimed && count(*invariant).judged() == 0) {
+      never.push_back(invariant);
     }
   }
-  return names;
+  return never;
 }
 
 std::string why_not_judged(const SubjectResult& result, const GateOptions& options,
@@ -146,9 +137,11 @@ std::string why_not_judged(const SubjectResult& result, const GateOptions& optio
   if (std::string decided = why_decided_by_effects(result, options, colliding); !decided.empty()) {
     return decided;
   }
-  // Every law claims at least one of `exercised_by_collisions`.
-  const auto is_exercised = [&](const char* invariant) { return result.count(invariant).holds > 0; };
-  const bool was_answered = std::any_of(exercised_by_collisions.begin(), exercised_by_collisions.end(), is_exercised);
+  // Every law claims at least one invariant of the outcomes of colliding contacts.
+  const bool was_answered = std::ranges::any_of(all_invariants(), [&](const Invariant& invariant) {
+    const auto* const about = std::get_if<AboutOutcome>(&invariant.about);
+    return about != nullptr && about->is_of_colliding && result.count(invariant).holds > 0;
+  });
   if (colliding > 0 && !was_answered) {
     return "no case exercised an invariant of the outcome of a colliding contact";
   }
@@ -158,7 +151,7 @@ std::string why_not_judged(const SubjectResult& result, const GateOptions& optio
   if (std::none_of(result.families.begin(), result.families.end(), holds_anywhere)) {
     return "no case exercised an invariant";
   }
-  const std::vector<std::string> never = result.never_judged(options);
+  const std::vector<std::string> never = names_of(result.never_judged(options));
   return options.is_part || options.shard.of > 1 || never.empty()
              ? ""
              : fmt::format(
@@ -190,7 +183,7 @@ SubjectResult::WorstFamily SubjectResult::worst_backward_error(const GateOptions
   WorstFamily worst;
   for (std::size_t f = 0; f < families.size(); ++f) {
     if (families[f].worst_backward_error > worst.backward_error) {
-      worst = {families[f].worst_backward_error, std::string(options.families[f]->name)};
+      worst = {families[f].worst_backward_error, options.families[f]};
     }
   }
   return worst;

@@ -90,8 +90,8 @@ struct Coverage {
 };
 
 struct Witness {
-  std::string invariant;
-  std::string family;
+  const Invariant* invariant = nullptr;
+  const Family* family = nullptr;
   std::uint64_t index = 0;  // number of the case in its family
   Case original;
   Case shrunk;      // the simplest collision found that violates the invariant about as seriously, or the original
@@ -119,11 +119,11 @@ struct SubjectResult {
   [[nodiscard]] std::uint64_t skipped() const;
   [[nodiscard]] UnjudgedCounts unjudged() const;
   [[nodiscard]] EffectCounts decided_by() const;
-  [[nodiscard]] Count count(const std::string& invariant) const;
-  [[nodiscard]] std::vector<std::string> violated_invariants() const;  // in the order of the catalogue
+  [[nodiscard]] Count count(const Invariant& invariant) const;
+  [[nodiscard]] std::vector<const Invariant*> violated_invariants() const;  // in the order of the catalogue
   /// The invariants that the subject claims in some family of the run, and that no case judged, in the order of the
   /// catalogue.
-  [[nodiscard]] std::vector<std::string> never_judged(const GateOptions& options) const;
+  [[nodiscard]] std::vector<const Invariant*> never_judged(const GateOptions& options) const;
   /// Whether the subject was judged to the end on enough cases, without a violation.
   [[nodiscard]] bool is_sound() const;
   /// The number of digits that at least the fraction `share` of the cases has, accurate to the bins of DigitsScale.
@@ -131,7 +131,7 @@ struct SubjectResult {
   [[nodiscard]] std::optional<double> digits_at_least(double share) const;
   struct WorstFamily {
     double backward_error = 0;
-    std::string family;
+    const Family* family = nullptr;  // nullptr if the error is 0 in every family
   };
   [[nodiscard]] WorstFamily worst_backward_error(const GateOptions& options) const;
 };

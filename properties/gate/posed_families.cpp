@@ -56,7 +56,7 @@ PosedFamilies posed_families(const std::vector<std::string>& names, const Domain
     if (has_cases(*family)) {
       posed.families.push_back(family);
     } else if (names.empty()) {
-      posed.without_case.emplace_back(family->name);
+      posed.without_case.push_back(family);
     } else {
       throw std::invalid_argument(
           fmt::format("--families: no case of {} lies within {}", family->name, to_text(within)));

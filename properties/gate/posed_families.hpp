@@ -12,7 +12,7 @@ namespace carom::properties {
 
 struct PosedFamilies {
   std::vector<const Family*> families;
-  std::vector<std::string> without_case;     // names of the families that have no case within the domain
+  std::vector<const Family*> without_case;   // the families that have no case within the domain
   std::vector<const Family*> beyond_domain;  // the families beyond the claimed domain; empty unless all is posed
 };
 

@@ -69,10 +69,9 @@ void SubjectTally::add(std::size_t family, std::uint64_t index, const JudgedCase
 
 void SubjectTally::add(std::size_t family, std::uint64_t index, const Case& one, const Answer& answer,
                        const NamedVerdict& named) {
-  counts.resize(families.size());
-  std::vector<Count>& counts_of_family = counts[family];
-  counts_of_family.resize(all_invariants().size());
-  Count& count = counts_of_family[static_cast<std::size_t>(named.invariant - all_invariants().data())];
+  const Invariant& invariant = *named.invariant;
+  FamilyResult& result = families[family];
+  Count& count = result.counts[&invariant];
   switch (named.verdict.status) {
     case Status::holds:
       ++count.holds;
@@ -82,29 +81,16 @@ void SubjectTally::add(std::size_t family, std::uint64_t index, const Case& one,
       break;
     case Status::violated:
       ++count.violated;
-      families[family].keep_if_worst(std::string(named.invariant->name), {index, one, named.verdict, answer});
-      keep_if_first(named.invariant->is_of_one_answer() ? families[family].first_violated
-                                                        : families[family].first_violated_by_relations,
+      result.keep_if_worst(invariant, {index, one, named.verdict, answer});
+      keep_if_first(invariant.is_of_one_answer() ? result.first_violated : result.first_violated_by_relations,
                     {index, one, answer});
-      if (index < families[family].sampled) {
-        if (named.invariant->is_of_one_answer()) {
-          families[family].keep_answer(index, answer);
+      if (index < result.sampled) {
+        if (invariant.is_of_one_answer()) {
+          result.keep_answer(index, answer);
         }
-        families[family].violated_cases[std::string(named.invariant->name)].push_back(index);
+        result.violated_cases[&invariant].push_back(index);
       }
   }
-}
-
-void SubjectTally::name_counts() {
-  for (std::size_t f = 0; f < counts.size(); ++f) {
-    for (std::size_t i = 0; i < counts[f].size(); ++i) {
-      const Count& count = counts[f][i];
-      if (count.judged() + count.skipped > 0) {
-        families[f].counts[std::string(all_invariants()[i].name)] += count;
-      }
-    }
-  }
-  counts.clear();
 }
 
 SubjectTally& SubjectTally::operator+=(const SubjectTally& other) {

@@ -16,16 +16,12 @@ struct SubjectTally {
   std::vector<FamilyResult> families;
   Histogram<DigitsScale> digits;
   Histogram<TimeScale> nanoseconds_per_solve;  // one number per task
-  std::vector<std::vector<Count>> counts;      // by family and invariant, until name_counts() moves them
 
   void add(std::size_t family, std::uint64_t index, const JudgedCase& judged_case, const Answer& answer,
            const Judgement& judgement, const Claim& claim);
 
   /// Adds one verdict that is reached separately from the other verdicts of its case.
   void add(std::size_t family, std::uint64_t index, const Case& one, const Answer& answer, const NamedVerdict& named);
-
-  /// Moves `counts` to `FamilyResult::counts`, which are empty before.
-  void name_counts();
 
   SubjectTally& operator+=(const SubjectTally& other);
 };

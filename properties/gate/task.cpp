@@ -149,81 +149,107 @@ void ask_again(Examinee& examinee, std::uint64_t task, Session& session, const s
   }
 }
 
-void judge_task(Examinee& examinee, const Task& task, const std::deque<JudgedCase>& of_every_subject,
-                SubjectTally& tally) {
-  const Claim& claim = examinee.claim;
-  const std::deque<JudgedCase> own = with_effects(claim, of_every_subject);
-  const std::deque<JudgedCase>& cases = own.empty() ? of_every_subject : own;
-  Session& session = examinee.session;
+namespace {
+
+/// What a subject and the gate ask each other in a task.
+struct Exchange {
+  Batch answers;  // to the cases
+  std::vector<Trial> trials;
+  Batch replies;  // to the questions of the trials, in order
+  double nanoseconds_per_solve;
+};
+
+/// If the session fails, the trials ask no questions.
+Exchange exchange_of(Examinee& examinee, const Task& task, const std::deque<JudgedCase>& cases) {
   std::vector<Collision> collisions;
   collisions.reserve(cases.size());
   for (const JudgedCase& one : cases) {
     collisions.push_back(one.generated().collision);
   }
   const auto start = std::chrono::steady_clock::now();
-  const Batch batch = batch_of(session, collisions);
+  Exchange exchange{batch_of(examinee.session, collisions), {}, {}, 0};
   const std::chrono::duration<double, std::nano> elapsed = std::chrono::steady_clock::now() - start;
+  exchange.nanoseconds_per_solve = elapsed.count() / static_cast<double>(collisions.size());
 
   const auto trials_of = [&](bool with_relations) {
     std::vector<Trial> trials;
-    trials.reserve(batch.answers.size());
-    for (std::size_t i = 0; i < batch.answers.size(); ++i) {
-      trials.emplace_back(cases[i], claim, lift(batch.answers[i]),
+    trials.reserve(exchange.answers.answers.size());
+    for (std::size_t i = 0; i < exchange.answers.answers.size(); ++i) {
+      trials.emplace_back(cases[i], examinee.claim, lift(exchange.answers.answers[i]),
                           with_relations ? RelationTurn{examinee.relations_every, task.case_number(i)} : no_relations);
     }
     return trials;
   };
-  std::vector<Trial> trials = trials_of(!batch.failure);
-  const std::vector<Collision> questions = questions_of(trials);
-  const Batch related = questions.empty() ? Batch{} : batch_of(session, questions);
-  if (related.failure) {
-    trials = trials_of(false);
+  exchange.trials = trials_of(!exchange.answers.failure);
+  const std::vector<Collision> questions = questions_of(exchange.trials);
+  if (!questions.empty()) {
+    exchange.replies = batch_of(examinee.session, questions);
   }
-  std::span<const Answer> rest;
-  if (!related.failure) {
-    rest = related.answers;
+  if (exchange.replies.failure) {
+    exchange.trials = trials_of(false);
   }
-  std::vector<Asked> sample;
-  for (std::size_t i = 0; i < trials.size(); ++i) {
+  return exchange;
+}
+
+/// Adds the violations of questions that the subject failed to answer.
+void add_failed_replies(const Trial& trial, std::span<const Answer> replies, const Claim& claim, std::size_t family,
+                        std::uint64_t index, SubjectTally& tally) {
+  const auto is_failed = [](const Answer& reply) { return std::holds_alternative<Failed>(reply); };
+  if (std::ranges::none_of(replies, is_failed)) {
+    return;
+  }
+  const std::vector<Collision> questions = trial.questions();
+  for (std::size_t k = 0; k < replies.size(); ++k) {
+    const Case question{questions[k]};
+    if (const auto named = verdict_on_failure(claim, question, replies[k])) {
+      tally.add(family, index, question, replies[k], *named);
+    }
+  }
+}
+
+}  // namespace
+
+void judge_task(Examinee& examinee, const Task& task, const std::deque<JudgedCase>& of_every_subject,
+                SubjectTally& tally) {
+  const Claim& claim = examinee.claim;
+  const Family& family = *examinee.families[task.family];
+  const std::deque<JudgedCase> own = with_effects(claim, of_every_subject);
+  const std::deque<JudgedCase>& cases = own.empty() ? of_every_subject : own;
+  const Exchange exchange = exchange_of(examinee, task, cases);
+  std::span<const Answer> rest = exchange.replies.answers;
+  std::vector<Asked> asked_again;
+  for (std::size_t i = 0; i < exchange.trials.size(); ++i) {
+    const Trial& trial = exchange.trials[i];
+    const Case& one = cases[i].generated();
+    const Answer& answer = exchange.answers.answers[i];
     const std::uint64_t index = task.case_number(i);
-    const std::span<const Answer> replies = rest.first(trials[i].question_count());
+    const std::span<const Answer> replies = rest.first(trial.question_count());
     rest = rest.subspan(replies.size());
-    Judgement judgement = trials[i].judge(replies, tally.families[task.family].worst_backward_error);
-    drop_unclaimed(judgement, claim, *examinee.families[task.family]);
-    const auto asked = [&] { return Asked{task.family, index, cases[i].generated(), batch.answers[i]}; };
+    Judgement judgement = trial.judge(replies, tally.families[task.family].worst_backward_error);
+    drop_unclaimed(judgement, claim, family);
     if (examinee.ends_at_first && cut_after_violation(judgement)) {
-      examinee.first_violation = {task.number, asked(), std::move(judgement), true};
+      examinee.first_violation = {task.number, {task.family, index, one, answer}, std::move(judgement), true};
       return;
     }
-    oracles::on_collision(collisions[i], [&] {
-      tally.add(task.family, index, cases[i], batch.answers[i], judgement, claim);
-      keep_if_least(tally.families[task.family].boundary,
-                    boundary_by(*examinee.families[task.family], index, collisions[i], judgement));
+    oracles::on_collision(one.collision, [&] {
+      tally.add(task.family, index, cases[i], answer, judgement, claim);
+      keep_if_least(tally.families[task.family].boundary, boundary_by(family, index, one.collision, judgement));
     });
-    if (std::any_of(replies.begin(), replies.end(),
-                    [](const Answer& reply) { return std::holds_alternative<Failed>(reply); })) {
-      const std::vector<Collision> asked_besides = trials[i].questions();
-      for (std::size_t k = 0; k < replies.size(); ++k) {
-        const Case question{asked_besides[k]};
-        if (const auto named = verdict_on_failure(claim, question, replies[k])) {
-          tally.add(task.family, index, question, replies[k], *named);
-        }
-      }
-    }
+    add_failed_replies(trial, replies, claim, task.family, index, tally);
     if (is_asked_again(index)) {
-      sample.push_back(asked());
+      asked_again.push_back({task.family, index, one, answer});
     }
     if (is_remembered(index, tally.families.size())) {
-      examinee.remembered.push_back(asked());
+      examinee.remembered.push_back({task.family, index, one, answer});
     }
   }
-  for (const std::exception_ptr& failure : {batch.failure, related.failure}) {
+  for (const std::exception_ptr& failure : {exchange.answers.failure, exchange.replies.failure}) {
     if (failure) {
       std::rethrow_exception(failure);
     }
   }
-  tally.nanoseconds_per_solve.add(elapsed.count() / static_cast<double>(collisions.size()));
-  ask_again(examinee, task.number, session, sample, tally);
+  tally.nanoseconds_per_solve.add(exchange.nanoseconds_per_solve);
+  ask_again(examinee, task.number, examinee.session, asked_again, tally);
 }
 
 }  // namespace carom::properties

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 #include <chrono>
-#include <string_view>
 
 #include <carom/properties/families/beyond_domain.hpp>
 #include <carom/properties/gate/witness.hpp>
@@ -18,22 +17,16 @@ constexpr std::size_t most_shrink_calls = 4000;
 /// The limit of the time of all failures of a subject together, because each hang costs a timeout.
 constexpr std::chrono::seconds longest_failing{5};
 
-/// The kind of a violation that compares no numbers: the detail up to its reason.
-std::string_view kind_of(const Verdict& verdict) {
-  const std::string_view detail = verdict.detail;
-  return verdict.left.empty() ? detail.substr(0, detail.find(':')) : std::string_view();
-}
-
 /// The only verdict; `holds` if there is none on this case.
 Verdict single_verdict(const Judgement& judgement) {
   return judgement.verdicts.empty() ? Verdict{} : judgement.verdicts.front().verdict;
 }
 
-std::size_t family_of_witness(const SubjectResult& result, const std::string& invariant) {
+std::size_t family_of_witness(const SubjectResult& result, const Invariant& invariant) {
   std::size_t best = 0;
   std::uint64_t most = 0;
   for (std::size_t f = 0; f < result.families.size(); ++f) {
-    const auto found = result.families[f].counts.find(invariant);
+    const auto found = result.families[f].counts.find(&invariant);
     const std::uint64_t violated = found == result.families[f].counts.end() ? 0 : found->second.violated;
     if (violated > most) {
       most = violated;
@@ -45,10 +38,10 @@ std::size_t family_of_witness(const SubjectResult& result, const std::string& in
 
 }  // namespace
 
-Witness found_witness(const SubjectResult& result, const GateOptions& options, const std::string& invariant) {
+Witness found_witness(const SubjectResult& result, const GateOptions& options, const Invariant& invariant) {
   const std::size_t family = family_of_witness(result, invariant);
-  const WorstViolation& worst = result.families[family].worst.at(invariant);
-  return {invariant,      std::string(options.families[family]->name),
+  const WorstViolation& worst = result.families[family].worst.at(&invariant);
+  return {&invariant,     options.families[family],
           worst.index,    worst.original,
           worst.original, worst.verdict,
           worst.answer,   worst.verdict,
@@ -57,7 +50,7 @@ Witness found_witness(const SubjectResult& result, const GateOptions& options, c
 
 Witness shrunk_witness(const Subject& subject, const Claim& claim, Witness witness, const Domain& within) {
   Claim only = claim;
-  only.invariants = {invariant_named(witness.invariant)};
+  only.invariants = {witness.invariant};
   Restarts restarts(most_shrink_calls, longest_failing);
   Session session = open_restarting(subject, restarts);
   bool is_over = false;
@@ -97,9 +90,9 @@ void add_witnesses(GateReport& report) {
   std::vector<FoundWitness> found;
   for (std::size_t s = 0; s < report.results.size(); ++s) {
     SubjectResult& result = report.results[s];
-    for (const std::string& invariant : result.violated_invariants()) {
+    for (const Invariant* invariant : result.violated_invariants()) {
       found.push_back({s, result.witnesses.size()});
-      result.witnesses.push_back(found_witness(result, options, invariant));
+      result.witnesses.push_back(found_witness(result, options, *invariant));
     }
   }
   options.workers.run(found.size(), [&](std::size_t i) {
@@ -127,7 +120,7 @@ bool is_as_bad(const Verdict& verdict, const Collision& collision, const Verdict
   constexpr double plain = 0x1p-10;
   const double kept_of_size = std::min(found.relative_residual(), plain) / 16;
   return seriousness(verdict, collision) >= kept && verdict.relative_residual() >= kept_of_size &&
-         kind_of(verdict) == kind_of(found);
+         verdict.kind == found.kind;
 }
 
 Case simplest_violation(const Case& one, const Invariant& invariant, const Verdict& found,

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <string>
 
 #include <carom/properties/gate/gate_report.hpp>
 
@@ -12,7 +11,7 @@ namespace carom::properties {
 /// The most serious violation of the invariant, as it was found, in the family that violates it most often.
 /// Precondition: `result.count(invariant).violated` > 0.
 [[nodiscard]] Witness found_witness(const SubjectResult& result, const GateOptions& options,
-                                    const std::string& invariant);
+                                    const Invariant& invariant);
 
 /// The witness on the simplest collision that shrinking finds within the domain, judged exactly. Throws the exceptions
 /// of the subject's session.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -17,6 +18,23 @@ double Verdict::severity() const {
 
 namespace {
 
+/// The words of each ViolationKind, in its order.
+constexpr std::array<std::string_view, 14> words_of_kinds{
+    "",
+    "the outcome contains infinities or NaN",
+    "the subject refused a valid collision",
+    "no answer",
+    "the subject did not refuse an invalid collision",
+    "the subject answered an invalid collision",
+    "the subject refused the related collision",
+    "the outcome of the related collision contains infinities or NaN",
+    "the repeated request got another kind of answer",
+    "only one of the two answers to the same request has a collision matrix",
+    "the subject shows no C of this contact",
+    "the shown C contains infinities or NaN",
+    "the subject failed",
+    "the subject threw"};
+
 double largest_compared(const Verdict& verdict) {
   double largest = 0;
   for (const std::vector<double>* side : {&verdict.left, &verdict.right}) {
@@ -32,6 +50,18 @@ double largest_compared(const Verdict& verdict) {
 double Verdict::relative_residual() const {
   const double largest = largest_compared(*this);
   return status == Status::violated && largest > 0 ? residual / largest : 0;
+}
+
+Verdict violation(ViolationKind kind, const std::string& more) {
+  return {.status = Status::violated,
+          .detail = std::string(words_of_kinds[static_cast<std::size_t>(kind)]) + more,
+          .kind = kind};
+}
+
+ViolationKind kind_of_detail(std::string_view detail) {
+  const auto found = std::find_if(words_of_kinds.begin() + 1, words_of_kinds.end(),
+                                  [&](std::string_view words) { return detail.starts_with(words); });
+  return static_cast<ViolationKind>(found == words_of_kinds.end() ? 0 : found - words_of_kinds.begin());
 }
 
 double seriousness(const Verdict& verdict, const Collision& collision) {
@@ -60,6 +90,14 @@ std::vector<Law> Invariant::proved_laws() const {
 }
 
 bool Invariant::claimed_for(Law law) const { return std::find(laws.begin(), laws.end(), law) != laws.end(); }
+
+std::vector<std::string> names_of(const std::vector<const Invariant*>& invariants) {
+  std::vector<std::string> names;
+  for (const Invariant* invariant : invariants) {
+    names.emplace_back(invariant->name);
+  }
+  return names;
+}
 
 std::span<const Invariant> all_invariants() {
   static const std::vector<Invariant> all = [] {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,6 +20,24 @@ enum class Status {
   skipped,  // outside the invariant's domain, or the case could not be given to the subject
 };
 
+/// The kind of a violation. The words of a kind begin the detail of the verdict, except for `sides_differ`.
+enum class ViolationKind {
+  sides_differ,
+  not_finite,
+  refused,
+  no_answer,
+  failed_on_invalid,
+  answered_invalid,
+  related_refused,
+  related_not_finite,
+  another_kind_of_answer,
+  matrix_in_one_answer,
+  matrix_missing,
+  matrix_not_finite,
+  subject_failed,
+  subject_threw,
+};
+
 /// The decision of one invariant on one answer.
 struct Verdict {
   Status status = Status::holds;
@@ -30,6 +49,7 @@ struct Verdict {
   std::vector<double> left = {};  // both sides of the formula
   std::vector<double> right = {};
   bool is_undecided = false;  // a skip inside the domain, because numbers leave their range
+  ViolationKind kind = ViolationKind::sides_differ;
 
   /// The residual divided by the permitted residual; infinite if one of them is zero. 0 if not violated.
   [[nodiscard]] double severity() const;
@@ -37,6 +57,12 @@ struct Verdict {
   /// The residual divided by the largest compared number; 0 if there is none.
   [[nodiscard]] double relative_residual() const;
 };
+
+/// A violation without sides. Its detail is the words of the kind, and then `more`.
+[[nodiscard]] Verdict violation(ViolationKind kind, const std::string& more = {});
+
+/// The kind whose words begin the detail. `sides_differ` if there is none.
+[[nodiscard]] ViolationKind kind_of_detail(std::string_view detail);
 
 /// Ranks the violations of an invariant: 0 if the invariant is not violated, infinite if the violation has no residual.
 /// If rounding is permitted (`allowed` > 0), the rank is the severity. Otherwise the rank is the residual divided by
@@ -81,6 +107,9 @@ struct AboutAnswer {
 /// An invariant of the outcome of a valid collision.
 struct AboutOutcome {
   Verdict (*check)(const Evidence&);
+  bool is_of_colliding = false;  // whether it applies to the outcomes of colliding contacts
+  /// Whether it judges an outcome in which a declared limit may shorten a velocity.
+  bool judges_limited = false;
 };
 
 /// An invariant of the collision matrix that a subject shows with its outcome of a valid collision.
@@ -89,6 +118,7 @@ struct AboutMatrix {
   /// Whether the invariant depends on the bodies' shapes. Only the family knows the shapes, and only those of the
   /// collision that it drew.
   bool rests_on_shapes = false;
+  bool is_bound = false;  // whether it bounds the eigenvalues
 };
 
 /// A relation: an invariant that compares the outcome with the outcomes of related collisions. `ask` makes these
@@ -151,6 +181,12 @@ struct Invariant {
   /// The laws for which the invariant is claimed and proved. Empty if it is only tested.
   [[nodiscard]] std::vector<Law> proved_laws() const;
 };
+
+/// A value for some invariants, in the order of the catalogue.
+template <class T>
+using PerInvariant = std::map<const Invariant*, T>;
+
+[[nodiscard]] std::vector<std::string> names_of(const std::vector<const Invariant*>& invariants);
 
 /// The catalogue, in its fixed order.
 [[nodiscard]] std::span<const Invariant> all_invariants();

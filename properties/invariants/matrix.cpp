@@ -86,11 +86,11 @@ Verdict of_shown_matrix(const Evidence& e) {
   }
   const LiftedMatrix* shown = e.outcome.collision_matrix();
   if (shown == nullptr) {
-    return owes_matrix(e) ? Verdict{.status = Status::violated, .detail = "the subject shows no C of this contact"}
+    return owes_matrix(e) ? violation(ViolationKind::matrix_missing)
                           : outside_domain("the subject need not show C, because the contact does not surely collide");
   }
   if (!shown->is_finite()) {
-    return {.status = Status::violated, .detail = "the shown C contains infinities or NaN"};
+    return violation(ViolationKind::matrix_not_finite);
   }
   return check(e, *shown);
 }
@@ -182,7 +182,7 @@ std::vector<Invariant> matrix_invariants() {
                 R"(\lambda I \preceq C,\quad \lambda = 1/m_A + 1/m_B)",
                 "note eq. 27, with QᵀJ⁻¹Q positive semidefinite",
                 "contacts with a movable body, if the subject shows its C", every_law(),
-                AboutMatrix{of_shown_matrix<check_definite>},
+                AboutMatrix{of_shown_matrix<check_definite>, false, true},
                 Proof{ProvedOf::every_impulse, {{"definite", "collision_matrix.v"}}}, 8},
       Invariant{
           "well_conditioned",
@@ -193,7 +193,7 @@ std::vector<Invariant> matrix_invariants() {
           "seen from the contact point; of convex bodies R. Kannan, L. Lovász, M. Simonovits, Discrete Comput. "
           "Geom. 13 (1995), Thm 4.1, with n = 3",
           "bodies that are known to be uniform and star-shaped from the contact point, if the subject shows its C",
-          every_law(), AboutMatrix{check_well_conditioned_if_convex, true},
+          every_law(), AboutMatrix{check_well_conditioned_if_convex, true, true},
           Proof{ProvedOf::every_impulse,
                 {{"well_conditioned", "well_conditioned.v"},
                  {"star_shaped_well_conditioned", "star_shaped.v"},

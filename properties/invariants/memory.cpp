@@ -14,8 +14,6 @@ bool is_same(long double x, long double y, Sameness sameness) {
   return is_same_number && (sameness == Sameness::of_numbers || !is_zero_of_other_sign);
 }
 
-Verdict differs(const char* what) { return {.status = Status::violated, .detail = what}; }
-
 /// A violation if the numbers at this place of the two answers differ; otherwise no value.
 std::optional<Verdict> difference(std::string_view place, std::span<const long double> first,
                                   std::span<const long double> again, Sameness sameness) {
@@ -40,7 +38,7 @@ std::span<const long double> numbers_of(const Numbers& numbers) {
 
 Verdict check_memoryless(const Answer& first, const Answer& again, Sameness sameness) {
   if (first.index() != again.index()) {
-    return differs("the repeated request got another kind of answer: an outcome, a refusal and a skip differ");
+    return violation(ViolationKind::another_kind_of_answer, ": an outcome, a refusal and a skip differ");
   }
   const auto* before = std::get_if<ReportedOutcome>(&first);
   if (before == nullptr) {
@@ -54,7 +52,7 @@ Verdict check_memoryless(const Answer& first, const Answer& again, Sameness same
     }
   }
   if (before->collision_matrix.has_value() != after.collision_matrix.has_value()) {
-    return differs("only one of the two answers to the same request has a collision matrix");
+    return violation(ViolationKind::matrix_in_one_answer);
   }
   if (before->collision_matrix) {
     const auto differing =

@@ -5,17 +5,15 @@
 namespace carom::properties {
 namespace {
 
-Verdict violated(std::string detail) { return {.status = Status::violated, .detail = std::move(detail)}; }
-
 Verdict check_finite(const Collision& /*collision*/, const ExactAnswer& answer, Law /*law*/) {
   if (std::holds_alternative<NotFinite>(answer)) {
-    return violated("the outcome contains infinities or NaN");
+    return violation(ViolationKind::not_finite);
   }
   if (const auto* refused = std::get_if<Refused>(&answer)) {
-    return violated("the subject refused a valid collision: " + refused->why);
+    return violation(ViolationKind::refused, ": " + refused->why);
   }
   if (const auto* failed = std::get_if<Failed>(&answer)) {
-    return violated("no answer: the subject " + failed->why);
+    return violation(ViolationKind::no_answer, ": the subject " + failed->why);
   }
   return {};
 }
@@ -37,12 +35,12 @@ Verdict check_invalid_refused(const Collision& collision, const ExactAnswer& ans
     return {};
   }
   if (const auto* failed = std::get_if<Failed>(&answer)) {
-    return violated("the subject did not refuse an invalid collision: it " + failed->why);
+    return violation(ViolationKind::failed_on_invalid, ": it " + failed->why);
   }
   if (is_invalid_by_unread_fields(collision, law)) {
     return {.status = Status::skipped, .detail = "the law does not use the invalid field"};
   }
-  return violated("the subject answered an invalid collision");
+  return violation(ViolationKind::answered_invalid);
 }
 
 }  // namespace

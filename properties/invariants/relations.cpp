@@ -25,12 +25,9 @@ std::variant<const oracles::LiftedOutcome*, Verdict> outcome_of(const Related& r
   if (std::holds_alternative<Failed>(related.answer)) {
     return outside_domain("the subject did not answer the related collision; `finite` judges this");
   }
-  Verdict verdict;
-  verdict.status = Status::violated;
   const auto* refused = std::get_if<Refused>(&related.answer);
-  verdict.detail = refused != nullptr ? "the subject refused the related collision: " + refused->why
-                                      : std::string("the outcome of the related collision contains infinities or NaN");
-  return verdict;
+  return refused != nullptr ? violation(ViolationKind::related_refused, ": " + refused->why)
+                            : violation(ViolationKind::related_not_finite);
 }
 
 /// Compares `expected(first)` with `second`. `expected` maps outcomes of any number type.

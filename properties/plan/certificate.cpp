@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <carom/collision/expects.hpp>
+#include <carom/collision/validate.hpp>
 #include <carom/properties/plan/certificate.hpp>
 #include <carom/properties/trial/unjudged.hpp>
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <carom/collision/expects.hpp>
+#include <carom/collision/validate.hpp>
 #include <carom/oracles/judge/exact_case.hpp>
 #include <carom/oracles/laws/kinematics.hpp>
 #include <carom/oracles/laws/mechanics.hpp>

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include <carom/collision/expects.hpp>
+#include <carom/collision/validate.hpp>
 #include <carom/properties/plan/contact_class.hpp>
 #include <carom/properties/plan/lint.hpp>
 #include <carom/properties/plan/plan.hpp>

@@ -56,20 +56,6 @@ bool are_within(const Domain& domain, std::span<const oracles::ExactCase> questi
                      [&](const oracles::ExactCase& question) { return contains(domain, question.collision()); });
 }
 
-/// The verdict of an invariant of one outcome; none for other invariants. If `is_limited`, a declared limit may have
-/// shortened a velocity.
-std::optional<Verdict> verdict_on_outcome(const Invariant& invariant, const Evidence& evidence, bool is_limited) {
-  const auto* of_outcome = std::get_if<AboutOutcome>(&invariant.about);
-  const auto* of_matrix = std::get_if<AboutMatrix>(&invariant.about);
-  if (of_outcome == nullptr && of_matrix == nullptr) {
-    return std::nullopt;
-  }
-  if (is_limited && invariant.name != "backward_error") {
-    return outside_domain("a declared limit shortens a velocity; `backward_error` judges the outcome");
-  }
-  return of_outcome != nullptr ? of_outcome->check(evidence) : of_matrix->check(evidence);
-}
-
 std::vector<Deviation> deviations_of(const Subject& subject) {
   std::vector<Deviation> deviations;
   for (const std::string& text : subject.deviates) {
@@ -268,14 +254,13 @@ Judgement Trial::judge(std::span<const Answer> answers, double known_backward_er
   std::vector<ExactAnswer> lifted;
   lifted.reserve(most_questions());
   return judge_by(
-      [&](std::size_t first, std::span<const oracles::ExactCase> questions) {
+      [&](std::span<const oracles::ExactCase> questions) {
         lifted.clear();
-        for (std::size_t i = 0; i < questions.size(); ++i) {
-          ExactAnswer& answer = lifted.emplace_back(NotFinite{});
-          lift_without_matrix(answers[first + i], answer);
-          take_out_effects(answer, claim_->effects, questions[i], claim_->law, claim_->yardstick.allowance());
+        for (const Answer& answer : answers.first(questions.size())) {
+          lift_without_matrix(answer, lifted.emplace_back(NotFinite{}));
         }
-        return std::span<const ExactAnswer>(lifted);
+        answers = answers.subspan(questions.size());
+        return std::span(lifted);
       },
       known_backward_error);
 }
@@ -283,93 +268,104 @@ Judgement Trial::judge(std::span<const Answer> answers, double known_backward_er
 Judgement Trial::judge(std::span<ExactAnswer> answers, double known_backward_error) const {
   require_one_answer_each(answers.size());
   return judge_by(
-      [&](std::size_t first, std::span<const oracles::ExactCase> questions) {
-        const std::span<ExactAnswer> to_these = answers.subspan(first, questions.size());
-        for (std::size_t i = 0; i < questions.size(); ++i) {
-          take_out_effects(to_these[i], claim_->effects, questions[i], claim_->law, claim_->yardstick.allowance());
-        }
-        return std::span<const ExactAnswer>(to_these);
+      [&](std::span<const oracles::ExactCase> questions) {
+        const std::span<ExactAnswer> to_these = answers.first(questions.size());
+        answers = answers.subspan(questions.size());
+        return to_these;
       },
       known_backward_error);
 }
 
-/// `answers_to(first, questions)` returns the lifted answers to these questions, which have the indices from `first`
-/// on. The answers are valid until the next call.
+/// `answers_to(questions)` returns the lifted answers to the next questions. The answers are valid until the next call.
 template <class AnswersTo>
 Judgement Trial::judge_by(const AnswersTo& answers_to, double known_backward_error) const {
-  return oracles::on_collision(judged_case_->generated().collision,
-                               [&] { return judgement_by(answers_to, known_backward_error); });
+  return oracles::on_collision(judged_case_->generated().collision, [&] {
+    Judgement judgement;
+    if (const auto* skipped = std::get_if<Skipped>(&answer_)) {
+      judgement.skipped = *skipped;
+      return judgement;
+    }
+    if (judged_case_->is_valid()) {
+      judgement.unjudged = judged_case_->reason_unjudged_by(claim_->yardstick);
+      judgement.decided_by = decided_by();
+    }
+    if (!judgement.unjudged) {
+      add_verdicts(judgement, answers_to, known_backward_error);
+    }
+    return judgement;
+  });
 }
 
 template <class AnswersTo>
-Judgement Trial::judgement_by(const AnswersTo& answers_to, double known_backward_error) const {
-  Judgement judgement;
-  if (const auto* skipped = std::get_if<Skipped>(&answer_)) {
-    judgement.skipped = *skipped;
-    return judgement;
-  }
-  if (judged_case_->is_valid()) {
-    judgement.unjudged = judged_case_->reason_unjudged_by(claim_->yardstick);
-    judgement.decided_by = decided_by();
-    if (judgement.unjudged) {
-      return judgement;
-    }
-  }
+void Trial::add_verdicts(Judgement& judgement, const AnswersTo& answers_to, double known_backward_error) const {
   const auto* outcome = std::get_if<oracles::LiftedOutcome>(&answer_);
-  const bool is_of_valid = outcome != nullptr && judged_case_->is_valid();
-  if (is_of_valid && determines_outcome(claim_->law)) {
-    judgement.accuracy =
-        oracles::accuracy(judged_case_->exact(), claim_->law, *outcome, claim_->yardstick, known_backward_error);
-  }
   std::optional<Evidence> evidence;
-  if (is_of_valid) {
+  if (outcome != nullptr && judged_case_->is_valid()) {
+    if (determines_outcome(claim_->law)) {
+      judgement.accuracy =
+          oracles::accuracy(judged_case_->exact(), claim_->law, *outcome, claim_->yardstick, known_backward_error);
+    }
     evidence.emplace(Evidence{judged_case_->exact(), judged_case_->generated().convex_uniform, claim_->law,
                               claim_->yardstick, *outcome, judgement.accuracy ? &*judgement.accuracy : nullptr});
   }
   judgement.verdicts.reserve(claim_->invariants.size());
-  std::size_t next_question = 0;
-  std::vector<Related> related;
-  related.reserve(most_questions());
   for (std::size_t i = 0; i < claim_->invariants.size(); ++i) {
     const Invariant& invariant = *claim_->invariants[i];
+    std::optional<Verdict> verdict;
     if (const auto* of_answer = std::get_if<AboutAnswer>(&invariant.about)) {
       if (of_answer->to_valid == judged_case_->is_valid()) {
-        judgement.verdicts.push_back(
-            {&invariant, of_answer->check(judged_case_->generated().collision, answer_, claim_->law)});
+        verdict = of_answer->check(judged_case_->generated().collision, answer_, claim_->law);
       }
-      continue;
+    } else if (evidence && !invariant.asks()) {
+      verdict = verdict_on_outcome(invariant, *evidence);
+    } else if (evidence && relations_.has(i)) {
+      verdict = verdict_on_relation(invariant, questions_[i], *evidence, answers_to);
     }
-    if (!evidence) {
-      continue;
+    if (verdict) {
+      judgement.verdicts.push_back({&invariant, *std::move(verdict)});
     }
-    if (std::optional<Verdict> verdict = verdict_on_outcome(invariant, *evidence, is_any(limited_))) {
-      judgement.verdicts.push_back({&invariant, std::move(*verdict)});
-      continue;
-    }
-    if (!relations_.has(i) || std::holds_alternative<AboutSession>(invariant.about)) {
-      continue;
-    }
-    if (questions_[i].empty()) {
-      judgement.verdicts.push_back({&invariant, outside_domain("the related collision is out of range")});
-      continue;
-    }
-    const auto& relation = std::get<AboutRelation>(invariant.about);
-    const bool is_judged = std::holds_alternative<AboutRelation::OfCollision>(relation.ask)
-                               ? judged_case_->are_questions_judged_by(claim_->yardstick, invariant)
-                               : are_judged(questions_[i], claim_->yardstick);
-    const std::span<const ExactAnswer> answers = answers_to(next_question, questions_[i]);
-    next_question += questions_[i].size();
-    if (!is_judged) {
-      judgement.verdicts.push_back({&invariant, outside_domain("the gate does not judge the related collision")});
-      continue;
-    }
-    related.clear();
-    for (std::size_t question = 0; question < answers.size(); ++question) {
-      related.push_back({questions_[i][question], answers[question]});
-    }
-    judgement.verdicts.push_back({&invariant, relation.check(*evidence, related)});
   }
-  return judgement;
+}
+
+std::optional<Verdict> Trial::verdict_on_outcome(const Invariant& invariant, const Evidence& evidence) const {
+  const auto* of_outcome = std::get_if<AboutOutcome>(&invariant.about);
+  const auto* of_matrix = std::get_if<AboutMatrix>(&invariant.about);
+  if (of_outcome == nullptr && of_matrix == nullptr) {
+    return std::nullopt;
+  }
+  if (is_any(limited_) && (of_outcome == nullptr || !of_outcome->judges_limited)) {
+    return outside_domain("a declared limit shortens a velocity; `backward_error` judges the outcome");
+  }
+  return of_outcome != nullptr ? of_outcome->check(evidence) : of_matrix->check(evidence);
+}
+
+template <class AnswersTo>
+Verdict Trial::verdict_on_relation(const Invariant& invariant, std::span<const oracles::ExactCase> questions,
+                                   const Evidence& evidence, const AnswersTo& answers_to) const {
+  if (questions.empty()) {
+    return outside_domain("the related collision is out of range");
+  }
+  const std::span<ExactAnswer> answers = answers_to(questions);
+  const auto& relation = std::get<AboutRelation>(invariant.about);
+  const bool is_judged = std::holds_alternative<AboutRelation::OfCollision>(relation.ask)
+                             ? judged_case_->are_questions_judged_by(claim_->yardstick, invariant)
+                             : are_judged(questions, claim_->yardstick);
+  if (!is_judged) {
+    return outside_domain("the gate does not judge the related collision");
+  }
+  std::vector<Related> related;
+  related.reserve(questions.size());
+  for (std::size_t i = 0; i < questions.size(); ++i) {
+    take_out_effects(answers[i], claim_->effects, questions[i], claim_->law, claim_->yardstick.allowance());
+    related.push_back({questions[i], answers[i]});
+  }
+  return relation.check(evidence, related);
+}
+
+Judgement judge_answer(const JudgedCase& judged_case, const Claim& claim, ExactAnswer answer,
+                       double known_backward_error) {
+  return Trial(judged_case, claim, std::move(answer), no_relations)
+      .judge(std::span<ExactAnswer>(), known_backward_error);
 }
 
 Judgement try_case(const JudgedCase& judged_case, const Claim& claim, const ExactSolve& solve) {

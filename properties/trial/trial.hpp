@@ -160,9 +160,14 @@ class Trial {
   /// valid collision.
   void prepare();
   template <class AnswersTo>
-  [[nodiscard]] Judgement judgement_by(const AnswersTo& answers_to, double known_backward_error) const;
-  template <class AnswersTo>
   [[nodiscard]] Judgement judge_by(const AnswersTo& answers_to, double known_backward_error) const;
+  template <class AnswersTo>
+  void add_verdicts(Judgement& judgement, const AnswersTo& answers_to, double known_backward_error) const;
+  /// The verdict of an invariant of one outcome; none for other invariants.
+  [[nodiscard]] std::optional<Verdict> verdict_on_outcome(const Invariant& invariant, const Evidence& evidence) const;
+  template <class AnswersTo>
+  [[nodiscard]] Verdict verdict_on_relation(const Invariant& invariant, std::span<const oracles::ExactCase> questions,
+                                            const Evidence& evidence, const AnswersTo& answers_to) const;
 
   [[nodiscard]] EffectFlags decided_by() const;
   void require_one_answer_each(std::size_t count) const;
@@ -176,6 +181,11 @@ class Trial {
   std::vector<std::vector<oracles::ExactCase>> by_outcome_;     // the questions that depend on the outcome
   std::vector<std::span<const oracles::ExactCase>> questions_;  // of each claimed invariant
 };
+
+/// Judges an answer by the claimed invariants that need no further answer. `known_backward_error` is that of
+/// Trial::judge. Precondition: that of Trial.
+[[nodiscard]] Judgement judge_answer(const JudgedCase& judged_case, const Claim& claim, ExactAnswer answer,
+                                     double known_backward_error = 0);
 
 /// A solver with lifted answers, such as a solver in ℚ.
 using ExactSolve = std::function<ExactAnswer(const Collision&)>;

@@ -77,11 +77,12 @@ json list(const json& record) {
 
 json plan(const json& record) {
   const Request request = run_request_from(record);
-  json names = json::array();
-  for (const properties::Family* family : request.options.families) {
-    names.push_back(family->name);
-  }
-  return {{"cases", all_cases(request.options)}, {"families", names}, {"without_case", request.without_case}};
+  const auto names = [](const std::vector<const properties::Family*>& families) {
+    return report::Json<std::vector<const properties::Family*>>::write(families);
+  };
+  return {{"cases", all_cases(request.options)},
+          {"families", names(request.options.families)},
+          {"without_case", names(request.without_case)}};
 }
 
 json part(const json& record) {
@@ -101,9 +102,9 @@ json files_of(const report::Run& run, const std::string& out) {
   };
   for (const report::JudgedSubject& subject : run.subjects) {
     for (const properties::Witness& witness : subject.result.witnesses) {
-      add(report::witness_path("", subject.result.subject, witness.invariant),
+      add(report::witness_path("", subject.result.subject, *witness.invariant),
           in_json(report::witness_record(witness, subject.result.subject, run.settings,
-                                         report::witness_path(out, subject.result.subject, witness.invariant))));
+                                         report::witness_path(out, subject.result.subject, *witness.invariant))));
     }
   }
   add("junit.xml", report::junit_xml(run));

@@ -15,9 +15,9 @@ namespace carom::web {
 struct Request {
   Subject subject;
   properties::GateOptions options;
-  std::vector<std::string> families;      // names; empty for all
-  std::vector<std::string> without_case;  // families that have no case within the domain
-  std::vector<std::string> deviates;      // of the run
+  std::vector<std::string> families;                    // names; empty for all
+  std::vector<const properties::Family*> without_case;  // families that have no case within the domain
+  std::vector<std::string> deviates;                    // of the run
   report::Environment environment;
   std::string out;  // the directory of the witnesses, as the report shows it
 };

@@ -57,7 +57,7 @@ Find first_find(const Open& open) {
   const auto start = std::chrono::steady_clock::now();
   const properties::GateReport report = properties::run_gate({open()}, options);
   const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
-  const std::vector<std::string> violated = report.results.at(0).violated_invariants();
+  const std::vector<std::string> violated = names_of(report.results.at(0).violated_invariants());
   return {elapsed.count(), processor_time() - processor_before, violated.empty() ? std::string() : violated.front()};
 }
 

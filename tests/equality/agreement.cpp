@@ -44,7 +44,7 @@ class Judge {
   Judge(const properties::Case& one, bool filtered) : judged_case_(one), filtered_(filtered) {}
 
   Judgement operator()(Claim claim, Relations relations, const Answers& answers, double known_backward_error) const {
-    claim.yardstick.filtered = filtered_;
+    claim.yardstick = claim.yardstick.with_filters(filtered_);
     const properties::Trial trial(judged_case_, claim, properties::lift(answers.first), turn_of(relations));
     return trial.judge(answers.related, known_backward_error);
   }
@@ -91,7 +91,7 @@ void compare(const Judgement& fast, const Judgement& exact, const oracles::Yards
     }
   }
   // If digits are asked for, the permitted error contains noise, too.
-  if (exact.accuracy && !yardstick.digits &&
+  if (exact.accuracy && !yardstick.digits() &&
       !are_alike(fast.accuracy.value(), *exact.accuracy, yardstick.allowance())) {
     differs("other errors");
   }
@@ -107,11 +107,11 @@ void compare_judges(const properties::Case& one, std::span<Examined> subjects, R
   const Judge fast(one, true);
   const Judge exact(one, false);
   for (Examined& examined : subjects) {
-    oracles::Yardstick yardstick;
+    oracles::Limits limits;
     if (choices.chance(3)) {
-      yardstick.digits = choices.integer(1, 18);
+      limits.digits = choices.integer(1, 18);
     }
-    const Claim claim = properties::claim_of(examined.subject, yardstick);
+    const Claim claim = properties::claim_of(examined.subject, limits);
     const Answers answers = answers_of(judged_case, claim, examined.session, relations);
     // The judge need not compute a backward error that is at most `known`. So if `known` is infinite, lower bounds of
     // the sensitivity decide more often.

@@ -114,7 +114,7 @@ TEST(JudgeEquality, IsOfJudgesWithAndWithoutFilters) {
   for (const bool filtered : {true, false}) {
     properties::GateOptions options;
     options.cases = 8;
-    options.yardstick.filtered = filtered;
+    options.limits.filtered = filtered;
     for (const properties::Family& family : properties::all_families()) {
       options.families.push_back(&family);
     }

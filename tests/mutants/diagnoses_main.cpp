@@ -42,8 +42,8 @@ int main(int argc, char** argv) {
     const auto begin = std::chrono::steady_clock::now();
     const auto found = properties::diagnosis::diagnose(report.results[s], report);
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
-    std::printf("  %s (%lu of %lu), diagnosed in %.2f s\n", found.telling.c_str(), found.telling_in, found.violated,
-                time.count());
+    std::printf("  %s (%lu of %lu), diagnosed in %.2f s\n", std::string(found.telling->name).c_str(), found.telling_in,
+                found.violated, time.count());
     for (const properties::diagnosis::Fault& fault : found.faults) {
       std::printf("  %s\n  %s\n  look at: %s\n", fault.what.c_str(), fault.where.c_str(), fault.look_at.c_str());
     }

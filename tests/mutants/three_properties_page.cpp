@@ -109,13 +109,13 @@ std::string planted_section(const Property& property, const PlantedRun& run) {
   for (std::size_t i = 0; i < defects.size(); ++i) {
     const properties::SubjectResult& result = report.results[i];
     std::vector<std::string> counts;
-    for (const std::string& invariant : result.violated_invariants()) {
-      const properties::Count count = result.count(invariant);
+    for (const properties::Invariant* invariant : result.violated_invariants()) {
+      const properties::Count count = result.count(*invariant);
       counts.push_back(share(count.violated, count.violated + count.holds));
     }
     text += fmt::format("| `{}`: {} | {} | {} | {} |\n", defects[i]->name, defects[i]->sentence,
                         subjects[i].deviates.empty() ? "–" : listed(subjects[i].deviates),
-                        listed(result.violated_invariants()), fmt::join(counts, "; "));
+                        listed(names_of(result.violated_invariants())), fmt::join(counts, "; "));
   }
   return text;
 }

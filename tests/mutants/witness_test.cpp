@@ -35,9 +35,10 @@ GateOptions options_with(std::initializer_list<std::string_view> families) {
   return options;
 }
 
-properties::Status status_of(const SubjectResult& result, const std::string& invariant, const properties::Case& one) {
+properties::Status status_of(const SubjectResult& result, const properties::Invariant* invariant,
+                             const properties::Case& one) {
   properties::Claim claim = properties::claim_of(result.subject, {});
-  claim.invariants = {properties::invariant_named(invariant)};
+  claim.invariants = {invariant};
   const properties::Judgement judgement = properties::judge_one(result.subject, claim, one).judgement;
   return judgement.verdicts.empty() ? properties::Status::skipped : judgement.verdicts.front().verdict.status;
 }
@@ -54,7 +55,7 @@ TEST_P(Witnesses, AreSimplerAndStillViolateTheirInvariant) {
   EXPECT_EQ(rejected.witnesses.size(), rejected.violated_invariants().size());
   ASSERT_FALSE(rejected.witnesses.empty());
   for (const Witness& witness : rejected.witnesses) {
-    SCOPED_TRACE(witness.invariant);
+    SCOPED_TRACE(witness.invariant->name);
     const properties::Verdict& verdict = witness.verdict;
     EXPECT_EQ(verdict.status, properties::Status::violated);
     EXPECT_GT(verdict.residual, verdict.allowed);
@@ -72,7 +73,7 @@ TEST(Witness, OfAPullIsSmall) {
   const GateReport report = run_gate({subject_of(mutant_named("separating_pulled"))}, options_with({"separating"}));
   const auto& witnesses = report.results.at(0).witnesses;
   const auto push =
-      std::find_if(witnesses.begin(), witnesses.end(), [](const Witness& w) { return w.invariant == "push"; });
+      std::find_if(witnesses.begin(), witnesses.end(), [](const Witness& w) { return w.invariant->name == "push"; });
   ASSERT_NE(push, witnesses.end());
   // The simplest collisions (at the origin with r_A = r_B = 0, unit masses, one velocity) have a complexity below 40. A
   // general collision has thousands.

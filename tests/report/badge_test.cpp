@@ -10,18 +10,19 @@
 namespace carom::report {
 namespace {
 
-using Subjects = std::vector<JudgedSubject>;
+using Subjects = std::vector<RecordedSubject>;
+using enum SubjectStatus;
 
-JudgedSubject subject(const std::string& status, std::size_t violated, bool counts = true) {
-  JudgedSubject subject;
-  subject.status = status;
+RecordedSubject subject(SubjectStatus status, std::size_t count, bool counts = true) {
+  RecordedSubject subject;
+  subject.summary.status = status;
   subject.counts = counts;
-  subject.violations.resize(violated);
+  subject.summary.violated.resize(count);
   return subject;
 }
 
 nlohmann::json badge(const Subjects& subjects, bool interrupted = false) {
-  Run run;
+  RecordedRun run;
   run.subjects = subjects;
   run.interrupted = interrupted;
   return badge_record(run);
@@ -32,16 +33,15 @@ nlohmann::json expected(const std::string& message, const std::string& colour) {
 }
 
 TEST(Badge, SaysTheVerdictOnWhatCounts) {
-  EXPECT_EQ(badge({subject("sound", 0), subject("violated", 5, false)}), expected("1 sound", "brightgreen"));
-  EXPECT_EQ(badge({subject("sound", 0), subject("sound", 0)}), expected("2 sound", "brightgreen"));
-  EXPECT_EQ(badge({subject("violated", 2), subject("sound", 0), subject("violated", 1)}),
-            expected("3 violated", "red"));
-  EXPECT_EQ(badge({subject("error", 1)}), expected("1 violated", "red")) << "a violation comes first";
-  const nlohmann::json not_judged = expected("not judged", "lightgrey");
-  EXPECT_EQ(badge({subject("sound", 0), subject("error", 0)}), not_judged);
-  EXPECT_EQ(badge({subject("sound", 0), subject("not judged", 0)}), not_judged);
-  EXPECT_EQ(badge(Subjects{subject("sound", 0)}, true), not_judged) << "the run was interrupted";
-  EXPECT_EQ(badge(Subjects{subject("sound", 0, false)}), not_judged) << "no subject counts";
+  EXPECT_EQ(badge({subject(sound, 0), subject(violated, 5, false)}), expected("1 sound", "brightgreen"));
+  EXPECT_EQ(badge({subject(sound, 0), subject(sound, 0)}), expected("2 sound", "brightgreen"));
+  EXPECT_EQ(badge({subject(violated, 2), subject(sound, 0), subject(violated, 1)}), expected("3 violated", "red"));
+  EXPECT_EQ(badge({subject(error, 1)}), expected("1 violated", "red")) << "a violation comes first";
+  const nlohmann::json grey = expected("not judged", "lightgrey");
+  EXPECT_EQ(badge({subject(sound, 0), subject(error, 0)}), grey);
+  EXPECT_EQ(badge({subject(sound, 0), subject(not_judged, 0)}), grey);
+  EXPECT_EQ(badge(Subjects{subject(sound, 0)}, true), grey) << "the run was interrupted";
+  EXPECT_EQ(badge(Subjects{subject(sound, 0, false)}), grey) << "no subject counts";
 }
 
 }  // namespace

@@ -12,23 +12,16 @@ namespace {
 
 using properties::Count;
 
-report::Run report_with(std::map<std::string, Count> in_x, std::map<std::string, Count> in_y) {
-  report::Run run;
-  run.settings.cases = 100;
-  run.families = {{"x", "", {}, {}}, {"y", "", {}, {}}};
-  JudgedSubject subject;
-  subject.result.subject.name = "solver";
-  subject.result.families.resize(2);
-  subject.result.families[0].counts = std::move(in_x);
-  subject.result.families[1].counts = std::move(in_y);
+RecordedRun report_with(std::map<std::string, Count> in_x, std::map<std::string, Count> in_y) {
+  RecordedRun run;
+  run.families = {"x", "y"};
+  RecordedSubject subject;
+  subject.name = "solver";
+  subject.families = {{"x", 0, std::move(in_x)}, {"y", 0, std::move(in_y)}};
   subject.counts = true;
-  subject.status = "violated";
+  subject.summary.status = SubjectStatus::violated;
   run.subjects = {subject};
   return run;
-}
-
-Comparison compared(const report::Run& before, const report::Run& now) {
-  return compare_runs(before, "before.json", now, "now.json");
 }
 
 constexpr Count held{100, 0, 0};
@@ -36,7 +29,7 @@ constexpr Count violated{90, 10, 0};
 constexpr Count not_judged{0, 0, 0};
 
 std::vector<Change> changes_between(Count before, Count now) {
-  const Comparison comparison = compared(report_with({{"push", before}}, {}), report_with({{"push", now}}, {}));
+  const Comparison comparison = compare_runs(report_with({{"push", before}}, {}), report_with({{"push", now}}, {}));
   std::vector<Change> changes;
   for (const ComparedViolation& violation : comparison.subjects.at(0).violations) {
     EXPECT_EQ(violation.invariant, "push");
@@ -59,8 +52,8 @@ TEST(Comparison, TellsWhatBecameOfAnInvariantInAFamily) {
 }
 
 TEST(Comparison, CountsWhatIsNewAlsoWhereItWasNotJudgedBefore) {
-  const Comparison comparison = compared(report_with({{"push", held}}, {{"push", violated}}),
-                                         report_with({{"push", violated}, {"energy", violated}}, {{"push", held}}));
+  const Comparison comparison = compare_runs(report_with({{"push", held}}, {{"push", violated}}),
+                                             report_with({{"push", violated}, {"energy", violated}}, {{"push", held}}));
   EXPECT_EQ(comparison.count_new(false), 2U);
   EXPECT_EQ(comparison.count(Change::newly_violated), 1U);
   EXPECT_EQ(comparison.count(Change::violated_unknown), 1U);
@@ -69,29 +62,30 @@ TEST(Comparison, CountsWhatIsNewAlsoWhereItWasNotJudgedBefore) {
 }
 
 TEST(Comparison, ASubjectThatDoesNotCountIsNewForACompareAlone) {
-  report::Run now = report_with({{"push", violated}}, {});
+  RecordedRun now = report_with({{"push", violated}}, {});
   now.subjects[0].counts = false;
-  const Comparison comparison = compared(report_with({{"push", held}}, {}), now);
+  const Comparison comparison = compare_runs(report_with({{"push", held}}, {}), now);
   EXPECT_EQ(comparison.count_new(false), 1U);
   EXPECT_EQ(comparison.count_new(true), 0U);
   EXPECT_EQ(baseline_verdict(comparison), "nothing new in subjects that count (1 in others), 0 known, 0 fixed");
 }
 
 TEST(Comparison, KnownIsAnInvariantThatIsNewInNoFamily) {
-  const report::Run before = report_with({{"push", violated}}, {{"push", held}});
-  const Comparison same = compared(before, before);
-  EXPECT_TRUE(is_known(same, "solver", "push"));
-  EXPECT_FALSE(is_known(same, "solver", "energy"));
-  EXPECT_FALSE(is_known(same, "other", "push"));
-  const Comparison worse = compared(before, report_with({{"push", violated}}, {{"push", violated}}));
-  EXPECT_FALSE(is_known(worse, "solver", "push"));
+  const properties::Invariant& push = *properties::invariant_named("push");
+  const RecordedRun before = report_with({{"push", violated}}, {{"push", held}});
+  const Comparison same = compare_runs(before, before);
+  EXPECT_TRUE(is_known(same, "solver", push));
+  EXPECT_FALSE(is_known(same, "solver", *properties::invariant_named("energy")));
+  EXPECT_FALSE(is_known(same, "other", push));
+  const Comparison worse = compare_runs(before, report_with({{"push", violated}}, {{"push", violated}}));
+  EXPECT_FALSE(is_known(worse, "solver", push));
 }
 
 TEST(Comparison, TellsSubjectsThatCameAndWent) {
-  const report::Run before = report_with({{"push", violated}}, {});
-  report::Run now = before;
-  now.subjects[0].result.subject.name = "other";
-  const Comparison comparison = compared(before, now);
+  const RecordedRun before = report_with({{"push", violated}}, {});
+  RecordedRun now = before;
+  now.subjects[0].name = "other";
+  const Comparison comparison = compare_runs(before, now);
   ASSERT_EQ(comparison.subjects.size(), 2U);
   EXPECT_EQ(comparison.subjects[0].name, "other");
   EXPECT_FALSE(comparison.subjects[0].before);
@@ -101,50 +95,44 @@ TEST(Comparison, TellsSubjectsThatCameAndWent) {
 }
 
 TEST(Comparison, AProgramThatCannotSayItsNameIsKnownByItsCommand) {
-  report::Run before = report_with({{"push", held}}, {});
-  before.subjects[0].result.subject.specification = "exec:./solver";
-  report::Run now = before;
-  now.subjects[0].result.subject.name = "exec:./solver";
-  now.subjects[0].status = "error";
-  now.subjects[0].result.families.clear();
-  const Comparison comparison = compared(before, now);
+  RecordedRun before = report_with({{"push", held}}, {});
+  before.subjects[0].specification = "exec:./solver";
+  RecordedRun now = before;
+  now.subjects[0].name = "exec:./solver";
+  now.subjects[0].summary.status = SubjectStatus::error;
+  now.subjects[0].families.clear();
+  const Comparison comparison = compare_runs(before, now);
   ASSERT_EQ(comparison.subjects.size(), 1U);
   EXPECT_TRUE(comparison.subjects[0].cannot_be_judged_now);
   EXPECT_EQ(comparison.count_new(true), 1U) << "a solver that does not start is no pass";
-  EXPECT_EQ(compared(now, now).count_new(true), 0U);
+  EXPECT_EQ(compare_runs(now, now).count_new(true), 0U);
 }
 
 TEST(Comparison, TellsWhatIsNoLongerClaimed) {
-  const report::Run before = report_with({{"push", violated}}, {});
-  report::Run now = report_with({{"push", not_judged}}, {});
-  now.subjects[0].result.subject.deviates = {"push@x"};
-  EXPECT_EQ(compared(before, now).subjects[0].no_longer_claimed, std::vector<std::string>{"push@x"});
-  EXPECT_TRUE(compared(now, before).subjects[0].no_longer_claimed.empty());
+  const RecordedRun before = report_with({{"push", violated}}, {});
+  RecordedRun now = report_with({{"push", not_judged}}, {});
+  now.subjects[0].summary.deviates = {"push@x"};
+  EXPECT_EQ(compare_runs(before, now).subjects[0].no_longer_claimed, std::vector<std::string>{"push@x"});
+  EXPECT_TRUE(compare_runs(now, before).subjects[0].no_longer_claimed.empty());
 }
 
 TEST(Comparison, NamesEachSettingInWhichTheRunsDiffer) {
-  const report::Run before = report_with({{"push", held}}, {});
-  EXPECT_TRUE(compared(before, before).differences.empty());
-  const std::vector<std::pair<std::string, void (*)(report::Run&)>> changes{
-      {"version of Carom", [](report::Run& report) { report.carom = "9.0.0"; }},
-      {"seed", [](report::Run& report) { report.settings.seed = 7; }},
-      {"cases of each family", [](report::Run& report) { report.settings.cases = 7; }},
-      {"families of one run only",
-       [](report::Run& report) {
-         report.families.push_back({"z", "", {}, {}});
-       }},
-      {"yardstick", [](report::Run& report) { report.settings.limits.digits = 4; }},
-      {"interval between the cases on which relations are judged",
-       [](report::Run& report) { report.settings.relations_every = 4; }},
-      {"ended early", [](report::Run& report) { report.settings.fail_fast = true; }},
-      {"ended early", [](report::Run& report) { report.interrupted = true; }},
-      {"shard", [](report::Run& report) {
-         report.settings.shard = {1, 3};
-       }}};
+  const RecordedRun before = report_with({{"push", held}}, {});
+  EXPECT_TRUE(compare_runs(before, before).differences.empty());
+  const std::vector<std::pair<std::string, void (*)(RecordedRun&)>> changes{
+      {"version of Carom", [](RecordedRun& run) { run.heading.carom = "9.0.0"; }},
+      {"seed", [](RecordedRun& run) { run.heading.seed = 7; }},
+      {"cases of each family", [](RecordedRun& run) { run.cases = "7"; }},
+      {"families of one run only", [](RecordedRun& run) { run.families.emplace_back("z"); }},
+      {"domain", [](RecordedRun& run) { run.domain = "size=1:2"; }},
+      {"yardstick", [](RecordedRun& run) { run.yardstick = "4 digits"; }},
+      {"interval between the cases on which relations are judged", [](RecordedRun& run) { run.relations_every = "4"; }},
+      {"ended early", [](RecordedRun& run) { run.ended_early = "interrupted"; }},
+      {"shard", [](RecordedRun& run) { run.heading.shard = "1/3"; }}};
   for (const auto& [what, change] : changes) {
-    report::Run now = before;
+    RecordedRun now = before;
     change(now);
-    const Comparison comparison = compared(before, now);
+    const Comparison comparison = compare_runs(before, now);
     ASSERT_EQ(comparison.differences.size(), 1U) << what;
     EXPECT_EQ(comparison.differences[0].what, what);
     EXPECT_NE(comparison.differences[0].before, comparison.differences[0].now);

@@ -11,10 +11,14 @@
 namespace carom::report {
 namespace {
 
-properties::Witness witness_of(const std::string& invariant, const std::string& family) {
+const properties::Invariant* const restitution = properties::invariant_named("restitution");
+const properties::Invariant* const invalid_refused = properties::invariant_named("invalid_refused");
+const properties::Family* const slow_family = properties::family_named("slow");
+
+properties::Witness witness_of(const properties::Invariant* invariant, const char* family) {
   properties::Witness witness;
   witness.invariant = invariant;
-  witness.family = family;
+  witness.family = properties::family_named(family);
   witness.verdict.status = properties::Status::violated;
   witness.answer = ReportedOutcome{};
   return witness;
@@ -25,10 +29,10 @@ properties::Witness witness_of(const std::string& invariant, const std::string& 
 report::Run violated_run() {
   report::Run run;
   run.settings.cases = 100;
-  run.families = {{"slow", "", {}, {}}, {"invalid", "", {}, {}}};
+  run.families = {{slow_family, {}, {}}, {properties::family_named("invalid"), {}, {}}};
   JudgedSubject subject;
   subject.counts = true;
-  subject.status = "violated";
+  subject.status = SubjectStatus::violated;
   properties::SubjectResult& result = subject.result;
   result.subject.name = "solver";
   result.subject.law = Law::frictionless;
@@ -39,17 +43,17 @@ report::Run violated_run() {
   slow.unjudged[properties::Unjudged::leaves_range] = 5;
   slow.violated = 20;
   slow.worst_backward_error = 1900;
-  slow.counts["restitution"] = {48, 12, 20};
+  slow.counts[restitution] = {48, 12, 20};
   properties::FamilyResult& invalid = result.families[1];
   invalid.cases = 50;
   invalid.violated = 39;
-  invalid.counts["invalid_refused"] = {11, 39, 0};
+  invalid.counts[invalid_refused] = {11, 39, 0};
   for (properties::FamilyResult* family : {&slow, &invalid}) {
     for (const auto& [invariant, count] : family->counts) {
       family->worst[invariant] = {};
     }
   }
-  result.witnesses = {witness_of("restitution", "slow"), witness_of("invalid_refused", "invalid")};
+  result.witnesses = {witness_of(restitution, "slow"), witness_of(invalid_refused, "invalid")};
   run.subjects = {subject};
   return run;
 }
@@ -78,7 +82,7 @@ TEST(Violations, OfFamiliesHaveTheirShareOfJudgedCasesAndTheBackwardErrorInUlps)
 /// If too few cases are violated, their diagnosis has no `where` and no `look at`.
 TEST(Violations, AreAnnotatedWithWhatTheDiagnosisSays) {
   report::Run run = violated_run();
-  run.subjects[0].diagnosis = properties::diagnosis::Diagnosis{"restitution", 2, 2, {{"Only 2 were examined.", ""}}};
+  run.subjects[0].diagnosis = properties::diagnosis::Diagnosis{restitution, 2, 2, {{"Only 2 were examined.", ""}}};
   expect_in("::notice title=diagnosis of solver::Only 2 were examined.\n", github_annotations(run, ""));
   run.subjects[0].diagnosis->faults[0].where = "Nearly all cases fail.";
   run.subjects[0].diagnosis->faults[0].look_at = "the test";
@@ -90,12 +94,13 @@ TEST(Violations, OfSeveralFaultsShowEachWithItsOwnWitness) {
   report::Run run = violated_run();
   run.settings.seed = 5;
   run.subjects[0].diagnosis = properties::diagnosis::Diagnosis{
-      "restitution",
+      restitution,
       20,
       18,
       {{"It bounces.", "the bounce", "Where it bounces.", 12,
-        properties::diagnosis::FaultWitness{"slow", 7, "restitution"}},
-       {"It turns.", "the turn", "Where it turns.", 8, properties::diagnosis::FaultWitness{"slow", 9, "energy"}}}};
+        properties::diagnosis::FaultWitness{slow_family, 7, restitution}},
+       {"It turns.", "the turn", "Where it turns.", 8,
+        properties::diagnosis::FaultWitness{slow_family, 9, properties::invariant_named("energy")}}}};
   for (const std::string& text : {run_text(run, ""), run_markdown(run, ""), run_html(run, "")}) {
     for (const char* part : {"what is wrong, 1 of 2", "It bounces.", "Where it bounces.", "the bounce",
                              "carom replay --family slow --case 7 --seed 5 --subject solver violates restitution",

@@ -14,7 +14,7 @@ class PlantedFormula {
  public:
   PlantedFormula(std::string_view invariant, properties::Verdict (*check)(const properties::Evidence&))
       : planted_(const_cast<properties::Invariant&>(*properties::invariant_named(invariant))), right_(planted_.about) {
-    planted_.about = properties::AboutOutcome{check};
+    std::get<properties::AboutOutcome>(planted_.about).check = check;
   }
   ~PlantedFormula() { planted_.about = std::move(right_); }
   PlantedFormula(const PlantedFormula&) = delete;

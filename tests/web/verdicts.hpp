@@ -16,7 +16,7 @@ namespace carom::web_tests {
 inline nlohmann::json family_record(const properties::FamilyResult& result) {
   nlohmann::json record = {{"cases", result.cases}, {"worst", fmt::format("{:.3g}", result.worst_backward_error)}};
   for (const auto& [invariant, count] : result.counts) {
-    record["counts"][invariant] = {count.holds, count.violated, count.skipped};
+    record["counts"][std::string(invariant->name)] = {count.holds, count.violated, count.skipped};
   }
   return record;
 }
@@ -40,11 +40,12 @@ inline nlohmann::json verdicts_on(const Subject& subject, std::uint64_t cases) {
     record["families"][std::string(options.families[f]->name)] = family_record(result.families[f]);
   }
   for (const properties::Witness& witness : result.witnesses) {
-    record["witnesses"][witness.invariant] = {{"family", witness.family},
-                                              {"case", witness.index},
-                                              {"collision", collision_to_json(witness.shrunk.collision)},
-                                              {"residual", fmt::format("{:.3g}", witness.verdict.residual)},
-                                              {"allowed", fmt::format("{:.3g}", witness.verdict.allowed)}};
+    record["witnesses"][std::string(witness.invariant->name)] = {
+        {"family", witness.family->name},
+        {"case", witness.index},
+        {"collision", collision_to_json(witness.shrunk.collision)},
+        {"residual", fmt::format("{:.3g}", witness.verdict.residual)},
+        {"allowed", fmt::format("{:.3g}", witness.verdict.allowed)}};
   }
   if (const auto digits = result.digits_at_least(0.5)) {
     record["digits"] = fmt::format("{:.3g}", *digits);

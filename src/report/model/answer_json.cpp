@@ -91,6 +91,22 @@ void violation_fields(A& archive, Is<Verdict> auto& verdict) {
 
 }  // namespace
 
+const properties::Invariant& invariant_at(const std::string& name, const Field& place) {
+  const properties::Invariant* invariant = properties::invariant_named(name);
+  if (invariant == nullptr) {
+    place.fail("the name of an invariant");
+  }
+  return *invariant;
+}
+
+const properties::Family* Json<const properties::Family*>::read(const Field& field) {
+  const properties::Family* family = properties::family_named(field.text());
+  if (family == nullptr) {
+    field.fail("the name of a family");
+  }
+  return family;
+}
+
 json Json<Answer>::write(const Answer& answer) {
   if (const auto* outcome = std::get_if<ReportedOutcome>(&answer)) {
     return outcome_record(*outcome);
@@ -104,7 +120,7 @@ json Json<Answer>::write(const Answer& answer) {
   return {{"skipped", std::get<Skipped>(answer).why}};
 }
 
-Answer Json<Answer>::read(const Field& field, Reading /*reading*/) {
+Answer Json<Answer>::read(const Field& field) {
   if (const auto refused = field.find("refused")) {
     return Refused{refused->text()};
   }
@@ -136,15 +152,16 @@ json Json<Verdict>::write(const Verdict& verdict) {
   return std::move(writer.record);
 }
 
-Verdict Json<Verdict>::read(const Field& field, Reading reading) {
+Verdict Json<Verdict>::read(const Field& field) {
   const Field status = field.at("status");
   if (status.text() != "violated") {
     status.fail("\"violated\"");
   }
   Verdict verdict;
   verdict.status = Status::violated;
-  Reader reader(field, reading);
+  Reader reader(field);
   violation_fields(reader, verdict);
+  verdict.kind = verdict.left.empty() ? properties::kind_of_detail(verdict.detail) : verdict.kind;
   return verdict;
 }
 
@@ -159,7 +176,7 @@ json Json<oracles::Limits>::write(const oracles::Limits& limits) {
   return record;
 }
 
-oracles::Limits Json<oracles::Limits>::read(const Field& record, Reading /*reading*/) {
+oracles::Limits Json<oracles::Limits>::read(const Field& record) {
   oracles::Limits limits;
   limits.limit_ulps = record.at("limit_ulps").number();
   if (const std::optional<Field> digits = record.find("digits")) {
@@ -182,7 +199,7 @@ json Json<properties::UnjudgedCounts>::write(const properties::UnjudgedCounts& c
   return record;
 }
 
-properties::UnjudgedCounts Json<properties::UnjudgedCounts>::read(const Field& record, Reading /*reading*/) {
+properties::UnjudgedCounts Json<properties::UnjudgedCounts>::read(const Field& record) {
   properties::UnjudgedCounts counts{};
   for (const properties::Unjudged reason : properties::all_reasons_unjudged) {
     counts[reason] = record.at(std::string(properties::name_of(reason))).count();

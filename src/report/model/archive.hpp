@@ -18,9 +18,6 @@
 /// `fields(archive, value)`, which names each of its fields once, or a specialisation of Json with `write` and `read`.
 namespace carom::report {
 
-/// `to_compare` reads only the fields that compare_runs needs. `whole` reads all fields of a shard, to merge it.
-enum class Reading { to_compare, whole };
-
 template <class T>
 struct Json;
 
@@ -35,12 +32,6 @@ class Writer {
   template <class T>
   void operator()(const char* name, const T& value) {
     record[name] = Json<T>::write(value);
-  }
-
-  /// A field that is always written, but only read by Reading::whole.
-  template <class T>
-  void detail(const char* name, const T& value) {
-    (*this)(name, value);
   }
 
   /// A field that is left out if it has its default.
@@ -77,31 +68,24 @@ class Reader {
  public:
   static constexpr bool reads = true;
 
-  Reader(const Field& from, Reading how) : record(from), reading(how) {}
+  explicit Reader(const Field& from) : record(from) {}
 
   template <class T>
   void operator()(const char* name, T& value) {
-    value = Json<T>::read(record.at(name), reading);
-  }
-
-  template <class T>
-  void detail(const char* name, T& value) {
-    if (reading == Reading::whole) {
-      (*this)(name, value);
-    }
+    value = Json<T>::read(record.at(name));
   }
 
   template <class T>
   void unless_default(const char* name, T& value) {
     if (const std::optional<Field> field = record.find(name)) {
-      value = Json<T>::read(*field, reading);
+      value = Json<T>::read(*field);
     }
   }
 
   template <class T>
   void unless_default(const char* name, std::optional<T>& value) {
     if (const std::optional<Field> field = record.find(name)) {
-      value = Json<T>::read(*field, reading);
+      value = Json<T>::read(*field);
     }
   }
 
@@ -109,7 +93,6 @@ class Reader {
   void derived(const char* /*name*/, const T& /*value*/) {}
 
   const Field& record;
-  Reading reading;
 };
 
 /// For a type with `fields`.
@@ -120,9 +103,9 @@ struct Json {
     fields(writer, value);
     return std::move(writer.record);
   }
-  static T read(const Field& field, Reading reading) {
+  static T read(const Field& field) {
     T value{};
-    Reader reader(field, reading);
+    Reader reader(field);
     fields(reader, value);
     return value;
   }
@@ -131,33 +114,33 @@ struct Json {
 template <>
 struct Json<bool> {
   static nlohmann::json write(bool value) { return value; }
-  static bool read(const Field& field, Reading) { return field.flag(); }
+  static bool read(const Field& field) { return field.flag(); }
 };
 
 template <>
 struct Json<std::uint64_t> {
   static nlohmann::json write(std::uint64_t value) { return value; }
-  static std::uint64_t read(const Field& field, Reading) { return field.count(); }
+  static std::uint64_t read(const Field& field) { return field.count(); }
 };
 
 template <>
 struct Json<double> {
   static nlohmann::json write(double value) { return number_to_json(value); }
-  static double read(const Field& field, Reading) { return field.number(); }
+  static double read(const Field& field) { return field.number(); }
 };
 
 template <>
 struct Json<std::string> {
   static nlohmann::json write(const std::string& value) { return value; }
-  static std::string read(const Field& field, Reading) { return field.text(); }
+  static std::string read(const Field& field) { return field.text(); }
 };
 
 /// A missing value is written as null.
 template <class T>
 struct Json<std::optional<T>> {
   static nlohmann::json write(const std::optional<T>& value) { return value ? Json<T>::write(*value) : nullptr; }
-  static std::optional<T> read(const Field& field, Reading reading) {
-    return field.value().is_null() ? std::nullopt : std::optional<T>(Json<T>::read(field, reading));
+  static std::optional<T> read(const Field& field) {
+    return field.value().is_null() ? std::nullopt : std::optional<T>(Json<T>::read(field));
   }
 };
 
@@ -170,10 +153,10 @@ struct Json<std::vector<T>> {
     }
     return list;
   }
-  static std::vector<T> read(const Field& field, Reading reading) {
+  static std::vector<T> read(const Field& field) {
     std::vector<T> values;
     for (const Field& element : field.elements()) {
-      values.push_back(Json<T>::read(element, reading));
+      values.push_back(Json<T>::read(element));
     }
     return values;
   }
@@ -184,8 +167,8 @@ struct Json<std::pair<T, T>> {
   static nlohmann::json write(const std::pair<T, T>& pair) {
     return nlohmann::json::array({Json<T>::write(pair.first), Json<T>::write(pair.second)});
   }
-  static std::pair<T, T> read(const Field& field, Reading reading) {
-    const std::vector<T> both = Json<std::vector<T>>::read(field, reading);
+  static std::pair<T, T> read(const Field& field) {
+    const std::vector<T> both = Json<std::vector<T>>::read(field);
     if (both.size() != 2) {
       field.fail("a pair");
     }
@@ -202,10 +185,10 @@ struct Json<std::map<std::string, T>> {
     }
     return record;
   }
-  static std::map<std::string, T> read(const Field& field, Reading reading) {
+  static std::map<std::string, T> read(const Field& field) {
     std::map<std::string, T> values;
     for (const auto& [name, value] : field.members()) {
-      values.emplace(name, Json<T>::read(value, reading));
+      values.emplace(name, Json<T>::read(value));
     }
     return values;
   }

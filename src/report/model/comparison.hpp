@@ -8,39 +8,10 @@
 #include <string_view>
 #include <vector>
 
-#include <carom/properties/gate/family_result.hpp>
-#include <carom/report/model/digits.hpp>
+#include <carom/report/model/recorded_run.hpp>
 
 /// The differences between two reports. Every text is a line that is safe to print.
 namespace carom::report {
-
-struct Run;
-
-struct RunHeading {
-  std::string file;
-  std::string carom;  // its version
-  std::string date;
-  std::uint64_t seed = 0;
-  std::optional<std::uint64_t> cases;  // of each family; none if a time budget decided the number
-  std::size_t families = 0;
-  std::string shard;  // "2/3"; empty for a whole run
-};
-
-/// A subject in one line.
-struct SubjectSummary {
-  std::string status;   // "sound", "violated", "error", "not judged" or "absent"
-  std::string error;    // the reason why it was not judged to the end
-  std::string version;  // empty if it states none
-  std::string law;
-  std::string precision;
-  std::uint64_t cases = 0;
-  std::uint64_t violated_cases = 0;            // cases that violated any invariant
-  std::vector<std::string> violated;           // invariants
-  std::optional<double> worst_backward_error;  // ulps; none if the law determines no outcome
-  std::string worst_family;                    // empty if there is none
-  Digits digits;
-  std::vector<std::string> deviates;  // "invariant" or "invariant@family"
-};
 
 /// The change of an invariant of a subject in a family. An invariant is judged if it held or was violated in some case.
 enum class Change {
@@ -95,11 +66,11 @@ struct Comparison {
 };
 
 /// Compares two runs. Families are matched by their names, and subjects as in ComparedSubject.
-[[nodiscard]] Comparison compare_runs(const Run& before, const std::string& file_before, const Run& now,
-                                      const std::string& file_now);
+[[nodiscard]] Comparison compare_runs(const RecordedRun& before, const RecordedRun& now);
 
 /// Whether the subject violates the invariant, and none of these violations is new.
-[[nodiscard]] bool is_known(const Comparison& comparison, const std::string& subject, const std::string& invariant);
+[[nodiscard]] bool is_known(const Comparison& comparison, const std::string& subject,
+                            const properties::Invariant& invariant);
 
 /// "2 new, 3 known, 1 fixed", with "1 no longer judged" if there are any.
 [[nodiscard]] std::string summary_of(const Comparison& comparison);

@@ -80,7 +80,7 @@ json summary_record(const std::optional<SubjectSummary>& summary) {
   if (!summary) {
     return nullptr;
   }
-  return {{"status", summary->status},
+  return {{"status", name_of(summary->status)},
           {"error", summary->error},
           {"version", summary->version},
           {"cases", summary->cases},

@@ -40,13 +40,14 @@ std::string run_in_words(const RunHeading& report) {
 
 std::string status_in_words(const ComparedSubject& subject) {
   if (!subject.before) {
-    return "came: " + subject.now->status;
+    return fmt::format("came: {}", name_of(subject.now->status));
   }
   if (!subject.now) {
-    return "went: " + subject.before->status;
+    return fmt::format("went: {}", name_of(subject.before->status));
   }
-  return subject.before->status == subject.now->status ? subject.now->status
-                                                       : subject.before->status + " → " + subject.now->status;
+  const std::string now(name_of(subject.now->status));
+  return subject.before->status == subject.now->status ? now
+                                                       : fmt::format("{} → {}", name_of(subject.before->status), now);
 }
 
 std::vector<ChangedNumber> changed_numbers(const ComparedSubject& subject) {

@@ -31,7 +31,7 @@ DeclaredEffect known_effect(const std::string& name, const Field& place) {
 
 json Json<DeclaredEffects>::write(const DeclaredEffects& effects) { return record_of(effects); }
 
-DeclaredEffects Json<DeclaredEffects>::read(const Field& field, Reading /*reading*/) {
+DeclaredEffects Json<DeclaredEffects>::read(const Field& field) {
   DeclaredEffects effects;
   for (const auto& [name, size] : field.members()) {
     const DeclaredEffect effect = known_effect(name, size);
@@ -45,7 +45,7 @@ DeclaredEffects Json<DeclaredEffects>::read(const Field& field, Reading /*readin
 
 json Json<properties::EffectCounts>::write(const properties::EffectCounts& counts) { return record_of(counts); }
 
-properties::EffectCounts Json<properties::EffectCounts>::read(const Field& field, Reading /*reading*/) {
+properties::EffectCounts Json<properties::EffectCounts>::read(const Field& field) {
   properties::EffectCounts counts{};
   for (const auto& [name, count] : field.members()) {
     counts[known_effect(name, count)] = count.count();

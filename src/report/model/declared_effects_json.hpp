@@ -11,14 +11,14 @@ namespace carom::report {
 template <>
 struct Json<DeclaredEffects> {
   static nlohmann::json write(const DeclaredEffects& effects);
-  static DeclaredEffects read(const Field& field, Reading reading);
+  static DeclaredEffects read(const Field& field);
 };
 
 /// {"restitution_threshold": 12}: the number of cases that each effect decides, if it is not 0.
 template <>
 struct Json<properties::EffectCounts> {
   static nlohmann::json write(const properties::EffectCounts& counts);
-  static properties::EffectCounts read(const Field& field, Reading reading);
+  static properties::EffectCounts read(const Field& field);
 };
 
 }  // namespace carom::report

@@ -20,7 +20,7 @@ json Json<properties::Domain>::write(const properties::Domain& domain) {
   return record;
 }
 
-properties::Domain Json<properties::Domain>::read(const Field& field, Reading /*reading*/) {
+properties::Domain Json<properties::Domain>::read(const Field& field) {
   properties::Domain domain;
   for (const auto& [name, of_quantity] : field.members()) {
     const std::optional<properties::LimitedQuantity> quantity = properties::quantity_named(name);

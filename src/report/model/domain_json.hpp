@@ -11,7 +11,7 @@ namespace carom::report {
 template <>
 struct Json<properties::Domain> {
   static nlohmann::json write(const properties::Domain& domain);
-  static properties::Domain read(const Field& field, Reading reading);
+  static properties::Domain read(const Field& field);
 };
 
 }  // namespace carom::report

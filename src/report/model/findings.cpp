@@ -80,23 +80,16 @@ std::uint64_t case_number(const Field& field, std::uint64_t cases) {
   return number;
 }
 
-const std::string& invariant_of(const std::string& name, const Field& place) {
-  if (properties::invariant_named(name) == nullptr) {
-    place.fail("the name of an invariant");
-  }
-  return name;
-}
-
 }  // namespace
 
 json findings_record(const FamilyResult& result) {
   json worst = json::object();
   for (const auto& [invariant, violation] : result.worst) {
-    worst[invariant] = {{"case", violation.index},
-                        {"outcome", Json<Answer>::write(violation.answer)},
-                        {"verdict", Json<properties::Verdict>::write(violation.verdict)}};
+    worst[std::string(invariant->name)] = {{"case", violation.index},
+                                           {"outcome", Json<Answer>::write(violation.answer)},
+                                           {"verdict", Json<properties::Verdict>::write(violation.verdict)}};
   }
-  return {{"violated_cases", result.violated_cases},
+  return {{"violated_cases", Json<properties::PerInvariant<std::vector<std::uint64_t>>>::write(result.violated_cases)},
           {"answers", answer_records(result.sampled_answers)},
           {"first", first_record(result.first_violated)},
           {"first_by_relations", first_record(result.first_violated_by_relations)},
@@ -106,7 +99,7 @@ json findings_record(const FamilyResult& result) {
 void read_findings(const Field& record, std::uint64_t cases,
                    const std::function<properties::Case(std::uint64_t)>& case_at, FamilyResult& into) {
   for (const auto& [name, numbers] : record.at("violated_cases").members()) {
-    std::vector<std::uint64_t>& violated = into.violated_cases[invariant_of(name, numbers)];
+    std::vector<std::uint64_t>& violated = into.violated_cases[&invariant_at(name, numbers)];
     for (const Field& number : numbers.elements()) {
       violated.push_back(case_number(number, std::min(cases, into.sampled)));
     }
@@ -119,20 +112,20 @@ void read_findings(const Field& record, std::uint64_t cases,
   const auto read_first = [&](const char* name, std::vector<ViolatedCase>& first) {
     for (const Field& one : record.at(name).elements()) {
       const std::uint64_t number = case_number(one.at("case"), cases);
-      keep_if_first(first, {number, case_at(number), Json<Answer>::read(one.at("outcome"), Reading::whole)});
+      keep_if_first(first, {number, case_at(number), Json<Answer>::read(one.at("outcome"))});
     }
   };
   read_first("first", into.first_violated);
   read_first("first_by_relations", into.first_violated_by_relations);
   for (const auto& [name, one] : record.at("worst").members()) {
     const std::uint64_t number = case_number(one.at("case"), cases);
-    into.keep_if_worst(invariant_of(name, one),
-                       {number, case_at(number), Json<properties::Verdict>::read(one.at("verdict"), Reading::whole),
-                        Json<Answer>::read(one.at("outcome"), Reading::whole)});
+    into.keep_if_worst(invariant_at(name, one),
+                       {number, case_at(number), Json<properties::Verdict>::read(one.at("verdict")),
+                        Json<Answer>::read(one.at("outcome"))});
   }
-  for (const auto& [name, count] : into.counts) {
+  for (const auto& [invariant, count] : into.counts) {
     if (count.violated > 0) {
-      (void)record.at("worst").at(name);
+      (void)record.at("worst").at(std::string(invariant->name));
     }
   }
 }

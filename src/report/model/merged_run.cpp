@@ -59,7 +59,7 @@ std::uint64_t violated_beside(const Witness& witness, const SubjectResult& resul
                               const std::vector<const properties::Family*>& families) {
   for (std::size_t f = 0; f < families.size(); ++f) {
     const auto count = result.families[f].counts.find(witness.invariant);
-    if (families[f]->name == witness.family && count != result.families[f].counts.end()) {
+    if (families[f] == witness.family && count != result.families[f].counts.end()) {
       return count->second.violated;
     }
   }
@@ -70,7 +70,7 @@ std::uint64_t violated_beside(const Witness& witness, const SubjectResult& resul
 std::vector<Witness> best_witnesses(const SubjectResult& result,
                                     const std::vector<const properties::Family*>& families) {
   std::vector<Witness> best;
-  for (const std::string& invariant : result.violated_invariants()) {
+  for (const properties::Invariant* invariant : result.violated_invariants()) {
     const Witness* chosen = nullptr;
     for (const Witness& witness : result.witnesses) {
       if (witness.invariant != invariant) {
@@ -86,7 +86,7 @@ std::vector<Witness> best_witnesses(const SubjectResult& result,
     }
     if (chosen == nullptr) {
       throw MergeError(fmt::format("{} violates {}, but no shard has a witness of this; run the shards again",
-                                   shown(result.subject.name), invariant));
+                                   shown(result.subject.name), invariant->name));
     }
     best.push_back(*chosen);
   }

@@ -17,14 +17,14 @@ namespace {
 using properties::GateOptions;
 using properties::SubjectResult;
 
-std::string status_of(const SubjectResult& result) {
+SubjectStatus status_of(const SubjectResult& result) {
   if (!result.violated_invariants().empty()) {
-    return "violated";
+    return SubjectStatus::violated;
   }
   if (!result.error.empty()) {
-    return "error";
+    return SubjectStatus::error;
   }
-  return result.is_sound() ? "sound" : "not judged";
+  return result.is_sound() ? SubjectStatus::sound : SubjectStatus::not_judged;
 }
 
 Settings settings_of(const GateOptions& options, std::vector<std::string> deviates, bool is_shard) {
@@ -63,11 +63,10 @@ JudgedSubject judged_subject(SubjectResult result, const GateOptions& options, b
   subject.worst = result.worst_backward_error(options);
   subject.digits = {result.digits_at_least(0.5), result.digits_at_least(0.99), result.digits_at_least(1)};
   for (const properties::Witness& witness : result.witnesses) {
-    subject.violations.push_back({witness.invariant, result.count(witness.invariant).violated, witness.family,
-                                  witness.index, witness_path("", result.subject, witness.invariant)});
+    subject.violations.push_back({witness.invariant, result.count(*witness.invariant).violated, witness.family,
+                                  witness.index, witness_path("", result.subject, *witness.invariant)});
   }
-  subject.not_claimed = not_claimed_by(result.subject);
-  if (subject.status != "error") {
+  if (subject.status != SubjectStatus::error) {
     subject.never_judged = result.never_judged(options);
   }
   subject.result = std::move(result);
@@ -90,19 +89,15 @@ Run run_of(properties::GateReport report, const std::vector<bool>& counts, std::
   run.interrupted = report.interrupted;
   run.judge_error = report.judge_error;
   for (std::size_t f = 0; f < options.families.size(); ++f) {
-    const properties::Family& family = *options.families[f];
     run.families.push_back(
-        {std::string(family.name), std::string(family.summary), report.coverage[f],
+        {options.families[f], report.coverage[f],
          f < report.sampled.size() ? std::move(report.sampled[f]) : std::vector<properties::SampledCase>()});
   }
-  for (const properties::Family* family : options.beyond_domain) {
-    run.beyond_domain.push_back(
-        {std::string(family->name), std::string(family->summary), std::string(family->beyond.name)});
-  }
+  run.beyond_domain = options.beyond_domain;
   run.features = features_of(report.features);
   for (std::size_t s = 0; s < report.results.size(); ++s) {
     run.subjects.push_back(judged_subject(std::move(report.results[s]), options, counts[s]));
-    if (!diagnoses[s].telling.empty()) {
+    if (diagnoses[s].telling != nullptr) {
       run.subjects.back().diagnosis = diagnoses[s];
     }
     run.subjects.back().no_diagnosis = diagnoses[s].missing;
@@ -122,10 +117,11 @@ int Run::exit_status() const {
     }
     judged = true;
     // A subject that was judged, but not to the end, is itself at fault.
-    const bool is_at_fault = subject.status == "violated" || (subject.status == "error" && subject.result.cases() > 0);
+    const bool is_at_fault = subject.status == SubjectStatus::violated ||
+                             (subject.status == SubjectStatus::error && subject.result.cases() > 0);
     violated = violated || is_at_fault;
     ended_early = ended_early || !subject.result.error.empty();
-    failed = failed || (subject.status != "sound" && !is_at_fault);
+    failed = failed || (subject.status != SubjectStatus::sound && !is_at_fault);
   }
   if (failed || !judged) {
     return exit_usage;
@@ -134,23 +130,19 @@ int Run::exit_status() const {
   return is_new ? exit_violated : exit_all_hold;
 }
 
-std::vector<std::string> not_claimed_by(const Subject& subject) {
-  std::vector<std::string> names;
-  for (const properties::Invariant* invariant : properties::not_claimed_without_matrix(subject)) {
-    names.emplace_back(invariant->name);
-  }
-  return names;
+void Overall::add(SubjectStatus status, std::size_t violated_invariants) {
+  ++subjects;
+  sound += status == SubjectStatus::sound ? 1 : 0;
+  violated += violated_invariants;
+  violating_subjects += status == SubjectStatus::violated ? 1 : 0;
 }
 
-Overall overall_of(const Run& run) {
+Overall overall_of(const RecordedRun& run) {
   Overall overall;
   overall.interrupted = run.interrupted;
-  for (const JudgedSubject& subject : run.subjects) {
+  for (const RecordedSubject& subject : run.subjects) {
     if (subject.counts) {
-      ++overall.subjects;
-      overall.sound += subject.status == "sound" ? 1 : 0;
-      overall.violated += subject.violations.size();
-      overall.violating_subjects += subject.status == "violated" ? 1 : 0;
+      overall.add(subject.summary.status, subject.summary.violated.size());
     }
   }
   return overall;
@@ -167,6 +159,17 @@ std::string in_words(const Overall& overall) {
   return is_sound_throughout(overall) ? "sound" : "not judged";
 }
 
+Overall overall_of(const Run& run) {
+  Overall overall;
+  overall.interrupted = run.interrupted;
+  for (const JudgedSubject& subject : run.subjects) {
+    if (subject.counts) {
+      overall.add(subject.status, subject.violations.size());
+    }
+  }
+  return overall;
+}
+
 std::string file_name_of(std::string name) {
   for (char& letter : name) {
     const bool is_plain = std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '-' || letter == '.';
@@ -175,9 +178,9 @@ std::string file_name_of(std::string name) {
   return name;
 }
 
-std::string witness_path(const std::string& directory, const Subject& subject, const std::string& invariant) {
+std::string witness_path(const std::string& directory, const Subject& subject, const properties::Invariant& invariant) {
   const char* separator = directory.empty() || directory.back() == '/' ? "" : "/";
-  return directory + separator + "witnesses/" + file_name_of(subject.name) + '.' + invariant + ".json";
+  return fmt::format("{}{}witnesses/{}.{}.json", directory, separator, file_name_of(subject.name), invariant.name);
 }
 
 namespace {
@@ -206,8 +209,8 @@ std::string replay_command(const std::string& witness_file, const Subject& subje
 
 std::string replay_command(const properties::diagnosis::FaultWitness& witness, const Settings& settings,
                            const Subject& subject) {
-  return fmt::format("carom replay --family {} --case {} --seed {}{}", witness.family, witness.index, settings.seed,
-                     within_option(settings.within)) +
+  return fmt::format("carom replay --family {} --case {} --seed {}{}", witness.family->name, witness.index,
+                     settings.seed, within_option(settings.within)) +
          replay_options(subject, settings.limits);
 }
 std::vector<const properties::Witness*> witnesses_by_telling(const JudgedSubject& subject) {

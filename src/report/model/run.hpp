@@ -12,6 +12,7 @@
 #include <carom/properties/diagnosis/diagnosis.hpp>
 #include <carom/properties/gate/gate_report.hpp>
 #include <carom/report/model/comparison.hpp>
+#include <carom/report/model/subject_status.hpp>
 
 /// The results of a run of the gate, as one value. report.json contains it (run_json.hpp), and all forms of a report
 /// show it.
@@ -31,10 +32,10 @@ struct Environment {
 
 struct Settings {
   std::uint64_t seed = 1;
-  std::optional<std::uint64_t> cases;          // of each family; none if a time budget decides the number
-  std::optional<double> budget_seconds;        // in place of `cases`
-  properties::Domain within = {};              // of the cases
-  std::vector<std::string> without_case = {};  // families that have no case within the domain, so none was posed
+  std::optional<std::uint64_t> cases;                        // of each family; none if a time budget decides the number
+  std::optional<double> budget_seconds;                      // in place of `cases`
+  properties::Domain within = {};                            // of the cases
+  std::vector<const properties::Family*> without_case = {};  // have no case within the domain, so none was posed
   oracles::Limits limits;
   bool fail_fast = false;
   std::uint64_t relations_every = 0;  // 0: the default of GateOptions
@@ -43,16 +44,9 @@ struct Settings {
 };
 
 struct RunFamily {
-  std::string name;
-  std::string summary;
+  const properties::Family* family = nullptr;
   properties::Coverage coverage;
   std::vector<properties::SampledCase> sampled;  // as in GateReport; report.json does not contain them
-};
-
-struct FamilyBeyondDomain {
-  std::string name;
-  std::string summary;
-  std::string quantity;  // the quantity that is large in its cases
 };
 
 /// The features (special values or relations) of the colliding cases of all families.
@@ -64,9 +58,9 @@ struct Features {
 
 /// A violated invariant of a subject, as report.json lists it. Its witness is a separate file.
 struct Violation {
-  std::string invariant;
-  std::uint64_t count = 0;  // cases that violate it
-  std::string family;       // family and case of the witness
+  const properties::Invariant* invariant = nullptr;
+  std::uint64_t count = 0;                     // cases that violate it
+  const properties::Family* family = nullptr;  // family and case of the witness
   std::uint64_t index = 0;
   std::string witness;  // its file, relative to the report's directory
 };
@@ -75,17 +69,12 @@ struct Violation {
 struct JudgedSubject {
   properties::SubjectResult result;  // its families are those of the run, in the same order
   bool counts = false;               // whether its violations decide the exit status
-  /// "violated" if the subject violates an invariant, otherwise "error" if it was not judged to the end, otherwise "not
-  /// judged" if it got too few cases, otherwise "sound".
-  std::string status;
+  SubjectStatus status = SubjectStatus::sound;
   properties::SubjectResult::WorstFamily worst;
   Digits digits;
   std::vector<Violation> violations;
-  /// The invariants that the subject does not claim because it shows no collision matrix. None if the report that was
-  /// read does not list them.
-  std::optional<std::vector<std::string>> not_claimed;
-  std::vector<std::string> never_judged = {};  // the claimed invariants that no case judged; empty after an error
-  std::optional<properties::diagnosis::Diagnosis> diagnosis;  // of a subject with a violation
+  std::vector<const properties::Invariant*> never_judged = {};  // claimed; empty after an error
+  std::optional<properties::diagnosis::Diagnosis> diagnosis;    // of a subject with a violation
   std::string no_diagnosis = {};  // why the diagnosis of a subject with a violation is missing; empty if it is not
 
   /// The reason why the subject was not judged, or not to the end; otherwise empty.
@@ -101,7 +90,7 @@ struct Run {
   bool interrupted = false;
   std::optional<oracles::JudgeError> judge_error = {};  // the fault of the judge that ended the run
   std::vector<RunFamily> families;
-  std::vector<FamilyBeyondDomain> beyond_domain;
+  std::vector<const properties::Family*> beyond_domain;
   Features features;
   std::vector<JudgedSubject> subjects;
   std::vector<Subject> absent;           // chosen by the command line or by default, but not installed
@@ -120,36 +109,17 @@ struct Run {
                          Environment environment, std::vector<std::string> deviates, bool is_shard,
                          bool is_diagnosed = true);
 
-/// The invariants that a subject does not claim because it shows no collision matrix.
-[[nodiscard]] std::vector<std::string> not_claimed_by(const Subject& subject);
-
-/// The reason why not_claimed_by lists an invariant, in words.
+/// The reason why properties::not_claimed_without_matrix lists an invariant, in words.
 inline constexpr const char* shows_no_matrix = "because it shows no collision matrix";
 
-/// The totals of a run over the subjects that count.
-struct Overall {
-  std::size_t subjects = 0;
-  std::size_t sound = 0;
-  std::size_t violated = 0;            // invariants, each counted once for each subject that violates it
-  std::size_t violating_subjects = 0;  // subjects with any violation
-  bool interrupted = false;
-};
-
 [[nodiscard]] Overall overall_of(const Run& run);
-
-/// Whether the run ended, and found every subject sound.
-[[nodiscard]] bool is_sound_throughout(const Overall& overall);
-
-/// "sound", "3 violated" or "not judged". Violations are reported even if something was not
-/// judged.
-[[nodiscard]] std::string in_words(const Overall& overall);
 
 /// A subject's name, as a part of a file's name.
 [[nodiscard]] std::string file_name_of(std::string name);
 
 /// The file of a witness: DIRECTORY/witnesses/SUBJECT.INVARIANT.json.
 [[nodiscard]] std::string witness_path(const std::string& directory, const Subject& subject,
-                                       const std::string& invariant);
+                                       const properties::Invariant& invariant);
 
 /// The POSIX shell command that replays the witness in `witness_file` with the same verdict.
 [[nodiscard]] std::string replay_command(const std::string& witness_file, const Subject& subject,

@@ -16,6 +16,7 @@
 #include <carom/report/model/findings.hpp>
 #include <carom/report/model/run_json.hpp>
 #include <carom/report/model/version.hpp>
+#include <carom/report/model/words.hpp>
 
 namespace carom::report {
 
@@ -27,7 +28,7 @@ using DigitsHistogram = properties::Histogram<properties::DigitsScale>;
 template <>
 struct Json<unsigned> {
   static json write(unsigned value) { return value; }
-  static unsigned read(const Field& field, Reading /*reading*/) {
+  static unsigned read(const Field& field) {
     constexpr std::uint64_t most = 1U << 20U;
     if (field.count() > most) {
       field.fail("a number of threads");
@@ -49,24 +50,30 @@ E named(const Field& field, const std::array<E, count>& all, const char* what) {
 template <>
 struct Json<Law> {
   static json write(Law law) { return name_of(law); }
-  static Law read(const Field& field, Reading /*reading*/) { return named(field, all_laws, "the name of a law"); }
+  static Law read(const Field& field) { return named(field, all_laws, "the name of a law"); }
 };
 
 template <>
 struct Json<Precision> {
   static json write(Precision precision) { return name_of(precision); }
-  static Precision read(const Field& field, Reading /*reading*/) {
+  static Precision read(const Field& field) {
     return named(field, std::array{Precision::binary32, Precision::binary64, Precision::extended},
                  "the name of a precision");
   }
 };
 
 template <>
+struct Json<SubjectStatus> {
+  static json write(SubjectStatus status) { return name_of(status); }
+  static SubjectStatus read(const Field& field) {
+    return named(field, all_subject_statuses, "the status of a subject");
+  }
+};
+
+template <>
 struct Json<Collision> {
   static json write(const Collision& collision) { return collision_to_json(collision); }
-  static Collision read(const Field& field, Reading /*reading*/) {
-    return collision_from_json(field.value(), field.place());
-  }
+  static Collision read(const Field& field) { return collision_from_json(field.value(), field.place()); }
 };
 
 template <>
@@ -74,8 +81,8 @@ struct Json<oracles::JudgeError> {
   static json write(const oracles::JudgeError& error) {
     return {{"what", error.what()}, {"collision", collision_to_json(error.collision())}};
   }
-  static oracles::JudgeError read(const Field& field, Reading reading) {
-    return {field.at("what").text(), Json<Collision>::read(field.at("collision"), reading)};
+  static oracles::JudgeError read(const Field& field) {
+    return {field.at("what").text(), Json<Collision>::read(field.at("collision"))};
   }
 };
 
@@ -88,7 +95,7 @@ struct Json<properties::AdjustmentCounts> {
     }
     return record;
   }
-  static properties::AdjustmentCounts read(const Field& field, Reading /*reading*/) {
+  static properties::AdjustmentCounts read(const Field& field) {
     properties::AdjustmentCounts counts{};
     for (const properties::Adjustment adjustment : properties::all_adjustments) {
       counts[adjustment] = field.at(std::string(name_of(adjustment))).count();
@@ -110,7 +117,7 @@ struct Json<DigitsHistogram> {
             {"largest", number_to_json(digits.largest())},
             {"bins", std::move(bins)}};
   }
-  static DigitsHistogram read(const Field& record, Reading /*reading*/) {
+  static DigitsHistogram read(const Field& record) {
     std::vector<std::uint64_t> counts;
     for (const Field& pair : record.at("bins").elements()) {
       const std::vector<Field> numbers = pair.elements();
@@ -129,35 +136,16 @@ struct Json<DigitsHistogram> {
   }
 };
 
-/// Throws FormatError if there is no such family.
-inline const properties::Family* known_family(const Field& name) {
-  const properties::Family* family = properties::family_named(name.text());
-  if (family == nullptr) {
-    name.fail("the name of a family");
-  }
-  return family;
-}
-
-/// Throws FormatError if the archive reads a shard (Reading::whole) and the name is unknown.
-template <class A>
-void require_known_invariant(const A& archive, const char* field, const std::string& name) {
-  if constexpr (A::reads) {
-    if (archive.reading == Reading::whole && properties::invariant_named(name) == nullptr) {
-      archive.record.at(field).fail("the name of an invariant");
-    }
-  }
-}
-
 template <class A>
 void fields(A& archive, Is<Environment> auto& environment) {
   archive("date", environment.date);
-  archive.detail("compiler", environment.compiler);
-  archive.detail("compiler_flags", environment.compiler_flags);
-  archive.detail("build_type", environment.build_type);
-  archive.detail("operating_system", environment.operating_system);
-  archive.detail("kernel", environment.kernel);
-  archive.detail("processor", environment.processor);
-  archive.detail("processor_threads", environment.processor_threads);
+  archive("compiler", environment.compiler);
+  archive("compiler_flags", environment.compiler_flags);
+  archive("build_type", environment.build_type);
+  archive("operating_system", environment.operating_system);
+  archive("kernel", environment.kernel);
+  archive("processor", environment.processor);
+  archive("processor_threads", environment.processor_threads);
 }
 
 template <class A>
@@ -178,21 +166,9 @@ void fields(A& archive, Is<properties::Coverage> auto& coverage) {
 
 template <class A>
 void fields(A& archive, Is<RunFamily> auto& family) {
-  archive("name", family.name);
-  if constexpr (A::reads) {
-    if (archive.reading == Reading::whole) {
-      (void)known_family(archive.record.at("name"));
-    }
-  }
-  archive.detail("summary", family.summary);
-  archive.detail("coverage", family.coverage);
-}
-
-template <class A>
-void fields(A& archive, Is<FamilyBeyondDomain> auto& family) {
-  archive("name", family.name);
-  archive.detail("summary", family.summary);
-  archive.detail("quantity", family.quantity);
+  archive("name", family.family);
+  archive.derived("summary", std::string(family.family->summary));
+  archive("coverage", family.coverage);
 }
 
 template <class A>
@@ -235,14 +211,14 @@ void fields(A& archive, Is<Digits> auto& digits) {
 template <class A>
 void fields(A& archive, Is<properties::SubjectResult::WorstFamily> auto& worst) {
   archive("ulps", worst.backward_error);
-  archive("family", worst.family);
+  archive.derived("family", std::string(worst.family == nullptr ? "" : worst.family->name));
 }
 
 template <class A>
 void fields(A& archive, Is<properties::Count> auto& count) {
   archive("holds", count.holds);
   archive("violated", count.violated);
-  archive.detail("skipped", count.skipped);
+  archive("skipped", count.skipped);
 }
 
 template <class A>
@@ -250,17 +226,15 @@ void fields(A& archive, Is<properties::Boundary> auto& boundary) {
   archive("quantity", boundary.quantity);
   archive("case", boundary.index);
   archive("invariant", boundary.invariant);
-  require_known_invariant(archive, "invariant", boundary.invariant);
 }
 
 template <class A>
 void fields(A& archive, Is<Violation> auto& violation) {
   archive("invariant", violation.invariant);
-  require_known_invariant(archive, "invariant", violation.invariant);
-  archive.detail("count", violation.count);
-  archive.detail("family", violation.family);
-  archive.detail("case", violation.index);
-  archive.detail("witness", violation.witness);
+  archive("count", violation.count);
+  archive("family", violation.family);
+  archive("case", violation.index);
+  archive("witness", violation.witness);
 }
 
 template <class A>
@@ -282,13 +256,13 @@ void fields(A& archive, Is<properties::Witness> auto& witness) {
 template <class A>
 void subject_fields(A& archive, Is<Subject> auto& subject) {
   archive("name", subject.name);
-  archive.detail("summary", subject.summary);
+  archive("summary", subject.summary);
   archive("model", subject.law);
   archive("precision", subject.precision);
-  archive.detail("expected_to_pass", subject.expected_to_pass);
+  archive("expected_to_pass", subject.expected_to_pass);
   archive("deviates", subject.deviates);
   archive.unless_default("claims", subject.effects);
-  archive.detail("shows_collision_matrix", subject.shows_collision_matrix);
+  archive("shows_collision_matrix", subject.shows_collision_matrix);
   archive.unless_default("specification", subject.specification);
   archive.unless_default("version", subject.version);
 }
@@ -299,19 +273,22 @@ inline void require_new(std::set<std::string>& names, const Field& name) {
   }
 }
 
+void require_family_at(const Field& record, std::string_view family) {
+  if (const Field name = record.at("family"); name.text() != family) {
+    name.fail(fmt::format("the family \"{}\" at this position", family));
+  }
+}
+
 template <class A>
-void family_fields(A& archive, const std::string& family, Is<FamilyResult> auto& result) {
+void family_fields(A& archive, const properties::Family& family, Is<FamilyResult> auto& result) {
   if constexpr (A::reads) {
-    const Field name = archive.record.at("family");
-    if (name.text() != family) {
-      name.fail(fmt::format("the family \"{}\" at this position", family));
-    }
+    require_family_at(archive.record, family.name);
   } else {
-    archive("family", family);
+    archive("family", &family);
   }
   archive("cases", result.cases);
-  archive.detail("skipped", result.skipped);
-  archive.detail("not_judged", result.unjudged);
+  archive("skipped", result.skipped);
+  archive("not_judged", result.unjudged);
   archive.unless_default("decided_by", result.decided_by);
   archive("violated", result.violated);
   if constexpr (A::reads) {
@@ -328,25 +305,19 @@ void family_fields(A& archive, const std::string& family, Is<FamilyResult> auto&
 }
 
 template <class A>
-void posed_fields(A& archive, const std::string& family, Is<FamilyResult> auto& result) {
+void posed_fields(A& archive, const properties::Family& family, Is<FamilyResult> auto& result) {
   family_fields(archive, family, result);
-  archive.detail("worst_backward_error_ulps", result.worst_backward_error);
+  archive("worst_backward_error_ulps", result.worst_backward_error);
   archive("invariants", result.counts);
-  if constexpr (A::reads) {
-    for (const auto& [name, place] : archive.record.at("invariants").members()) {
-      if (archive.reading == Reading::whole && properties::invariant_named(name) == nullptr) {
-        place.fail("the name of an invariant");
-      }
-    }
-  } else {
-    for (const auto& [name, worst] : result.worst) {
-      archive.record["invariants"][name]["worst_case"] = worst.index;
+  if constexpr (!A::reads) {
+    for (const auto& [invariant, worst] : result.worst) {
+      archive.record["invariants"][std::string(invariant->name)]["worst_case"] = worst.index;
     }
   }
 }
 
 template <class A>
-void beyond_domain_fields(A& archive, const std::string& family, Is<FamilyResult> auto& result) {
+void beyond_domain_fields(A& archive, const properties::Family& family, Is<FamilyResult> auto& result) {
   family_fields(archive, family, result);
   archive("boundary", result.boundary);
 }
@@ -359,7 +330,7 @@ void results_field(Writer& archive, const char* name, const Families& families, 
   json list = json::array();
   for (std::size_t f = 0; f < results.size(); ++f) {
     Writer writer;
-    of_one(writer, families[f].name, results[f]);
+    of_one(writer, *families[f], results[f]);
     list.push_back(std::move(writer.record));
   }
   archive.record[name] = std::move(list);
@@ -373,26 +344,37 @@ void results_field(Reader& archive, const char* name, const Families& families, 
   }
   for (const Field& element : list) {
     const std::size_t f = results.size();
-    Reader reader(element, archive.reading);
-    of_one(reader, families[f].name, results.emplace_back());
+    Reader reader(element);
+    of_one(reader, *families[f], results.emplace_back());
   }
+}
+
+/// Families that a run posed.
+using Families = std::vector<const properties::Family*>;
+
+Families families_of(const Run& run) {
+  Families families;
+  for (const RunFamily& family : run.families) {
+    families.push_back(family.family);
+  }
+  return families;
 }
 
 template <class A>
 void judged_fields(A& archive, const Run& run, Is<JudgedSubject> auto& subject) {
   auto& result = subject.result;
-  archive("worst_backward_error", subject.worst);
-  archive("digits", subject.digits);
+  archive.derived("worst_backward_error", subject.worst);
+  archive.derived("digits", subject.digits);
   archive("nanoseconds_per_solve", result.nanoseconds_per_solve);
-  results_field(archive, "families", run.families, result.families,
+  results_field(archive, "families", families_of(run), result.families,
                 [](auto& each, const auto& family, auto& of_family) { posed_fields(each, family, of_family); });
   archive.derived("cases", result.cases());
   archive.derived("skipped", result.skipped());
   archive.derived("not_judged", result.unjudged());
   bool has_beyond_domain = !result.beyond_domain.empty();
   if constexpr (A::reads) {
-    has_beyond_domain = archive.reading == Reading::whole && archive.record.find("beyond_domain").has_value();
-    if (archive.reading == Reading::whole && result.families.size() != run.families.size()) {
+    has_beyond_domain = archive.record.find("beyond_domain").has_value();
+    if (result.families.size() != run.families.size()) {
       archive.record.at("families").fail(fmt::format("{} families", run.families.size()));
     }
   }
@@ -402,18 +384,19 @@ void judged_fields(A& archive, const Run& run, Is<JudgedSubject> auto& subject) 
         [](auto& each, const auto& family, auto& of_family) { beyond_domain_fields(each, family, of_family); });
   }
   archive.unless_default("error_beyond_domain", result.error_beyond_domain);
-  archive.unless_default("never_judged", subject.never_judged);
+  if constexpr (!A::reads) {
+    archive.unless_default("never_judged", subject.never_judged);
+    archive.unless_default("diagnosis", subject.diagnosis);
+    archive.unless_default("no_diagnosis", subject.no_diagnosis);
+  }
   archive("violations", subject.violations);
-  archive.unless_default("diagnosis", subject.diagnosis);
-  archive.unless_default("no_diagnosis", subject.no_diagnosis);
 }
 
 /// The fields that every subject has, including an absent one.
 template <class A>
-void standing_fields(A& archive, Is<Subject> auto& subject, auto&& not_claimed, auto&& counts, auto&& status,
-                     auto&& error) {
+void standing_fields(A& archive, Is<Subject> auto& subject, auto&& counts, auto&& status, auto&& error) {
   subject_fields(archive, subject);
-  archive.unless_default("not_claimed", not_claimed);
+  archive.derived("not_claimed", properties::not_claimed_without_matrix(subject));
   archive("counts", counts);
   archive("status", status);
   archive("error", error);
@@ -423,15 +406,13 @@ void subjects_field(Writer& archive, const Run& run) {
   json list = json::array();
   for (const JudgedSubject& subject : run.subjects) {
     Writer writer;
-    standing_fields(writer, subject.result.subject, subject.not_claimed, subject.counts, subject.status,
-                    subject.why_not_judged());
+    standing_fields(writer, subject.result.subject, subject.counts, subject.status, subject.why_not_judged());
     judged_fields(writer, run, subject);
     list.push_back(std::move(writer.record));
   }
   for (const Subject& subject : run.absent) {
     Writer writer;
-    standing_fields(writer, subject, std::optional(not_claimed_by(subject)), false, std::string("absent"),
-                    subject.absent);
+    standing_fields(writer, subject, false, SubjectStatus::absent, subject.absent);
     list.push_back(std::move(writer.record));
   }
   archive.record["subjects"] = std::move(list);
@@ -441,17 +422,17 @@ void subjects_field(Reader& archive, Run& run) {
   std::set<std::string> names;
   for (const Field& record : archive.record.at("subjects").elements()) {
     require_new(names, record.at("name"));
-    Reader reader(record, archive.reading);
+    Reader reader(record);
     JudgedSubject subject;
     std::string error;
-    standing_fields(reader, subject.result.subject, subject.not_claimed, subject.counts, subject.status, error);
-    if (subject.status == "absent") {
+    standing_fields(reader, subject.result.subject, subject.counts, subject.status, error);
+    if (subject.status == SubjectStatus::absent) {
       run.absent.push_back(std::move(subject.result.subject));
       run.absent.back().absent = error;
       continue;
     }
     // A subject with a violation may also have ended early.
-    (subject.status == "not judged" ? subject.result.not_judged : subject.result.error) = error;
+    (subject.status == SubjectStatus::not_judged ? subject.result.not_judged : subject.result.error) = error;
     judged_fields(reader, run, subject);
     run.subjects.push_back(std::move(subject));
   }
@@ -470,7 +451,7 @@ json shard_record(const Run& run) {
     json findings = json::object();
     for (std::size_t f = 0; f < subject.result.families.size(); ++f) {
       if (!subject.result.families[f].worst.empty()) {
-        findings[run.families[f].name] = findings_record(subject.result.families[f]);
+        findings[std::string(run.families[f].family->name)] = findings_record(subject.result.families[f]);
       }
     }
     record["findings"].push_back(std::move(findings));
@@ -484,6 +465,24 @@ properties::Shard shard_number_from(const Field& record) {
     record.at("number").fail("a number from 1 to the number of shards");
   }
   return shard;
+}
+
+void beyond_domain_field(Writer& archive, const Families& families) {
+  for (const properties::Family* family : families) {
+    archive.record["beyond_domain"].push_back(
+        {{"name", family->name}, {"summary", family->summary}, {"quantity", family->beyond.name}});
+  }
+}
+
+void beyond_domain_field(Reader& archive, Families& families) {
+  if (const std::optional<Field> list = archive.record.find("beyond_domain")) {
+    for (const Field& family : list->elements()) {
+      families.push_back(Json<const properties::Family*>::read(family.at("name")));
+      if (!families.back()->is_beyond_domain()) {
+        family.at("name").fail("the name of a family beyond the claimed domain");
+      }
+    }
+  }
 }
 
 template <class A>
@@ -503,8 +502,8 @@ void fields(A& archive, Is<Run> auto& run) {
   archive("interrupted", run.interrupted);
   archive.unless_default("judge_error", run.judge_error);
   archive("families", run.families);
-  archive.unless_default("beyond_domain", run.beyond_domain);
-  archive.detail("features", run.features);
+  beyond_domain_field(archive, run.beyond_domain);
+  archive("features", run.features);
   if constexpr (A::reads) {
     std::set<std::string> names;
     for (const Field& family : archive.record.at("families").elements()) {
@@ -524,25 +523,16 @@ void fields(A& archive, Is<Run> auto& run) {
   subjects_field(archive, run);
 }
 
-properties::GateOptions options_from(const Field& record, const Settings& settings) {
+properties::GateOptions options_from(const Field& record, const Run& run) {
   properties::GateOptions options;
-  options.seed = settings.seed;
+  options.seed = run.settings.seed;
   options.cases = record.at("cases_of_each_family").count();
-  options.within = settings.within;
-  options.limits = settings.limits;
-  options.relations_every = settings.relations_every;
-  options.shard = *settings.shard;
-  for (const Field& family : record.at("families").elements()) {
-    options.families.push_back(known_family(family.at("name")));
-  }
-  if (const std::optional<Field> beyond = record.find("beyond_domain")) {
-    for (const Field& family : beyond->elements()) {
-      options.beyond_domain.push_back(known_family(family.at("name")));
-      if (!options.beyond_domain.back()->is_beyond_domain()) {
-        family.at("name").fail("the name of a family beyond the claimed domain");
-      }
-    }
-  }
+  options.within = run.settings.within;
+  options.limits = run.settings.limits;
+  options.relations_every = run.settings.relations_every;
+  options.shard = *run.settings.shard;
+  options.families = families_of(run);
+  options.beyond_domain = run.beyond_domain;
   return options;
 }
 
@@ -569,7 +559,7 @@ void read_shard_of_subject(const Field& shard, std::size_t s, const properties::
     }
     return list[s];
   };
-  result.digits = Json<DigitsHistogram>::read(of_subject("digits"), Reading::whole);
+  result.digits = Json<DigitsHistogram>::read(of_subject("digits"));
   const Field findings = of_subject("findings");
   for (std::size_t f = 0; f < result.families.size(); ++f) {
     const properties::Family& family = *options.families[f];
@@ -591,7 +581,116 @@ json environment_record(const Environment& environment) { return Json<Environmen
 
 json report_record(const Run& run) { return Json<Run>::write(run); }
 
-Run run_from(const json& record) { return Json<Run>::read(Field(record), Reading::to_compare); }
+RecordedSubject recorded_subject(const Field& record, const std::vector<std::string>& families) {
+  const auto texts = [&](const Field& list) {
+    std::vector<std::string> lines;
+    for (const Field& text : list.elements()) {
+      lines.push_back(text.line());
+    }
+    return lines;
+  };
+  const auto text_or_none = [&](const char* name) {
+    const std::optional<Field> text = record.find(name);
+    return text ? text->line() : std::string();
+  };
+  const Law law = Json<Law>::read(record.at("model"));
+  RecordedSubject subject;
+  subject.name = record.at("name").line();
+  subject.specification = text_or_none("specification");
+  subject.counts = record.at("counts").flag();
+  if (const std::optional<Field> effects = record.find("claims")) {
+    subject.effects = properties::to_text(Json<DeclaredEffects>::read(*effects));
+  }
+  if (const std::optional<Field> not_claimed = record.find("not_claimed")) {
+    subject.not_claimed = texts(*not_claimed);
+  }
+  SubjectSummary& summary = subject.summary;
+  summary.status = Json<SubjectStatus>::read(record.at("status"));
+  summary.error = record.at("error").line();
+  summary.version = text_or_none("version");
+  summary.law = name_of(law);
+  summary.precision = name_of(Json<Precision>::read(record.at("precision")));
+  summary.deviates = texts(record.at("deviates"));
+  if (summary.status == SubjectStatus::absent) {
+    return subject;
+  }
+  for (const Field& family : record.at("families").elements()) {
+    if (subject.families.size() == families.size()) {
+      record.at("families").fail(fmt::format("{} families", families.size()));
+    }
+    const std::string& name = families[subject.families.size()];
+    require_family_at(family, name);
+    subject.families.push_back({name, family.at("violated").count(), {}});
+    summary.cases += family.at("cases").count();
+    summary.violated_cases += subject.families.back().violated;
+    for (const auto& [invariant, count] : family.at("invariants").members()) {
+      subject.families.back().counts[shown(invariant)] = {count.at("holds").count(), count.at("violated").count(), 0};
+    }
+  }
+  for (const Field& violation : record.at("violations").elements()) {
+    summary.violated.push_back(violation.at("invariant").line());
+  }
+  const Field worst = record.at("worst_backward_error");
+  if (const double error = worst.at("ulps").number(); determines_outcome(law)) {
+    summary.worst_backward_error = error;
+    summary.worst_family = worst.at("family").line();
+  }
+  summary.digits = Json<Digits>::read(record.at("digits"));
+  subject.nanoseconds_per_solve = record.at("nanoseconds_per_solve").number();
+  return subject;
+}
+
+/// The settings in words, with which the numbers of two reports are comparable.
+void read_settings(const Field& record, RecordedRun& run) {
+  const auto has = [&](const char* name) {
+    const std::optional<Field> flag = record.find(name);
+    return flag && flag->flag();
+  };
+  const std::optional<Field> budget = record.find("budget_seconds");
+  const std::optional<Field> within = record.find("within");
+  const std::optional<Field> every = record.find("relations_every");
+  const auto limits = Json<oracles::Limits>::read(record.at("yardstick"));
+  run.interrupted = record.at("interrupted").flag();
+  run.cases = budget              ? fmt::format("as many as possible in {} s", budget->number())
+              : run.heading.cases ? std::to_string(*run.heading.cases)
+                                  : "unknown";
+  run.domain = to_text(within ? Json<properties::Domain>::read(*within) : properties::Domain());
+  run.yardstick = limit_in_words(limits) + (limits.filtered ? "" : ", only in exact arithmetic");
+  run.relations_every = every && every->count() > 0 ? std::to_string(every->count()) : "default";
+  run.ended_early = run.interrupted    ? "interrupted"
+                    : has("fail_fast") ? "after the first violation of each subject"
+                                       : "no";
+}
+
+RecordedRun recorded_run(const json& json_record, const std::string& file) {
+  const Field record(json_record);
+  RecordedRun run;
+  std::set<std::string> names;
+  for (const Field& family : record.at("families").elements()) {
+    require_new(names, family.at("name"));
+    run.families.push_back(family.at("name").line());
+  }
+  run.heading = {shown(file),
+                 record.at("carom").line(),
+                 record.at("environment").at("date").line(),
+                 record.at("seed").count(),
+                 Json<std::optional<std::uint64_t>>::read(record.at("cases_of_each_family")),
+                 run.families.size(),
+                 ""};
+  if (const std::optional<Field> field = record.find("shard")) {
+    const properties::Shard shard = shard_number_from(*field);
+    run.heading.shard = fmt::format("{}/{}", shard.number, shard.of);
+  }
+  read_settings(record, run);
+  names.clear();
+  for (const Field& subject : record.at("subjects").elements()) {
+    require_new(names, subject.at("name"));
+    run.subjects.push_back(recorded_subject(subject, run.families));
+  }
+  std::stable_partition(run.subjects.begin(), run.subjects.end(),
+                        [](const RecordedSubject& subject) { return subject.summary.status != SubjectStatus::absent; });
+  return run;
+}
 
 ReadShard shard_from(const json& json_record, const std::string& file) {
   const Field record(json_record);
@@ -605,9 +704,9 @@ ReadShard shard_from(const json& json_record, const std::string& file) {
     throw FormatError(
         "/shard", "is missing: this report is not of a shard; merge needs reports of `carom gate --shard I/N --out`");
   }
-  ReadShard shard{file, Json<Run>::read(record, Reading::whole), {}};
+  ReadShard shard{file, Json<Run>::read(record), {}};
   properties::GateReport& report = shard.report;
-  report.options = options_from(record, shard.run.settings);
+  report.options = options_from(record, shard.run);
   for (const RunFamily& family : shard.run.families) {
     report.coverage.push_back(family.coverage);
   }
@@ -622,14 +721,13 @@ ReadShard shard_from(const json& json_record, const std::string& file) {
 
 json witness_record(const properties::Witness& witness, const Subject& subject, const Settings& settings,
                     const std::string& witness_file) {
-  const properties::Invariant& invariant = *properties::invariant_named(witness.invariant);
   json record = Json<properties::Witness>::write(witness);
   Writer of_subject;
   subject_fields(of_subject, subject);
-  of_subject("not_claimed", not_claimed_by(subject));
+  of_subject("not_claimed", properties::not_claimed_without_matrix(subject));
   record["subject"] = std::move(of_subject.record);
-  record["statement"] = invariant.statement;
-  record["formula"] = invariant.formula;
+  record["statement"] = witness.invariant->statement;
+  record["formula"] = witness.invariant->formula;
   record["seed"] = settings.seed;
   record["yardstick"] = Json<oracles::Limits>::write(settings.limits);
   record["replay"] = replay_command(witness_file, subject, settings.limits);
@@ -653,10 +751,10 @@ json witness_record(const properties::Witness& witness, const Subject& subject, 
   return record;
 }
 
-properties::Witness witness_from(const json& record, const std::string& invariant) {
-  properties::Witness witness = Json<properties::Witness>::read(Field(record), Reading::whole);
-  if (witness.invariant != invariant) {
-    throw FormatError("/invariant", fmt::format("expected \"{}\"", invariant));
+properties::Witness witness_from(const json& record, const properties::Invariant& invariant) {
+  properties::Witness witness = Json<properties::Witness>::read(Field(record));
+  if (witness.invariant != &invariant) {
+    throw FormatError("/invariant", fmt::format("expected \"{}\"", invariant.name));
   }
   witness.original.convex_uniform = witness.shrunk.convex_uniform;
   return witness;

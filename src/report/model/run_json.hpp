@@ -16,11 +16,6 @@ namespace carom::report {
 /// The report.json that docs/reference/schemas/report.schema.json describes.
 [[nodiscard]] nlohmann::json report_record(const Run& run);
 
-/// Reads the fields of a report that a comparison needs. The other fields of a subject's families may be missing. The
-/// names of families and invariants may be unknown. Throws FormatError that names the place if a field is missing or
-/// has another type, or if a subject or a family occurs twice.
-[[nodiscard]] Run run_from(const nlohmann::json& record);
-
 /// A shard that was read, as a run and as the gate's report.
 struct ReadShard {
   std::string file;
@@ -37,6 +32,6 @@ struct ReadShard {
 
 /// Reads what witness_record wrote. Throws FormatError, also if the witness violates another invariant than
 /// `invariant`.
-[[nodiscard]] properties::Witness witness_from(const nlohmann::json& record, const std::string& invariant);
+[[nodiscard]] properties::Witness witness_from(const nlohmann::json& record, const properties::Invariant& invariant);
 
 }  // namespace carom::report

@@ -60,7 +60,7 @@ std::string cases_judged(const Run& run, const JudgedSubject& subject) {
                                        [](const auto& x, const auto& y) { return x.cases < y.cases; });
   return fmt::format("judged on {} cases in {}; the fewest cases are {} of {}", subject.result.cases(),
                      budget_in_words(run.settings.budget_seconds.value_or(0)), fewest->cases,
-                     run.families[static_cast<std::size_t>(fewest - families.begin())].name);
+                     run.families[static_cast<std::size_t>(fewest - families.begin())].family->name);
 }
 
 std::string adjusted_sentences(const Run& run) {
@@ -69,7 +69,10 @@ std::string adjusted_sentences(const Run& run) {
   for (const RunFamily& family : run.families) {
     all += family.coverage;
   }
-  const std::vector<std::string>& without_case = run.settings.without_case;
+  std::vector<std::string> without_case;
+  for (const properties::Family* family : run.settings.without_case) {
+    without_case.emplace_back(family->name);
+  }
   const std::string not_posed =
       without_case.empty() ? "" : fmt::format("The domain has no case of {}. ", listed(without_case));
   return not_posed + fmt::format(
@@ -83,7 +86,8 @@ std::string adjusted_sentences(const Run& run) {
 }
 
 std::string verdict_in_words(const JudgedSubject& subject) {
-  return subject.status == "violated" ? fmt::format("{} violated", subject.violations.size()) : subject.status;
+  return subject.status == SubjectStatus::violated ? fmt::format("{} violated", subject.violations.size())
+                                                   : std::string(name_of(subject.status));
 }
 
 std::string worst_in_words(const JudgedSubject& subject) {
@@ -99,6 +103,8 @@ std::string violated_of_judged_cases(const properties::Count& count) {
   return violated_of_judged(count) + " judged cases";
 }
 
+std::string listed(const std::vector<const properties::Invariant*>& invariants) { return listed(names_of(invariants)); }
+
 std::string listed(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, ", ")); }
 
 std::string summary_of(const Run& run) {
@@ -106,8 +112,9 @@ std::string summary_of(const Run& run) {
   const std::size_t counted = overall.subjects;
   const std::size_t sound = overall.sound;
   const std::size_t violated = overall.violating_subjects;
-  const auto in_error = static_cast<std::size_t>(std::ranges::count_if(
-      run.subjects, [](const JudgedSubject& subject) { return subject.counts && subject.status == "error"; }));
+  const auto in_error = static_cast<std::size_t>(std::ranges::count_if(run.subjects, [](const JudgedSubject& subject) {
+    return subject.counts && subject.status == SubjectStatus::error;
+  }));
   const std::size_t not_judged = counted - sound - violated - in_error;
   std::string text;
   if (counted == 0) {

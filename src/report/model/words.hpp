@@ -45,6 +45,7 @@ namespace carom::report {
 
 /// The names, separated by commas.
 [[nodiscard]] std::string listed(const std::vector<std::string>& names);
+[[nodiscard]] std::string listed(const std::vector<const properties::Invariant*>& invariants);
 
 /// The result of a run in a sentence.
 [[nodiscard]] std::string summary_of(const Run& run);

@@ -40,15 +40,16 @@ std::string command(std::string_view name, const std::string& title, const std::
 std::string violation(const Run& run, const JudgedSubject& subject, const Witness& witness,
                       const std::string& out_directory) {
   const std::string& name = subject.result.subject.name;
-  std::string message = fmt::format(
-      "{}, most often in {}. {}\n{}", violated_of_judged_cases(subject.result.count(witness.invariant)), witness.family,
-      properties::invariant_named(witness.invariant)->statement, properties::in_words(witness.verdict));
+  const properties::Invariant& invariant = *witness.invariant;
+  std::string message =
+      fmt::format("{}, most often in {}. {}\n{}", violated_of_judged_cases(subject.result.count(invariant)),
+                  witness.family->name, invariant.statement, properties::in_words(witness.verdict));
   if (!out_directory.empty()) {
     message += '\n' + replay_line(run, subject, witness, out_directory);
   }
-  const bool known = run.baseline && is_known(*run.baseline, name, witness.invariant);
+  const bool known = run.baseline && is_known(*run.baseline, name, invariant);
   return command(known ? "notice" : "error",
-                 fmt::format("{} violates {}{}", name, witness.invariant, known ? " (known from the baseline)" : ""),
+                 fmt::format("{} violates {}{}", name, invariant.name, known ? " (known from the baseline)" : ""),
                  message);
 }
 

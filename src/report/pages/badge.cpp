@@ -17,7 +17,7 @@ std::string colour_of(bool is_sound, const Overall& overall) {
 
 }  // namespace
 
-nlohmann::json badge_record(const Run& run) {
+nlohmann::json badge_record(const RecordedRun& run) {
   const Overall overall = overall_of(run);
   const std::string verdict = in_words(overall);
   const bool is_sound = is_sound_throughout(overall);

@@ -37,8 +37,8 @@ Table coverage_table(const Run& run) {
     table.columns.push_back({one.name, true});
   }
   for (const RunFamily& family : run.families) {
-    Cell name(family.name);
-    name.small = family.summary;
+    Cell name{std::string(family.family->name)};
+    name.small = family.family->summary;
     Row row{{std::move(name)}};
     for (const Counted& one : counted) {
       row.cells.push_back(number_cell(family.coverage.*one.count));

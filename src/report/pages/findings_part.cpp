@@ -35,7 +35,7 @@ std::string families_in_words(const Run& run, const SubjectResult& result) {
   for (std::size_t i = 0; i < std::min(shares.size(), most_named); ++i) {
     const auto& [f, percent] = shares[i];
     text += fmt::format("{}{} % of {}{}", i == 0 ? "" : ", ", percent, i == 0 ? "the judged cases of " : "",
-                        run.families[f].name);
+                        run.families[f].family->name);
     if (const double error = result.families[f].worst_backward_error; error > 0) {
       text += fmt::format(" (backward error up to {:.2g} ulps)", error);
     }
@@ -56,7 +56,7 @@ Facts facts_of(const Run& run, const Subject& subject, const Diagnosis& diagnosi
     if (count > 1 && fault.witness) {
       facts.pairs.emplace_back("witness",
                                fmt::format("{} violates {}", replay_command(*fault.witness, run.settings, subject),
-                                           fault.witness->invariant));
+                                           fault.witness->invariant->name));
     }
   }
   return facts;
@@ -66,11 +66,11 @@ Facts facts_of(const Run& run, const Subject& subject, const Diagnosis& diagnosi
 std::string in_its_family(const Run& run, const SubjectResult& result, const Witness& witness) {
   for (std::size_t f = 0; f < result.families.size(); ++f) {
     const auto count = result.families[f].counts.find(witness.invariant);
-    if (run.families[f].name == witness.family && count != result.families[f].counts.end()) {
-      return fmt::format("{} ({})", witness.family, violated_of_judged_cases(count->second));
+    if (run.families[f].family == witness.family && count != result.families[f].counts.end()) {
+      return fmt::format("{} ({})", witness.family->name, violated_of_judged_cases(count->second));
     }
   }
-  return witness.family;
+  return std::string(witness.family->name);
 }
 
 std::string diagnosis_missing(const JudgedSubject& subject) {
@@ -81,11 +81,11 @@ void add_diagnosis(Document& document, const Run& run, std::size_t s) {
   const JudgedSubject& subject = run.subjects[s];
   const Diagnosis& diagnosis = *subject.diagnosis;
   Facts facts = facts_of(run, subject.result.subject, diagnosis);
-  Cell telling("witness of " + diagnosis.telling);
-  telling.link = '#' + witness_anchor(s, diagnosis.telling);
+  Cell telling(fmt::format("witness of {}", diagnosis.telling->name));
+  telling.link = '#' + witness_anchor(s, *diagnosis.telling);
   facts.pairs.emplace_back("best witness", std::move(telling));
-  facts.pairs.emplace_back("its statement", std::string(properties::invariant_named(diagnosis.telling)->statement));
-  std::vector<std::string> others;
+  facts.pairs.emplace_back("its statement", std::string(diagnosis.telling->statement));
+  std::vector<const properties::Invariant*> others;
   const std::vector<const Witness*> witnesses = witnesses_by_telling(subject);
   for (const Witness* witness : witnesses) {
     if (witness->invariant != diagnosis.telling) {
@@ -111,7 +111,7 @@ std::string not_shrunk_in_words(const Witness& witness) {
 std::string replay_line(const Run& run, const JudgedSubject& subject, const Witness& witness,
                         const std::string& out_directory) {
   const Subject& of = subject.result.subject;
-  return replay_command(witness_path(out_directory, of, witness.invariant), of, run.settings.limits);
+  return replay_command(witness_path(out_directory, of, *witness.invariant), of, run.settings.limits);
 }
 
 Section findings_part(const Run& run, const JudgedSubject& subject, const std::string& out_directory) {
@@ -126,14 +126,15 @@ Section findings_part(const Run& run, const JudgedSubject& subject, const std::s
   Table table{"", {{"invariant"}, {"violated in"}, {"most often in"}}, {}};
   const std::vector<const Witness*> witnesses = witnesses_by_telling(subject);
   for (const Witness* witness : witnesses) {
-    table.rows.push_back({{witness->invariant, violated_of_judged_cases(result.count(witness->invariant)),
-                           in_its_family(run, result, *witness)}});
+    table.rows.push_back(
+        {{std::string(witness->invariant->name), violated_of_judged_cases(result.count(*witness->invariant)),
+          in_its_family(run, result, *witness)}});
   }
   content.emplace_back(std::move(table));
   const Witness& first = *witnesses.front();
-  content.emplace_back(
-      Paragraph{fmt::format("It violates {}, for example in the family {}:", first.invariant, first.family)});
-  std::string words = fmt::format("{}\n{}", properties::invariant_named(first.invariant)->statement,
+  content.emplace_back(Paragraph{
+      fmt::format("It violates {}, for example in the family {}:", first.invariant->name, first.family->name)});
+  std::string words = fmt::format("{}\n{}", first.invariant->statement,
                                   properties::violation_in_words(first.shrunk.collision, first.answer, first.verdict));
   if (!out_directory.empty()) {
     words += replay_line(run, subject, first, out_directory) + '\n';

@@ -16,8 +16,8 @@ namespace {
 using properties::in_words;
 
 std::string failure_text(const properties::Witness& witness) {
-  return std::string(properties::invariant_named(witness.invariant)->statement) + '\n' +
-         in_words(witness.shrunk.collision, "  ") + in_words(witness.verdict);
+  return std::string(witness.invariant->statement) + '\n' + in_words(witness.shrunk.collision, "  ") +
+         in_words(witness.verdict);
 }
 
 pugi::xml_node add_test(pugi::xml_node suite, const std::string& subject, std::string_view name) {
@@ -28,7 +28,7 @@ pugi::xml_node add_test(pugi::xml_node suite, const std::string& subject, std::s
 /// How a violation counts: as a failure, as expected of this subject, or as known from the baseline.
 enum class Standing { failure, expected, known };
 
-Standing standing_of(const Run& run, std::size_t subject, const std::string& invariant) {
+Standing standing_of(const Run& run, std::size_t subject, const properties::Invariant& invariant) {
   if (!run.subjects[subject].counts) {
     return Standing::expected;
   }
@@ -48,9 +48,9 @@ const char* said_of(Standing standing) {
   return "";
 }
 
-void add_case(pugi::xml_node suite, const properties::SubjectResult& result, const std::string& invariant,
+void add_case(pugi::xml_node suite, const properties::SubjectResult& result, const properties::Invariant& invariant,
               Standing standing) {
-  const pugi::xml_node test = add_test(suite, result.subject.name, invariant);
+  const pugi::xml_node test = add_test(suite, result.subject.name, invariant.name);
   const properties::Count count = result.count(invariant);
   if (count.violated == 0) {
     if (count.holds == 0) {
@@ -59,14 +59,14 @@ void add_case(pugi::xml_node suite, const properties::SubjectResult& result, con
     return;
   }
   for (const properties::Witness& witness : result.witnesses) {
-    if (witness.invariant == invariant) {
+    if (witness.invariant == &invariant) {
       const std::string message = fmt::format("{} violate it{}", violated_of_judged_cases(count), said_of(standing));
       if (standing == Standing::failure) {
         add(test, "failure", {{"message", message}, {"type", "violated"}}, failure_text(witness));
       } else {
         add(test, "skipped", {{"message", message}}, failure_text(witness));
       }
-      add(test, "system-out", {}, "witness: " + witness_path("", result.subject, witness.invariant));
+      add(test, "system-out", {}, "witness: " + witness_path("", result.subject, invariant));
     }
   }
 }
@@ -122,13 +122,12 @@ Totals add_judged(pugi::xml_node root, const Run& run, std::size_t subject) {
     const pugi::xml_node list = add(suite, "properties");
     for (std::size_t f = 0; f < result.beyond_domain.size(); ++f) {
       add(list, "property",
-          {{"name", "beyond the claimed domain, " + run.beyond_domain[f].name},
+          {{"name", fmt::format("beyond the claimed domain, {}", run.beyond_domain[f]->name)},
            {"value", boundary_in_words(result.beyond_domain[f])}});
     }
   }
   for (const properties::Invariant* invariant : properties::claim_of(result.subject, run.settings.limits).invariants) {
-    const std::string name(invariant->name);
-    add_case(suite, result, name, standing_of(run, subject, name));
+    add_case(suite, result, *invariant, standing_of(run, subject, *invariant));
   }
   const pugi::xml_node session = add_test(suite, result.subject.name, "session");
   if (const std::string& why = run.subjects[subject].why_not_judged(); !why.empty()) {

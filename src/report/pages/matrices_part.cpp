@@ -56,11 +56,10 @@ Cell invariant_cell(const Run& run, std::size_t s, const properties::Invariant& 
   if (std::find(claim.invariants.begin(), claim.invariants.end(), &invariant) == claim.invariants.end()) {
     return signed_cell("unclaimed", "·", "not claimed");
   }
-  const std::string name(invariant.name);
-  const properties::Count count = result.count(name);
+  const properties::Count count = result.count(invariant);
   if (count.violated > 0) {
     Cell cell = signed_cell("violated", "✗", "violated in", std::to_string(count.violated));
-    cell.link = '#' + witness_anchor(s, name);
+    cell.link = '#' + witness_anchor(s, invariant);
     return cell;
   }
   return count.holds > 0 ? signed_cell("holds", "✓", "holds in", std::to_string(count.holds))
@@ -132,7 +131,7 @@ Document families_part(const Run& run) {
   const double limit = run.settings.limits.limit_ulps;
   std::vector<std::string> names;
   for (const RunFamily& family : run.families) {
-    names.push_back(family.name);
+    names.emplace_back(family.family->name);
   }
   return {Paragraph{fmt::format("The table shows the worst backward error in ulps of the subject's precision. Bold "
                                 "numbers are above the limit of {} ulps.",
@@ -147,8 +146,8 @@ Document families_part(const Run& run) {
 
 Document deviations_part(const Run& run) {
   Table table{"Invariants that are not claimed", {{"subject"}, {"invariant"}, {"why"}}, {}};
-  const auto add_row = [&](const Subject& subject, const std::string& invariant, const char* why) {
-    table.rows.push_back({{name_cell(subject.name), Cell(invariant, "word"), Cell(why, "word")}});
+  const auto add_row = [&](const Subject& subject, std::string invariant, const char* why) {
+    table.rows.push_back({{name_cell(subject.name), Cell(std::move(invariant), "word"), Cell(why, "word")}});
   };
   const std::vector<std::string>& of_command_line = run.settings.deviates;
   for (const JudgedSubject& judged_subject : run.subjects) {
@@ -157,8 +156,8 @@ Document deviations_part(const Run& run) {
       const bool is_own = std::find(of_command_line.begin(), of_command_line.end(), deviation) == of_command_line.end();
       add_row(subject, deviation, is_own ? "the subject does not claim it" : "option --deviates");
     }
-    for (const std::string& invariant : not_claimed_by(subject)) {
-      add_row(subject, invariant, shows_no_matrix);
+    for (const properties::Invariant* invariant : properties::not_claimed_without_matrix(subject)) {
+      add_row(subject, std::string(invariant->name), shows_no_matrix);
     }
   }
   if (table.rows.empty()) {
@@ -196,8 +195,8 @@ std::string boundary_in_words(const FamilyResult& family) {
 
 Document beyond_domain_part(const Run& run, Subjects which) {
   Table table{"Limits of each subject beyond the claimed domain", {{"subject"}}, {}};
-  for (const FamilyBeyondDomain& family : run.beyond_domain) {
-    table.columns.push_back({fmt::format("{} ({})", family.name, family.quantity)});
+  for (const properties::Family* family : run.beyond_domain) {
+    table.columns.push_back({fmt::format("{} ({})", family->name, family->beyond.name)});
   }
   bool was_posed = false;
   for (const JudgedSubject& subject : run.subjects) {

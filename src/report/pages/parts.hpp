@@ -64,7 +64,7 @@ enum class Subjects { counting, all };
 [[nodiscard]] Document witnesses_part(const Run& run, const std::string& out_directory);
 
 /// The anchor of a witness. `subject` is its index in the run.
-[[nodiscard]] std::string witness_anchor(std::size_t subject, const std::string& invariant);
+[[nodiscard]] std::string witness_anchor(std::size_t subject, const properties::Invariant& invariant);
 
 /// The differences between two runs, without the summary.
 [[nodiscard]] Document comparison_part(const Comparison& comparison);

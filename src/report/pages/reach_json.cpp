@@ -15,8 +15,8 @@ using nlohmann::json;
 json domain_record(const properties::Domain& domain) { return Json<properties::Domain>::write(domain); }
 
 json witness_record(const properties::Witness& witness) {
-  return {{"invariant", witness.invariant},
-          {"family", witness.family},
+  return {{"invariant", witness.invariant->name},
+          {"family", witness.family->name},
           {"collision", collision_to_json(witness.shrunk.collision)},
           {"violation", shown(properties::in_words(witness.verdict))}};
 }

@@ -47,7 +47,7 @@ Table table_of(const MeasuredDomain& measured) {
       row.push_back({stricter_end(*reach.stricter, face)});
     }
     row.push_back({end_in_words(face.is_upper ? range.most : range.least)});
-    row.push_back({face.beyond          ? face.beyond->invariant
+    row.push_back({face.beyond          ? std::string(face.beyond->invariant->name)
                    : face.error.empty() ? std::string("the search ends here")
                                         : "error: " + shown(face.error)});
     table.rows.push_back({std::move(row)});
@@ -64,7 +64,7 @@ std::string stricter_in_core(const MeasuredDomain& measured) {
   const std::string limit = limit_in_words(*measured.options.stricter);
   return stricter->in_core
              ? fmt::format("\nAt {}, the subject violates {} where the search starts.\n\n  {}", limit,
-                           stricter->in_core->invariant, witness_text(*stricter->in_core))
+                           stricter->in_core->invariant->name, witness_text(*stricter->in_core))
              : fmt::format("\nAt {}, the subject could not be judged: {}\n", limit, shown(stricter->error));
 }
 
@@ -85,7 +85,7 @@ std::string reach_text(const MeasuredDomain& measured) {
     return text + fmt::format(
                       "The subject violates {} in these ranges, so it has no domain around them. Choose other "
                       "ranges by --core.\n\n  {}",
-                      reach.ends.in_core->invariant, witness_text(*reach.ends.in_core));
+                      reach.ends.in_core->invariant->name, witness_text(*reach.ends.in_core));
   }
   text += in_text({table_of(measured)});
   text += fmt::format(
@@ -104,7 +104,7 @@ std::string reach_text(const MeasuredDomain& measured) {
     if (face.beyond) {
       text +=
           fmt::format("\n{} {} {:.3g}: violates {}\n  {}", name_of(face.quantity), face.is_upper ? "above" : "below",
-                      face.end, face.beyond->invariant, witness_text(*face.beyond));
+                      face.end, face.beyond->invariant->name, witness_text(*face.beyond));
     }
   }
   return text;

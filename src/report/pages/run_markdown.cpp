@@ -31,7 +31,7 @@ std::string opening(const Run& run) {
 
 std::string of_subject(const Run& run, const JudgedSubject& subject, const std::string& out_directory) {
   Document document;
-  if (subject.status == "violated" && !subject.never_judged.empty()) {
+  if (subject.status == SubjectStatus::violated && !subject.never_judged.empty()) {
     document.emplace_back(List{{name_cell(subject.result.subject.name)}});
     document.emplace_back(Paragraph{fmt::format("never judged: {}", listed(subject.never_judged))});
   }

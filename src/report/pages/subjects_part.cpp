@@ -29,7 +29,7 @@ void add_deviations(std::vector<std::string>& notes, const Subject& subject,
   if (!others.empty()) {
     notes.push_back("not judged because of --deviates: " + listed(others));
   }
-  if (const std::vector<std::string> of_matrix = not_claimed_by(subject); !of_matrix.empty()) {
+  if (const auto of_matrix = properties::not_claimed_without_matrix(subject); !of_matrix.empty()) {
     notes.push_back(fmt::format("not claimed, {}: {}", shows_no_matrix, listed(of_matrix)));
   }
 }
@@ -68,10 +68,10 @@ std::vector<std::string> notes_on(const JudgedSubject& subject, const Run& run) 
   } else if (!result.not_judged.empty()) {
     notes.push_back("not judged: " + result.not_judged);
   }
-  if (subject.status == "violated" && !subject.never_judged.empty()) {
+  if (subject.status == SubjectStatus::violated && !subject.never_judged.empty()) {
     notes.push_back("never judged: " + listed(subject.never_judged));
   }
-  if (run.settings.budget_seconds && subject.status == "sound") {
+  if (run.settings.budget_seconds && subject.status == SubjectStatus::sound) {
     notes.push_back(cases_judged(run, subject));
   }
   if (const std::string effects = properties::to_text(result.subject.effects); !effects.empty()) {
@@ -87,13 +87,13 @@ std::vector<std::string> notes_on(const JudgedSubject& subject, const Run& run) 
 Row subject_row(const Run& run, std::size_t s) {
   const JudgedSubject& subject = run.subjects[s];
   const properties::SubjectResult& result = subject.result;
-  Cell verdict(verdict_in_words(subject), "verdict " + subject.status);
-  verdict.sign = subject.status == "sound" ? "✓" : subject.status == "violated" ? "✗" : "!";
+  Cell verdict(verdict_in_words(subject), fmt::format("verdict {}", name_of(subject.status)));
+  verdict.sign = subject.status == SubjectStatus::sound ? "✓" : subject.status == SubjectStatus::violated ? "✗" : "!";
   if (!subject.why_not_judged().empty()) {
     verdict.link = '#' + error_anchor(s);
   }
   return {{name_cell(result.subject.name), std::move(verdict), Cell(worst_in_words(subject), "number"),
-           Cell(subject.worst.family.empty() ? no_number : subject.worst.family, "word"),
+           Cell(std::string(subject.worst.family == nullptr ? no_number : subject.worst.family->name), "word"),
            Cell(in_words(subject.digits), "number"),
            Cell(result.cases() > 0 ? fmt::format("{:.0f}", result.nanoseconds_per_solve) : no_number, "number"),
            Cell(std::to_string(result.cases()), "number"), Cell(std::string(name_of(result.subject.law)), "word"),
@@ -101,23 +101,18 @@ Row subject_row(const Run& run, std::size_t s) {
           subject.counts ? notes_on(subject, run) : std::vector<std::string>{}};
 }
 
-std::string in_two_digits(const JudgedSubject& subject) {
-  return determines_outcome(subject.result.subject.law) ? fmt::format("{:.2g}", subject.worst.backward_error)
-                                                        : no_number;
-}
-
 /// "family (violated cases)", the family with the most violated cases first.
-std::string violated_families(const Run& run, const properties::SubjectResult& result) {
+std::string violated_families(const RecordedSubject& subject) {
   std::vector<std::pair<std::uint64_t, std::string>> violated;
-  for (std::size_t f = 0; f < result.families.size(); ++f) {
-    if (result.families[f].violated > 0) {
-      violated.emplace_back(result.families[f].violated, run.families[f].name);
+  for (const RecordedFamily& family : subject.families) {
+    if (family.violated > 0) {
+      violated.emplace_back(family.violated, family.name);
     }
   }
   std::stable_sort(violated.begin(), violated.end(), [](const auto& x, const auto& y) { return x.first > y.first; });
   constexpr std::size_t most_named = 8;
-  if (!violated.empty() && (violated.size() == result.families.size() || violated.size() > most_named)) {
-    return fmt::format("{} of {}, most in {} ({})", violated.size(), result.families.size(), violated[0].second,
+  if (!violated.empty() && (violated.size() == subject.families.size() || violated.size() > most_named)) {
+    return fmt::format("{} of {}, most in {} ({})", violated.size(), subject.families.size(), violated[0].second,
                        violated[0].first);
   }
   std::vector<std::string> words;
@@ -193,7 +188,7 @@ Document judge_error_part(const Run& run) {
                   "error"}};
 }
 
-std::string subjects_markdown(const Run& run) {
+std::string subjects_markdown(const RecordedRun& run) {
   Table table{"",
               {{"subject"},
                {"precision, model"},
@@ -204,21 +199,17 @@ std::string subjects_markdown(const Run& run) {
                {"in families (violated cases)"},
                {"ns/solve"}},
               {}};
-  for (const JudgedSubject& one : run.subjects) {
-    const properties::SubjectResult& result = one.result;
-    const Subject& subject = result.subject;
-    std::vector<std::string> invariants;
-    for (const Violation& violation : one.violations) {
-      invariants.push_back(violation.invariant);
+  for (const RecordedSubject& subject : run.subjects) {
+    const SubjectSummary& summary = subject.summary;
+    if (summary.status == SubjectStatus::absent) {
+      table.rows.push_back({{subject.name, "absent: " + summary.error}});
+      continue;
     }
-    const std::string violated = invariants.empty() ? no_number : listed(invariants);
-    table.rows.push_back(
-        {{subject.name + ' ' + subject.version, fmt::format("{}, {}", name_of(subject.precision), name_of(subject.law)),
-          one.status, in_two_digits(one), in_words(one.digits), violated, violated_families(run, result),
-          fmt::format("{:.0f}", result.nanoseconds_per_solve)}});
-  }
-  for (const Subject& subject : run.absent) {
-    table.rows.push_back({{subject.name, "absent: " + subject.absent}});
+    const std::optional<double>& error = summary.worst_backward_error;
+    table.rows.push_back({{subject.name + ' ' + summary.version, fmt::format("{}, {}", summary.precision, summary.law),
+                           std::string(name_of(summary.status)), error ? fmt::format("{:.2g}", *error) : no_number,
+                           in_words(summary.digits), summary.violated.empty() ? no_number : listed(summary.violated),
+                           violated_families(subject), fmt::format("{:.0f}", subject.nanoseconds_per_solve)}});
   }
   return in_markdown({table});
 }

@@ -12,35 +12,37 @@ namespace {
 using properties::FamilyResult;
 using properties::SubjectResult;
 
-std::vector<std::string> violated_in_order(const JudgedSubject& subject) {
-  std::vector<std::string> names;
+using Invariants = std::vector<const properties::Invariant*>;
+
+Invariants violated_in_order(const JudgedSubject& subject) {
+  Invariants violated;
   for (const properties::Witness* witness : witnesses_by_telling(subject)) {
-    names.push_back(witness->invariant);
+    violated.push_back(witness->invariant);
   }
-  return names;
+  return violated;
 }
 
-void add_upright(Table& table, const std::vector<std::string>& names) {
-  for (const std::string& name : names) {
+void add_upright(Table& table, const Invariants& invariants) {
+  for (const std::string& name : names_of(invariants)) {
     table.columns.push_back({name, true, true});
   }
 }
 
 /// "12 of 1000, #7". #7 is the worst case. It links to the witness if the witness is of this family.
-Cell family_cell(const Run& run, std::size_t s, std::size_t f, const std::string& invariant) {
+Cell family_cell(const Run& run, std::size_t s, std::size_t f, const properties::Invariant& invariant) {
   const SubjectResult& result = run.subjects[s].result;
   const FamilyResult& family = result.families[f];
-  const auto count = family.counts.find(invariant);
+  const auto count = family.counts.find(&invariant);
   if (count == family.counts.end() || count->second.judged() == 0) {
     return Cell("○", "nothing");
   }
   if (count->second.violated == 0) {
     return Cell("✓", "holds");
   }
-  Cell cell(fmt::format("#{}", family.worst.at(invariant).index), "violated");
+  Cell cell(fmt::format("#{}", family.worst.at(&invariant).index), "violated");
   cell.before = violated_of_judged(count->second) + ", ";
   const bool has_witness = std::any_of(result.witnesses.begin(), result.witnesses.end(), [&](const auto& witness) {
-    return witness.invariant == invariant && witness.family == run.families[f].name;
+    return witness.invariant == &invariant && witness.family == run.families[f].family;
   });
   cell.link = has_witness ? '#' + witness_anchor(s, invariant) : "";
   return cell;
@@ -48,17 +50,17 @@ Cell family_cell(const Run& run, std::size_t s, std::size_t f, const std::string
 
 Table family_matrix(const Run& run, std::size_t s) {
   const SubjectResult& result = run.subjects[s].result;
-  const std::vector<std::string> names = violated_in_order(run.subjects[s]);
+  const Invariants violated = violated_in_order(run.subjects[s]);
   Table table{
       result.subject.name + ": number of violated and judged cases, and the worst case", {{"family"}}, {}, "matrix"};
-  add_upright(table, names);
+  add_upright(table, violated);
   for (std::size_t f = 0; f < result.families.size(); ++f) {
     if (result.families[f].violated == 0) {
       continue;
     }
-    Row row{{run.families[f].name}};
-    for (const std::string& name : names) {
-      row.cells.push_back(family_cell(run, s, f, name));
+    Row row{{std::string(run.families[f].family->name)}};
+    for (const properties::Invariant* invariant : violated) {
+      row.cells.push_back(family_cell(run, s, f, *invariant));
     }
     table.rows.push_back(std::move(row));
   }
@@ -75,18 +77,17 @@ struct FeatureRow {
   [[nodiscard]] double share() const { return static_cast<double>(violated) / static_cast<double>(cases); }
 };
 
-std::vector<FeatureRow> feature_rows(const Run& run, const SubjectResult& result,
-                                     const std::vector<std::string>& names) {
+std::vector<FeatureRow> feature_rows(const Run& run, const SubjectResult& result, const Invariants& invariants) {
   std::vector<FeatureRow> rows(properties::all_features().size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     rows[i].feature = i;
-    rows[i].by_invariant.resize(names.size());
+    rows[i].by_invariant.resize(invariants.size());
   }
   for (std::size_t f = 0; f < result.families.size(); ++f) {
     std::vector<const std::vector<std::uint64_t>*> violated;
     static const std::vector<std::uint64_t> none;
-    for (const std::string& name : names) {
-      const auto found = result.families[f].violated_cases.find(name);
+    for (const properties::Invariant* invariant : invariants) {
+      const auto found = result.families[f].violated_cases.find(invariant);
       violated.push_back(found == result.families[f].violated_cases.end() ? &none : &found->second);
     }
     const auto& sampled = run.families[f].sampled;
@@ -111,8 +112,8 @@ std::vector<FeatureRow> feature_rows(const Run& run, const SubjectResult& result
 
 Details feature_matrix(const Run& run, std::size_t s) {
   const SubjectResult& result = run.subjects[s].result;
-  const std::vector<std::string> names = violated_in_order(run.subjects[s]);
-  std::vector<FeatureRow> rows = feature_rows(run, result, names);
+  const Invariants violated = violated_in_order(run.subjects[s]);
+  std::vector<FeatureRow> rows = feature_rows(run, result, violated);
   std::erase_if(rows, [](const FeatureRow& row) { return row.violated == 0; });
   std::stable_sort(rows.begin(), rows.end(),
                    [](const FeatureRow& x, const FeatureRow& y) { return x.share() > y.share(); });
@@ -122,7 +123,7 @@ Details feature_matrix(const Run& run, std::size_t s) {
               {{"feature"}, {"cases", true}, {"violated", true}},
               {},
               "matrix"};
-  add_upright(table, names);
+  add_upright(table, violated);
   for (const FeatureRow& of_feature : rows) {
     const properties::Feature& feature = properties::all_features()[of_feature.feature];
     Cell name{std::string(feature.name)};

@@ -158,7 +158,8 @@ void add_sides(Document& document, const properties::Verdict& verdict) {
 /// The case that the family drew, before it was shrunk to the witness.
 Details drawn_case(const Witness& witness, const std::string& replay) {
   Details details{
-      fmt::format("The original case before shrinking: case {} of the family {}", witness.index, witness.family), {}};
+      fmt::format("The original case before shrinking: case {} of the family {}", witness.index, witness.family->name),
+      {}};
   add_collision(details.content, witness.original.collision);
   add_sides(details.content, witness.verdict_as_found);
   details.content.emplace_back(Code{replay + " --drawn"});
@@ -168,9 +169,9 @@ Details drawn_case(const Witness& witness, const std::string& replay) {
 Section witness_section(const Run& run, std::size_t s, const Witness& witness, const std::string& out_directory) {
   const JudgedSubject& subject = run.subjects[s];
   const properties::SubjectResult& result = subject.result;
-  const properties::Invariant& invariant = *properties::invariant_named(witness.invariant);
-  const std::string anchor = witness_anchor(s, witness.invariant);
-  const std::string title = result.subject.name + " violates " + witness.invariant;
+  const properties::Invariant& invariant = *witness.invariant;
+  const std::string anchor = witness_anchor(s, invariant);
+  const std::string title = fmt::format("{} violates {}", result.subject.name, invariant.name);
   const std::string replay = replay_line(run, subject, witness, out_directory);
   Document numbers;
   add_collision(numbers, witness.shrunk.collision);
@@ -194,8 +195,8 @@ Section witness_section(const Run& run, std::size_t s, const Witness& witness, c
         }
       }};
   Document content{Paragraph{fmt::format("{} The subject violates this in {}. This witness comes from the family {}.",
-                                         invariant.statement, violated_of_judged_cases(result.count(witness.invariant)),
-                                         witness.family)},
+                                         invariant.statement, violated_of_judged_cases(result.count(invariant)),
+                                         witness.family->name)},
                    Picture{[formula = invariant.formula](pugi::xml_node node) {
                      add_formula(add(node, "div", {{"class", "formula"}, {"tabindex", "0"}}), formula);
                    }},
@@ -208,8 +209,8 @@ Section witness_section(const Run& run, std::size_t s, const Witness& witness, c
 
 }  // namespace
 
-std::string witness_anchor(std::size_t subject, const std::string& invariant) {
-  return fmt::format("witness-{}-{}", subject, invariant);
+std::string witness_anchor(std::size_t subject, const properties::Invariant& invariant) {
+  return fmt::format("witness-{}-{}", subject, invariant.name);
 }
 
 Document witnesses_part(const Run& run, const std::string& out_directory) {

@@ -128,7 +128,8 @@ std::vector<report::Exactness> measured_exactness(ChartedSubjects& charted, std:
         } else if (claims[s].effects == DeclaredEffects{}) {
           add_result(part[s], without_effects, claims[s], answers[s][i]);
         } else {
-          add_result(part[s], {{collisions[i], false}, true, claims[s].effects}, claims[s], answers[s][i]);
+          add_result(part[s], properties::JudgedCase({collisions[i], false}, true, claims[s].effects), claims[s],
+                     answers[s][i]);
         }
       }
     }

@@ -23,7 +23,7 @@ void add_badge(CLI::App& app, Chosen& chosen) {
   command->add_option("--out", arguments->out, "File to write (default: standard output)")->type_name("FILE");
   command->callback([&chosen, arguments] {
     chosen = [arguments] {
-      const std::string record = report::badge_record(read_report(arguments->file).run).dump() + '\n';
+      const std::string record = report::badge_record(read_report(arguments->file)).dump() + '\n';
       if (arguments->out.empty()) {
         fmt::print("{}", record);
       } else {

@@ -21,9 +21,8 @@ struct CompareArguments {
 };
 
 int compare_files(const CompareArguments& arguments) {
-  const ReadRun before = read_report(arguments.before);
-  const ReadRun now = read_report(arguments.now);
-  const report::Comparison comparison = report::compare_runs(before.run, before.file, now.run, now.file);
+  const report::RecordedRun before = read_report(arguments.before);
+  const report::Comparison comparison = report::compare_runs(before, read_report(arguments.now));
   if (arguments.format == "json") {
     fmt::print("{}\n", report::comparison_record(comparison).dump(2));
   } else if (arguments.format == "markdown") {

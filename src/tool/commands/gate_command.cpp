@@ -177,7 +177,7 @@ int gate(const GateArguments& arguments) {
   const std::vector<std::string> deviates = known_deviations(arguments.deviates);
   const std::optional<properties::Shard> shard = shard_of(arguments);
   const std::string out = directory_of(arguments, shard);
-  const std::optional<ReadRun> baseline =
+  const std::optional<report::RecordedRun> baseline =
       arguments.baseline.empty() ? std::nullopt : std::optional(read_report(arguments.baseline));
   if (!arguments.annotations.empty() && arguments.format != "text") {
     throw UsageError("--annotations: this option needs --format text, found --format " + arguments.format);

@@ -43,7 +43,7 @@ void require_apart(const std::string& out, const std::vector<std::string>& direc
 
 int merge_shards(const MergeArguments& arguments) {
   require_apart(arguments.out, arguments.directories);
-  const std::optional<ReadRun> baseline =
+  const std::optional<report::RecordedRun> baseline =
       arguments.baseline.empty() ? std::nullopt : std::optional(read_report(arguments.baseline));
   std::vector<report::ReadShard> shards;
   for (const std::string& directory : arguments.directories) {

@@ -17,7 +17,7 @@ void add_table(CLI::App& app, Chosen& chosen) {
   command->add_option("FILE", *file, "A report.json that `carom gate --out` wrote")->required();
   command->callback([&chosen, file] {
     chosen = [file] {
-      fmt::print("{}", report::subjects_markdown(read_report(*file).run));
+      fmt::print("{}", report::subjects_markdown(read_report(*file)));
       return exit_all_hold;
     };
   });

@@ -18,7 +18,7 @@ namespace {
 properties::Domain domain_from_file(const std::string& option, const std::string& file) {
   try {
     const nlohmann::json record = parse_json(content_of_file(file));
-    return report::Json<properties::Domain>::read(report::Field(record), report::Reading::whole);
+    return report::Json<properties::Domain>::read(report::Field(record));
   } catch (const FormatError& error) {
     throw UsageError(report::shown(fmt::format("{}: {}: {}", option, file, error.what())));
   } catch (const UsageError& error) {

@@ -29,8 +29,8 @@ void write_reports(const report::Run& run, const std::string& out, StagedOutput&
   for (const report::JudgedSubject& subject : run.subjects) {
     const properties::SubjectResult& result = subject.result;
     for (const properties::Witness& witness : result.witnesses) {
-      const fs::path place = report::witness_path(out, result.subject, witness.invariant);
-      write_file(report::witness_path(stage, result.subject, witness.invariant),
+      const fs::path place = report::witness_path(out, result.subject, *witness.invariant);
+      write_file(report::witness_path(stage, result.subject, *witness.invariant),
                  in_json(report::witness_record(witness, result.subject, run.settings, place), 2));
     }
   }
@@ -56,10 +56,10 @@ void print_run(const report::Run& run, const Presentation& presentation) {
 
 }  // namespace
 
-int present_run(report::Run run, const std::optional<ReadRun>& baseline, const Presentation& presentation,
+int present_run(report::Run run, const std::optional<report::RecordedRun>& baseline, const Presentation& presentation,
                 std::optional<StagedOutput>& staged) {
   if (baseline) {
-    run.baseline = report::compare_runs(baseline->run, baseline->file, run, "this run");
+    run.baseline = report::compare_runs(*baseline, report::recorded_run(report::report_record(run), "this run"));
   }
   // If the files cannot be written, the results are still printed.
   std::exception_ptr unwritten;

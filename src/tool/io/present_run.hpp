@@ -21,7 +21,7 @@ struct Presentation {
 /// Compares the run with its baseline, if there is one, writes the files, prints the run, and returns the exit status.
 /// Throws UsageError if a file cannot be written. `staged` is the staged output of `presentation.out`, if there is one.
 /// The function resets it.
-[[nodiscard]] int present_run(report::Run run, const std::optional<ReadRun>& baseline, const Presentation& presentation,
-                              std::optional<StagedOutput>& staged);
+[[nodiscard]] int present_run(report::Run run, const std::optional<report::RecordedRun>& baseline,
+                              const Presentation& presentation, std::optional<StagedOutput>& staged);
 
 }  // namespace carom::tool

@@ -35,12 +35,14 @@ auto read_from(const std::string& file, const char* is_no, const Read& read) {
 
 }  // namespace
 
-ReadRun read_report(const std::string& file_or_directory) {
+report::RecordedRun read_report(const std::string& file_or_directory) {
   std::error_code ignored;
   const std::string file = fs::is_directory(file_or_directory, ignored)
                                ? (fs::path(file_or_directory) / "report.json").string()
                                : file_or_directory;
-  return {file, read_from(file, "this is not a report.json of `carom gate --out`: ", report::run_from)};
+  return read_from(file, "this is not a report.json of `carom gate --out`: ", [&](const nlohmann::json& record) {
+    return report::recorded_run(record, file);
+  });
 }
 
 report::ReadShard read_shard_report(const std::string& file) {
@@ -53,9 +55,9 @@ report::ReadShard read_shard(const std::string& directory) {
     properties::SubjectResult& result = shard.report.results[s];
     for (const report::Violation& violation : shard.run.subjects[s].violations) {
       // The path in the report is not used, because it could lead to any file.
-      const fs::path path = report::witness_path(directory, result.subject, violation.invariant);
+      const fs::path path = report::witness_path(directory, result.subject, *violation.invariant);
       result.witnesses.push_back(read_from(path.string(), "", [&](const nlohmann::json& record) {
-        return report::witness_from(record, violation.invariant);
+        return report::witness_from(record, *violation.invariant);
       }));
     }
   }

@@ -7,13 +7,8 @@
 
 namespace carom::tool {
 
-struct ReadRun {
-  std::string file;
-  report::Run run;
-};
-
 /// Reads a report.json, or the one in a directory. Throws UsageError that names the file and the place.
-[[nodiscard]] ReadRun read_report(const std::string& file_or_directory);
+[[nodiscard]] report::RecordedRun read_report(const std::string& file_or_directory);
 
 /// Reads a report of a shard, without its witnesses. Throws as read_shard does.
 [[nodiscard]] report::ReadShard read_shard_report(const std::string& file);

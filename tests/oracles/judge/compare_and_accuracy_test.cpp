@@ -17,7 +17,13 @@ namespace {
 
 using unit::ratio;
 
-Yardstick yardstick_of(Precision precision) { return Yardstick().in(precision); }
+Yardstick yardstick_of(Precision precision, bool filtered = true) {
+  return Yardstick::of(precision, {.filtered = filtered});
+}
+
+Yardstick three_digits_of(Precision precision, bool filtered = true) {
+  return Yardstick::of(precision, {.digits = 3, .filtered = filtered});
+}
 
 /// A falls on a fixed plane with (0, −1, 0) m/s. The lever arm is zero.
 Collision falling_ball() {
@@ -54,9 +60,13 @@ TEST(Compare, AllowsNothingWhereExactArithmeticIsJudged) {
   const ExactCase exact_case(falling_ball());
   Outcome<Rational> outcome = exact_case.truth(Law::frictionless).outcome;
   const equation::Restitution restitution;
-  EXPECT_TRUE(compare(restitution, Relation::equal, exact_case, LiftedOutcome(outcome), Yardstick{}).holds);
+  EXPECT_TRUE(
+      compare(restitution, Relation::equal, exact_case, LiftedOutcome(outcome), Yardstick::of_exact_arithmetic())
+          .holds);
   outcome.a.velocity[1] += ratio(1, 1 << 30) * ratio(1, 1 << 30) * ratio(1, 1 << 30) * ratio(1, 1 << 30);
-  EXPECT_FALSE(compare(restitution, Relation::equal, exact_case, LiftedOutcome(outcome), Yardstick{}).holds);
+  EXPECT_FALSE(
+      compare(restitution, Relation::equal, exact_case, LiftedOutcome(outcome), Yardstick::of_exact_arithmetic())
+          .holds);
 }
 
 TEST(ExactCase, IsHeadOnOrCollinearOnlyIfNoComponentIsLeft) {
@@ -110,12 +120,11 @@ TEST(NormAtMost, IsExactAtTheBound) {
 /// errors round to the same binary64 number.
 TEST(Accuracy, HasDigitsUpToTheLastBit) {
   const ExactCase exact_case(falling_ball());
-  Yardstick yardstick = yardstick_of(Precision::extended);
-  yardstick.digits = 3;
+  Yardstick yardstick = three_digits_of(Precision::extended);
   EXPECT_DOUBLE_EQ(yardstick.allowance(), 1e-3);
   const auto bound = static_cast<long double>(yardstick.allowance());
   for (const bool filtered : {true, false}) {
-    yardstick.filtered = filtered;
+    yardstick = yardstick.with_filters(filtered);
     for (const int ulps : {-1, 0, 1}) {
       ReportedOutcome outcome;
       outcome.a.velocity = {0, 1 + 2 * bound + static_cast<long double>(ulps) * 0x1p-63L, 0};
@@ -135,7 +144,7 @@ TEST(Digits, PermitNoiseOfTheLargestSpeed) {
   c.b.immovable = true;
   const ExactCase exact_case(c);
   Yardstick yardstick = yardstick_of(Precision::binary64);
-  const double noise = default_limit_ulps * yardstick.unit_roundoff * 4 / 0.5;
+  const double noise = default_limit_ulps * yardstick.unit_roundoff() * 4 / 0.5;
   const auto passes = [&](double spin) {
     ReportedOutcome outcome = reported(exact_case.nearest_truth(Law::frictionless));
     outcome.a.angular_velocity = {spin, 0, 0};
@@ -144,7 +153,7 @@ TEST(Digits, PermitNoiseOfTheLargestSpeed) {
         .holds;
   };
   EXPECT_FALSE(passes(0.9 * noise));
-  yardstick.digits = 3;
+  yardstick = three_digits_of(Precision::binary64);
   EXPECT_TRUE(passes(0.9 * noise));
   EXPECT_FALSE(passes(1.1 * std::sqrt(3.0) * noise));  // an equation multiplies by the norm of the identity, √3
   EXPECT_EQ(permitted_noise(c, yardstick)[OutcomeVector::velocity_of_b], noise / 2);
@@ -156,7 +165,7 @@ TEST(Digits, PermitNoiseOfTheLargestSpeed) {
 TEST(Accuracy, IsOfTheSensitivityUnlessABoundIsKnown) {
   Yardstick yardstick = yardstick_of(Precision::binary64);
   Yardstick exactly = yardstick;
-  exactly.filtered = false;
+  exactly = exactly.with_filters(false);
   int larger = 0;
   for (const auto& [family, one] : unit::sampled_cases(1)) {
     const ExactCase exact_case(one.collision);
@@ -207,9 +216,7 @@ TEST(Accuracy, AllowsWhatTheYardstickSays) {
     const ExactCase exact_case(c);
     ASSERT_EQ(exact_case.is_moderate(), speed == 1);
     for (const bool filtered : {false, true}) {
-      Yardstick yardstick = yardstick_of(Precision::binary64);
-      yardstick.limit_ulps = 8;
-      yardstick.filtered = filtered;
+      const Yardstick yardstick = Yardstick::of(Precision::binary64, {8, {}, filtered});
       const double allowed = 0x1p-50 * exact_case.sensitivity(Law::reflection, 0x1p-50)[OutcomeVector::velocity_of_a];
       for (const double part : {-0.999, 0.999, -1.001, 1.001}) {
         ReportedOutcome outcome;
@@ -232,8 +239,7 @@ TEST(Yardstick, KnowsWhatUnderflowTakes) {
   outcome.b.velocity = {-least, 0, 0};
   outcome.a.angular_velocity = {0, 0, 2 * least};  // from r × m Δv = (0, 0, η)
   for (const bool filtered : {false, true}) {
-    Yardstick yardstick = yardstick_of(Precision::binary32);
-    yardstick.filtered = filtered;
+    Yardstick yardstick = yardstick_of(Precision::binary32, filtered);
     const auto holds = [&] {
       return compare(equation::AngularMomentum{true}, Relation::equal, ExactCase(c), LiftedOutcome(outcome), yardstick)
           .holds;
@@ -242,7 +248,8 @@ TEST(Yardstick, KnowsWhatUnderflowTakes) {
     outcome.a.angular_velocity[2] = 4000 * least;
     EXPECT_FALSE(holds());
     outcome.a.angular_velocity[2] = 2 * least;
-    yardstick.least_size = 0;
+    // The same allowance in binary64, whose least number is negligible here.
+    yardstick = Yardstick::of(Precision::binary64, {default_limit_ulps * 0x1p29, {}, filtered});
     EXPECT_FALSE(holds());
   }
 }
@@ -257,9 +264,7 @@ TEST(Range, AnAllowanceThatOverflowsDecidesNothing) {
   outcome.a.velocity = {0, 0x1p490L, 0};
   for (const bool filtered : {true, false}) {
     for (const double limit_ulps : {default_limit_ulps, 1e16}) {
-      Yardstick yardstick = yardstick_of(Precision::binary32);
-      yardstick.filtered = filtered;
-      yardstick.limit_ulps = limit_ulps;
+      const Yardstick yardstick = Yardstick::of(Precision::binary32, {limit_ulps, {}, filtered});
       const Comparison momentum =
           compare(equation::LinearMomentum{}, Relation::equal, ExactCase(c), LiftedOutcome(outcome), yardstick);
       EXPECT_EQ(momentum.is_decided, limit_ulps == default_limit_ulps) << "the scale itself is in range";
@@ -298,7 +303,7 @@ TEST(Accuracy, TakesEitherOfTwoAnswers) {
     ASSERT_TRUE(exact_case.has_two_answers(Law::sticking, yardstick.allowance()));
     EXPECT_FALSE(exact_case.has_two_answers(Law::reflection, yardstick.allowance()));
     for (const bool filtered : {false, true}) {
-      yardstick.filtered = filtered;
+      yardstick = yardstick.with_filters(filtered);
       const auto result_for = [&](const Outcome<double>& outcome) {
         const auto reported = carom::reported(outcome);
         return accuracy(exact_case, Law::sticking, LiftedOutcome(reported), yardstick);
@@ -328,7 +333,7 @@ TEST(Accuracy, IsThatOfTheNearerAnswer) {
   ASSERT_TRUE(exact_case.has_two_answers(Law::sticking, yardstick.allowance()));
   const auto unmoved = reported(unchanged(c));
   EXPECT_EQ(
-      accuracy(exact_case, Law::sticking, LiftedOutcome(unmoved), yardstick).backward_error(yardstick.unit_roundoff),
+      accuracy(exact_case, Law::sticking, LiftedOutcome(unmoved), yardstick).backward_error(yardstick.unit_roundoff()),
       0);
 }
 
@@ -372,7 +377,7 @@ TEST(Compare, AllowsTheFrictionConeWhatRoundingOfTheImpulseMakes) {
       ReportedOutcome outcome = reported(unchanged(c));
       (of_a ? outcome.a : outcome.b).velocity[0] = times * allowance;
       for (const bool filtered : {false, true}) {
-        yardstick.filtered = filtered;
+        yardstick = yardstick.with_filters(filtered);
         const Comparison result =
             compare(equation::FrictionCone{of_a}, Relation::at_most, ExactCase(c), LiftedOutcome(outcome), yardstick);
         EXPECT_EQ(result.holds, times < 87.3) << of_a << ' ' << times;
@@ -397,7 +402,7 @@ TEST(Compare, AllowsTheFrictionConeAllDigitsOfExtended) {
     ReportedOutcome outcome = reported(unchanged(c));
     outcome.a.velocity += Vector3<long double>(d, 0, 2);
     for (const bool filtered : {false, true}) {
-      yardstick.filtered = filtered;
+      yardstick = yardstick.with_filters(filtered);
       const Comparison result =
           compare(equation::FrictionCone{true}, Relation::at_most, ExactCase(c), LiftedOutcome(outcome), yardstick);
       EXPECT_EQ(result.holds, times < 8.5) << times << ' ' << result.residual << ' ' << result.allowed;
@@ -414,11 +419,11 @@ TEST(Range, AScaleBeyondBinary64DecidesOnlyExactArithmetic) {
   ReportedOutcome outcome = reported(unchanged(c));
   outcome.a.velocity *= -2;
   for (const bool filtered : {true, false}) {
-    for (Yardstick yardstick : {Yardstick(), yardstick_of(Precision::binary64)}) {
-      yardstick.filtered = filtered;
+    for (Yardstick yardstick : {Yardstick::of_exact_arithmetic(), yardstick_of(Precision::binary64)}) {
+      yardstick = yardstick.with_filters(filtered);
       const Comparison result =
           compare(equation::Energy{}, Relation::at_most, ExactCase(c), LiftedOutcome(outcome), yardstick);
-      EXPECT_EQ(result.is_decided, yardstick.unit_roundoff == 0);
+      EXPECT_EQ(result.is_decided, yardstick.unit_roundoff() == 0);
       EXPECT_FALSE(result.is_decided && result.holds);
     }
   }

@@ -27,8 +27,7 @@ Outcome<double> with_normal_velocities(double of_a, double of_b) {
 }
 
 Accuracy accuracy_of(const Outcome<double>& outcome, bool filtered) {
-  Yardstick yardstick = Yardstick().in(Precision::binary64);
-  yardstick.filtered = filtered;
+  const Yardstick yardstick = Yardstick::of(Precision::binary64, {.filtered = filtered});
   const ExactCase exact_case(central_contact(), filtered);
   return accuracy(exact_case, Law::frictionless, LiftedOutcome(reported(outcome)), yardstick);
 }

@@ -159,7 +159,7 @@ Collision approached_by_rounding(double friction) {
   return c;
 }
 
-Yardstick of_binary64() { return Yardstick().in(Precision::binary64); }
+Yardstick of_binary64() { return Yardstick::of(Precision::binary64); }
 
 Accuracy accuracy_of(const ExactCase& exact_case, const Outcome<double>& outcome) {
   return accuracy(exact_case, Law::rough, LiftedOutcome(reported(outcome)), of_binary64());

@@ -65,7 +65,7 @@ Subject wrong_at_times() {
 std::uint64_t violations_in(const SubjectResult& result) {
   std::uint64_t sum = 0;
   for (const Invariant& invariant : all_invariants()) {
-    sum += result.count(std::string(invariant.name)).violated;
+    sum += result.count(invariant).violated;
   }
   return sum;
 }
@@ -124,7 +124,7 @@ TEST(FailFast, EndsAtWhatASessionRemembers) {
   GateOptions options = options_of_all_families(1000);
   options.fail_fast = true;
   const SubjectResult result = run_gate({subject}, options).results.at(0);
-  EXPECT_EQ(result.count("memoryless").violated, 1U);
+  EXPECT_EQ(result.count(*invariant_named("memoryless")).violated, 1U);
   EXPECT_LT(result.cases(), 100U);
 }
 
@@ -146,8 +146,8 @@ TEST(Budget, FindsWhatReplays) {
   const SubjectResult result = run_gate({always_wrong()}, options).results.at(0);
   ASSERT_FALSE(result.witnesses.empty());
   const Witness& witness = result.witnesses.front();
-  Stream stream = case_stream(options.seed, witness.family, witness.index);
-  const Collision again = family_named(witness.family)->generate(stream).collision;
+  Stream stream = case_stream(options.seed, witness.family->name, witness.index);
+  const Collision again = witness.family->generate(stream).collision;
   EXPECT_EQ(again.a.velocity, witness.original.collision.a.velocity);
   EXPECT_EQ(again.normal, witness.original.collision.normal);
 }
@@ -176,7 +176,10 @@ TEST(Budget, TellsOfTheTimeSpent) {
 
 TEST(Gate, CountsTheSameOnAnyNumberOfThreads) {
   const auto counts_on = [](unsigned jobs) {
-    return run_gate({right()}, options_of_all_families(100, jobs)).results.at(0).count("memoryless").holds;
+    return run_gate({right()}, options_of_all_families(100, jobs))
+        .results.at(0)
+        .count(*invariant_named("memoryless"))
+        .holds;
   };
   EXPECT_EQ(counts_on(1), counts_on(4));
 }

@@ -70,7 +70,7 @@ TEST(JudgeFault, KeepsWhatWasJudgedBefore) {
   ASSERT_TRUE(report.judge_error);
   const SubjectResult& result = report.results.at(0);
   EXPECT_GT(result.families.at(0).cases, 0U);
-  EXPECT_GT(result.count("non_penetration").violated, 0U);
+  EXPECT_GT(result.count(*invariant_named("non_penetration")).violated, 0U);
   EXPECT_FALSE(result.witnesses.empty());
 }
 
@@ -136,7 +136,7 @@ TEST(NeverJudged, IsPermittedInAPartOfARun) {
   for (const GateOptions& options : {part, shard}) {
     const SubjectResult result = run_gate({right()}, options).results.at(0);
     EXPECT_TRUE(result.is_sound()) << result.not_judged;
-    EXPECT_EQ(result.never_judged(options), std::vector<std::string>{"restitution"});
+    EXPECT_EQ(result.never_judged(options), std::vector{invariant_named("restitution")});
   }
 }
 
@@ -161,7 +161,7 @@ TEST(JudgeFault, IsNoneForASolverThatTakesNoFrictionForNoLimit) {
   }
   const GateReport report = run_gate({subject}, options);
   EXPECT_FALSE(report.judge_error);
-  EXPECT_GT(report.results.at(0).count("friction_cone").violated, 0U);
+  EXPECT_GT(report.results.at(0).count(*invariant_named("friction_cone")).violated, 0U);
   const diagnosis::Diagnosis diagnosis = diagnosis::diagnose_all(report).at(0);
   EXPECT_EQ(diagnosis.missing, "");
   EXPECT_FALSE(diagnosis.faults.empty());

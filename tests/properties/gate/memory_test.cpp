@@ -64,14 +64,14 @@ SubjectResult judged(Remembers what) {
 
 TEST(Memoryless, IsViolatedByWhatASessionKeeps) {
   for (const Remembers what : {Remembers::a_refusal, Remembers::the_call, Remembers::the_last_outcome}) {
-    EXPECT_GT(judged(what).count("memoryless").violated, 0U) << static_cast<int>(what);
+    EXPECT_GT(judged(what).count(*invariant_named("memoryless")).violated, 0U) << static_cast<int>(what);
   }
 }
 
 TEST(Memoryless, HoldsOfASessionThatKeepsNothing) {
   const SubjectResult result = judged(Remembers::nothing);
   EXPECT_TRUE(result.is_sound()) << result.not_judged;
-  EXPECT_GT(result.count("memoryless").holds, 10U);
+  EXPECT_GT(result.count(*invariant_named("memoryless")).holds, 10U);
 }
 
 using Change = std::function<void(ReportedOutcome&)>;
@@ -114,8 +114,8 @@ std::uint64_t not_memoryless(const Subject& subject) {
   options.families = {family_named("immovable_b")};
   options.relations_every = 1000;
   const SubjectResult result = run_gate({subject}, options).results.at(0);
-  EXPECT_GT(result.count("memoryless").judged(), 10U);
-  return result.count("memoryless").violated;
+  EXPECT_GT(result.count(*invariant_named("memoryless")).judged(), 10U);
+  return result.count(*invariant_named("memoryless")).violated;
 }
 
 TEST(Memoryless, TakesEqualNumbersOfAProgramForEqual) {

@@ -61,7 +61,7 @@ TEST(RareFault, IsFoundByDefaultByOneRelationInOneFamily) {
       ++relations;
       const SubjectResult result = run_gate({faulty(std::string(invariant.name))}, options).results.at(0);
       EXPECT_EQ(result.error, "");
-      EXPECT_GT(result.count(std::string(invariant.name)).violated, 0U) << invariant.name;
+      EXPECT_GT(result.count(invariant).violated, 0U) << invariant.name;
     }
   }
   EXPECT_GE(relations, 8U);

@@ -77,10 +77,10 @@ TEST(Exec, IsAskedAboutRelatedCollisionsOnEveryFourthCase) {
   options.cases = 80;
   options.families = {properties::family_named("generic")};
   const properties::GateReport report = properties::run_gate({subject, *subject_named("frictionless-double")}, options);
-  EXPECT_EQ(report.results[0].count("swap").holds, 20U);
-  EXPECT_EQ(report.results[0].count("rotation").holds, 20U);
-  EXPECT_EQ(report.results[0].count("backward_error").holds, 80U);
-  EXPECT_EQ(report.results[1].count("swap").holds, 80U);
+  EXPECT_EQ(report.results[0].count(*properties::invariant_named("swap")).holds, 20U);
+  EXPECT_EQ(report.results[0].count(*properties::invariant_named("rotation")).holds, 20U);
+  EXPECT_EQ(report.results[0].count(*properties::invariant_named("backward_error")).holds, 80U);
+  EXPECT_EQ(report.results[1].count(*properties::invariant_named("swap")).holds, 80U);
 }
 
 /// If a law does not read the friction coefficient, a subject of this law may accept an invalid coefficient.
@@ -103,8 +103,9 @@ TEST(Exec, NeedNotRefuseWhatItsLawDoesNotRead) {
   options.is_part = true;
   const properties::GateReport report = properties::run_gate({careless}, options);
   EXPECT_TRUE(report.results[0].is_sound());
-  EXPECT_GT(report.results[0].count("invalid_refused").skipped, 10U);
-  EXPECT_EQ(report.results[0].count("invalid_refused").holds + report.results[0].count("invalid_refused").skipped,
+  EXPECT_GT(report.results[0].count(*properties::invariant_named("invalid_refused")).skipped, 10U);
+  EXPECT_EQ(report.results[0].count(*properties::invariant_named("invalid_refused")).holds +
+                report.results[0].count(*properties::invariant_named("invalid_refused")).skipped,
             500U);
 }
 

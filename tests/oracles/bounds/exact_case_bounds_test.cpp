@@ -16,7 +16,7 @@ namespace {
 
 namespace exact_case_bounds = oracles::exact_case_bounds;
 
-TEST(BoundedCase, KnowANormalVelocityToSixDigits) {
+TEST(ExactCase, KnowANormalVelocityToSixDigits) {
   EXPECT_TRUE(covers(1e-6, exact_case_bounds::known_radius_of_normal_velocity + u, 1.1));
 }
 
@@ -35,7 +35,7 @@ BasicCollision<oracles::Dual<S, 8>> with_inertia_as_inputs(BasicCollision<oracle
 
 /// Inequality (1) for K follows from Σ_j x_j ∂K/∂x_j = −K over the masses and moments x_j. This test checks the
 /// equation exactly.
-TEST(BoundedCase, RestOnAMatrixThatIsHomogeneous) {
+TEST(ExactCase, RestOnAMatrixThatIsHomogeneous) {
   using T = oracles::Dual<oracles::Rational, 8>;
   properties::Stream stream = properties::stream_from(71);
   for (int i = 0; i < 50; ++i) {
@@ -75,7 +75,7 @@ double error_of_matrix_sensitivity() {
 }
 
 /// Inequalities (2) and (3) for K.
-TEST(BoundedCase, CoverTheRoundingOfTheMatrixSensitivity) {
+TEST(ExactCase, CoverTheRoundingOfTheMatrixSensitivity) {
   const double needed = error_of_matrix_sensitivity();
   EXPECT_TRUE(covers(exact_case_bounds::roundings_of_matrix_sensitivity, needed, 4));
   EXPECT_LE(exact_case_bounds::roundings_of_matrix_sensitivity * u / exact_case_bounds::least_share_of_largest_terms,

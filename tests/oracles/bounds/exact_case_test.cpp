@@ -33,8 +33,8 @@ Rational condition_bound(const Collision& c) {
   return t * t * t / (Rational(4) * unit::ExactVector(k.col(0)).dot(unit::ExactVector(k.col(1)).cross(k.col(2))));
 }
 
-/// BoundedCase rounds its bound, so the test skips bounds within a thousandth of the threshold 2²⁰.
-TEST(BoundedCase, IsWellConditionedUpToTheBoundInRationals) {
+/// ExactCase rounds its bound, so the test skips bounds within a thousandth of the threshold 2²⁰.
+TEST(ExactCase, IsWellConditionedUpToTheBoundInRationals) {
   properties::Stream stream = properties::stream_from(77);
   int well = 0;
   int ill = 0;
@@ -57,7 +57,7 @@ TEST(BoundedCase, IsWellConditionedUpToTheBoundInRationals) {
   EXPECT_GT(ill, 100);
 }
 
-TEST(BoundedCase, KnowsTheSignOfTheNormalVelocity) {
+TEST(ExactCase, KnowsTheSignOfTheNormalVelocity) {
   Collision c = against_a_wall({0, 0, 0}, 1);
   EXPECT_EQ(ExactCase(c).normal_velocity().sign, -1);
   c.a.velocity = {0, 0, 1};
@@ -73,7 +73,7 @@ TEST(BoundedCase, KnowsTheSignOfTheNormalVelocity) {
 
 /// r lies along the long axis of a needle. The large term r·r / I₁ cancels in K, and its rounding errors may exceed
 /// ‖K‖.
-TEST(BoundedCase, TakesHalfOfLambdaWhereLargeTermsCancel) {
+TEST(ExactCase, TakesHalfOfLambdaWhereLargeTermsCancel) {
   Collision c = against_a_wall({1, 0, 0}, 1);  // K = diag(1, 2, 2), of norm 3
   c.a.principal_inertia = {0x1p-21, 1, 1};
   EXPECT_NEAR(ExactCase(c).collision_matrix_sensitivity_below(), 1.5, 0x1p-20) << "half of ‖K‖ ≥ 2⁻²⁰ · 2²¹";
