@@ -11,7 +11,7 @@ namespace carom::report {
 namespace {
 
 using Subjects = std::vector<RecordedSubject>;
-using enum SubjectStatus;
+using Status = SubjectStatus;
 
 RecordedSubject subject(SubjectStatus status, std::size_t count, bool counts = true) {
   RecordedSubject subject;
@@ -33,15 +33,17 @@ nlohmann::json expected(const std::string& message, const std::string& colour) {
 }
 
 TEST(Badge, SaysTheVerdictOnWhatCounts) {
-  EXPECT_EQ(badge({subject(sound, 0), subject(violated, 5, false)}), expected("1 sound", "brightgreen"));
-  EXPECT_EQ(badge({subject(sound, 0), subject(sound, 0)}), expected("2 sound", "brightgreen"));
-  EXPECT_EQ(badge({subject(violated, 2), subject(sound, 0), subject(violated, 1)}), expected("3 violated", "red"));
-  EXPECT_EQ(badge({subject(error, 1)}), expected("1 violated", "red")) << "a violation comes first";
+  EXPECT_EQ(badge({subject(Status::sound, 0), subject(Status::violated, 5, false)}),
+            expected("1 sound", "brightgreen"));
+  EXPECT_EQ(badge({subject(Status::sound, 0), subject(Status::sound, 0)}), expected("2 sound", "brightgreen"));
+  EXPECT_EQ(badge({subject(Status::violated, 2), subject(Status::sound, 0), subject(Status::violated, 1)}),
+            expected("3 violated", "red"));
+  EXPECT_EQ(badge({subject(Status::error, 1)}), expected("1 violated", "red")) << "a violation comes first";
   const nlohmann::json grey = expected("not judged", "lightgrey");
-  EXPECT_EQ(badge({subject(sound, 0), subject(error, 0)}), grey);
-  EXPECT_EQ(badge({subject(sound, 0), subject(not_judged, 0)}), grey);
-  EXPECT_EQ(badge(Subjects{subject(sound, 0)}, true), grey) << "the run was interrupted";
-  EXPECT_EQ(badge(Subjects{subject(sound, 0, false)}), grey) << "no subject counts";
+  EXPECT_EQ(badge({subject(Status::sound, 0), subject(Status::error, 0)}), grey);
+  EXPECT_EQ(badge({subject(Status::sound, 0), subject(Status::not_judged, 0)}), grey);
+  EXPECT_EQ(badge(Subjects{subject(Status::sound, 0)}, true), grey) << "the run was interrupted";
+  EXPECT_EQ(badge(Subjects{subject(Status::sound, 0, false)}), grey) << "no subject counts";
 }
 
 }  // namespace

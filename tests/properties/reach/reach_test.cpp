@@ -110,7 +110,7 @@ TEST(Reach, IsSoundInTheDomainIfASubjectRefusesAllElse) {
     }
     const SubjectResult result = run_gate({limited({planted})}, gate).results.at(0);
     EXPECT_TRUE(result.is_sound()) << name_of(planted.quantity) << ' ' << result.error << ' ' << result.not_judged
-                                   << ' ' << (result.witnesses.empty() ? "" : result.witnesses[0].invariant);
+                                   << ' ' << (result.witnesses.empty() ? "" : result.witnesses[0].invariant->name);
   }
 }
 
