@@ -30,8 +30,8 @@ using properties::Judgement;
 using properties::NamedVerdict;
 using properties::Status;
 
-constexpr std::uint64_t seed = 20261128;
-constexpr std::uint64_t cases = 12;  // of each family, times its weight
+constexpr std::uint64_t seed_of_drivers = 20261128;
+constexpr std::uint64_t cases_of_drivers = 12;  // of each family, times its weight
 
 std::vector<const Family*> few_families() {
   std::vector<const Family*> families;
@@ -44,8 +44,8 @@ std::vector<const Family*> few_families() {
 template <class Visit>
 void for_each_case(const Visit& visit) {
   for (const Family* family : few_families()) {
-    for (std::uint64_t index = 0; index < cases * static_cast<std::uint64_t>(family->weight); ++index) {
-      visit(*family, properties::drawn_case(*family, seed, index));
+    for (std::uint64_t index = 0; index < cases_of_drivers * static_cast<std::uint64_t>(family->weight); ++index) {
+      visit(*family, properties::drawn_case(*family, seed_of_drivers, index));
     }
   }
 }
@@ -100,8 +100,8 @@ TEST_P(Drivers, TheGateCountsTheVerdictsOfReplays) {
       }
     });
     properties::GateOptions options;
-    options.seed = seed;
-    options.cases = cases;
+    options.seed = seed_of_drivers;
+    options.cases = cases_of_drivers;
     options.families = few_families();
     options.shrinks = false;
     const properties::SubjectResult result = run_gate({subject}, options).results.at(0);
@@ -163,13 +163,15 @@ TEST_P(Drivers, APlanAcceptsWhatAReplayAccepts) {
   for_each_subject([&](Subject subject, Claim claim) {
     subject.precision = Precision::binary64;  // a plan judges by the ulps of binary64
     claim = without_relations(properties::claim_of(subject, {}));
+    properties::plan::Candidate candidate;
+    candidate.subject = subject;
     const properties::plan::Demand demand{.law = subject.law};
     for_each_case([&](const Family&, const Case& drawn) {
       const Case one{drawn.collision, false};
       const Judgement judgement = replayed(claim, subject, one);
       if (!judgement.unjudged) {
         const properties::plan::Certifier certifier(one.collision, demand);
-        EXPECT_EQ(certifier.judge({subject}, answer_of(subject, one.collision)).failure.empty(),
+        EXPECT_EQ(certifier.judge(candidate, answer_of(subject, one.collision)).failure.empty(),
                   !is_violated(judgement))
             << subject.name;
       }
