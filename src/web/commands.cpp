@@ -51,11 +51,8 @@ std::string with_npx(std::string text) {
   return text;
 }
 
-report::Run run_of(const Request& request, properties::GateReport report, bool is_part) {
-  report::Run run =
-      report::run_of(std::move(report), {true}, {}, request.environment, request.deviates, is_part, !is_part);
-  run.settings.without_case = request.without_case;
-  return run;
+report::Run run_of(const Request& request, properties::GateReport report) {
+  return {std::move(report), request.environment, request.deviates, request.without_case, {true}, {}};
 }
 
 json list(const json& record) {
@@ -91,8 +88,10 @@ json part(const json& record) {
   request.options.shrinks = false;
   properties::GateReport report = properties::run_gate({request.subject}, request.options);
   report.results[0].witnesses.clear();  // the worst violations suffice to find them again
-  return {{"report", report::report_record(run_of(request, std::move(report), true))
-                         .dump(-1, ' ', false, json::error_handler_t::replace)}};
+  report::Run run = run_of(request, std::move(report));
+  run.is_shard = true;
+  run.diagnoses.resize(1);
+  return {{"report", report::report_record(run).dump(-1, ' ', false, json::error_handler_t::replace)}};
 }
 
 json files_of(const report::Run& run, const std::string& out) {
@@ -100,11 +99,11 @@ json files_of(const report::Run& run, const std::string& out) {
   const auto add = [&](const std::string& file, std::string text) {
     files.push_back({{"file", file}, {"text", with_npx(std::move(text))}});
   };
-  for (const report::JudgedSubject& subject : run.subjects) {
-    for (const properties::Witness& witness : subject.result.witnesses) {
-      add(report::witness_path("", subject.result.subject, *witness.invariant),
-          in_json(report::witness_record(witness, subject.result.subject, run.settings,
-                                         report::witness_path(out, subject.result.subject, *witness.invariant))));
+  for (const properties::SubjectResult& result : run.results) {
+    for (const properties::Witness& witness : result.witnesses) {
+      add(report::witness_path("", result.subject, *witness.invariant),
+          in_json(report::witness_record(witness, result.subject, run.options,
+                                         report::witness_path(out, result.subject, *witness.invariant))));
     }
   }
   add("junit.xml", report::junit_xml(run));
@@ -117,7 +116,7 @@ json files_of(const report::Run& run, const std::string& out) {
 properties::GateReport sum_of(const json& parts, const Request& request) {
   std::optional<properties::GateReport> sum;
   for (const json& one : parts) {
-    properties::GateReport read = report::shard_from(parse_json(one.get_ref<const std::string&>()), "/reports").report;
+    properties::GateReport read = report::shard_from(parse_json(one.get_ref<const std::string&>()), "/reports").run;
     if (sum) {
       report::add_report(*sum, read);
     } else {
@@ -139,7 +138,7 @@ json finish(const json& record) {
   properties::GateReport sum = sum_of(record.at("reports"), request);
   report::complete_run(sum, request.options, {request.subject});
   sum.interrupted = record.value("interrupted", false);
-  report::Run run = run_of(request, std::move(sum), false);
+  const report::Run run = report::diagnosed(run_of(request, std::move(sum)));
   return {{"status", run.exit_status()},
           {"text", with_npx(report::run_text(run, request.out))},
           {"markdown", with_npx(report::run_markdown(run, request.out))},

@@ -123,12 +123,14 @@ std::vector<Told> told_of(std::span<const Together> all) {
   for (const Together& one : all) {
     subjects.push_back(subject_with(one));
   }
-  const report::Run run = report::run_of(judged(subjects, properties::GateOptions().cases),
-                                         std::vector<bool>(subjects.size(), true), {}, {}, {}, false);
+  const report::Run run = report::diagnosed(
+      {judged(subjects, properties::GateOptions().cases), {}, {}, {}, std::vector<bool>(subjects.size(), true), {}});
   std::vector<Told> told;
   for (std::size_t s = 0; s < all.size(); ++s) {
     report::Run alone = run;
-    alone.subjects = {run.subjects[s]};
+    alone.results = {run.results[s]};
+    alone.diagnoses = {run.diagnoses[s]};
+    alone.counts = {true};
     Told& of_this = told.emplace_back(Told{all[s], {}, first_lines(run_text(alone, ""))});
     const std::vector<std::string> faults = faults_in(of_this.lines);
     for (const KnownDefect* defect : all[s]) {

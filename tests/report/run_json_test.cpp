@@ -50,16 +50,16 @@ report::Run run_with(const properties::GateReport& report, bool is_shard) {
   environment.date = "2026-11-25T00:00:00Z";
   environment.processor_threads = 2;
   environment.compiler_flags["carom_report"] = "-O1";
-  return run_of(report, {true}, {}, environment, {"push@generic"}, is_shard);
+  return diagnosed({report, environment, {"push@generic"}, {}, {true}, {}, is_shard});
 }
 
 ReadShard read_back(const properties::GateReport& report) {
   const report::Run run = run_with(report, true);
   ReadShard shard = shard_from(json::parse(report_record(run).dump()), "shard");
-  for (const properties::Witness& witness : run.subjects[0].result.witnesses) {
-    const json record =
-        json::parse(witness_record(witness, run.subjects[0].result.subject, run.settings, "file").dump());
-    shard.report.results[0].witnesses.push_back(witness_from(record, *witness.invariant));
+  for (properties::Witness& witness : shard.run.results[0].witnesses) {
+    const properties::Witness& written = run.results[0].witnesses[&witness - shard.run.results[0].witnesses.data()];
+    const json record = json::parse(witness_record(written, run.results[0].subject, run.options, "file").dump());
+    witness = witness_from(record, *witness.invariant);
   }
   return shard;
 }
@@ -79,7 +79,7 @@ TEST(JudgeFault, GivesExitStatusTwoAndStandsInEachFormOfTheReport) {
     }
   }
   const std::optional<oracles::JudgeError> read =
-      shard_from(json::parse(report_record(run_with(report, true)).dump()), "shard").report.judge_error;
+      shard_from(json::parse(report_record(run_with(report, true)).dump()), "shard").run.judge_error;
   ASSERT_TRUE(read);
   EXPECT_STREQ(read->what(), "a wrong formula");
   EXPECT_EQ(read->collision().a.mass, 1234.5);
@@ -114,7 +114,7 @@ TEST(RunJson, KeepsWhatAComparisonNeeds) {
   ASSERT_EQ(comparison.subjects.size(), 1U);
   EXPECT_EQ(comparison.subjects[0].before->cases, comparison.subjects[0].now->cases);
   EXPECT_EQ(comparison.subjects[0].before->worst_backward_error, comparison.subjects[0].now->worst_backward_error);
-  EXPECT_EQ(comparison.subjects[0].now->cases, run.subjects[0].result.cases());
+  EXPECT_EQ(comparison.subjects[0].now->cases, run.results[0].cases());
 }
 
 /// The baseline contains all violations of the run, so only the error makes the run fail.
@@ -123,8 +123,8 @@ TEST(RunJson, KeepsTheErrorOfAShardThatAlsoViolatesSomething) {
   const report::Run baseline = run_with(report, false);
   report.results[0].error = "it ended in the middle";
   report::Run merged = merged_run({read_back(report)});
-  EXPECT_EQ(merged.subjects[0].status, SubjectStatus::violated);
-  EXPECT_EQ(merged.subjects[0].result.error, "it ended in the middle");
+  EXPECT_EQ(status_of(merged.results[0]), SubjectStatus::violated);
+  EXPECT_EQ(merged.results[0].error, "it ended in the middle");
   merged.baseline =
       compare_runs(recorded_run(report_record(baseline), "baseline"), recorded_run(report_record(merged), "merged"));
   EXPECT_EQ(merged.baseline->count_new(true), 0U);

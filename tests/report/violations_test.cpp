@@ -28,12 +28,13 @@ properties::Witness witness_of(const properties::Invariant* invariant, const cha
 /// invalid collisions.
 report::Run violated_run() {
   report::Run run;
-  run.settings.cases = 100;
-  run.families = {{slow_family, {}, {}}, {properties::family_named("invalid"), {}, {}}};
-  JudgedSubject subject;
-  subject.counts = true;
-  subject.status = SubjectStatus::violated;
-  properties::SubjectResult& result = subject.result;
+  run.options.cases = 100;
+  run.options.families = {slow_family, properties::family_named("invalid")};
+  run.coverage.resize(2);
+  run.sampled.resize(2);
+  run.counts = {true};
+  run.diagnoses.resize(1);
+  properties::SubjectResult& result = run.results.emplace_back();
   result.subject.name = "solver";
   result.subject.law = Law::frictionless;
   result.families.resize(2);
@@ -54,7 +55,6 @@ report::Run violated_run() {
     }
   }
   result.witnesses = {witness_of(restitution, "slow"), witness_of(invalid_refused, "invalid")};
-  run.subjects = {subject};
   return run;
 }
 
@@ -82,25 +82,24 @@ TEST(Violations, OfFamiliesHaveTheirShareOfJudgedCasesAndTheBackwardErrorInUlps)
 /// If too few cases are violated, their diagnosis has no `where` and no `look at`.
 TEST(Violations, AreAnnotatedWithWhatTheDiagnosisSays) {
   report::Run run = violated_run();
-  run.subjects[0].diagnosis = properties::diagnosis::Diagnosis{restitution, 2, 2, {{"Only 2 were examined.", ""}}};
+  run.diagnoses[0] = {restitution, 2, 2, {{"Only 2 were examined.", ""}}};
   expect_in("::notice title=diagnosis of solver::Only 2 were examined.\n", github_annotations(run, ""));
-  run.subjects[0].diagnosis->faults[0].where = "Nearly all cases fail.";
-  run.subjects[0].diagnosis->faults[0].look_at = "the test";
+  run.diagnoses[0].faults[0].where = "Nearly all cases fail.";
+  run.diagnoses[0].faults[0].look_at = "the test";
   expect_in("examined.%0ANearly all cases fail.%0ALook at: the test\n", github_annotations(run, ""));
 }
 
 /// Each of several faults has a number, its place and its own witness.
 TEST(Violations, OfSeveralFaultsShowEachWithItsOwnWitness) {
   report::Run run = violated_run();
-  run.settings.seed = 5;
-  run.subjects[0].diagnosis = properties::diagnosis::Diagnosis{
-      restitution,
-      20,
-      18,
-      {{"It bounces.", "the bounce", "Where it bounces.", 12,
-        properties::diagnosis::FaultWitness{slow_family, 7, restitution}},
-       {"It turns.", "the turn", "Where it turns.", 8,
-        properties::diagnosis::FaultWitness{slow_family, 9, properties::invariant_named("energy")}}}};
+  run.options.seed = 5;
+  run.diagnoses[0] = {restitution,
+                      20,
+                      18,
+                      {{"It bounces.", "the bounce", "Where it bounces.", 12,
+                        properties::diagnosis::FaultWitness{slow_family, 7, restitution}},
+                       {"It turns.", "the turn", "Where it turns.", 8,
+                        properties::diagnosis::FaultWitness{slow_family, 9, properties::invariant_named("energy")}}}};
   for (const std::string& text : {run_text(run, ""), run_markdown(run, ""), run_html(run, "")}) {
     for (const char* part : {"what is wrong, 1 of 2", "It bounces.", "Where it bounces.", "the bounce",
                              "carom replay --family slow --case 7 --seed 5 --subject solver violates restitution",

@@ -55,12 +55,6 @@ class Writer {
     }
   }
 
-  /// A field that follows from other fields. It is written, and never read.
-  template <class T>
-  void derived(const char* name, const T& value) {
-    (*this)(name, value);
-  }
-
   nlohmann::json record = nlohmann::json::object();
 };
 
@@ -88,9 +82,6 @@ class Reader {
       value = Json<T>::read(*field);
     }
   }
-
-  template <class T>
-  void derived(const char* /*name*/, const T& /*value*/) {}
 
   const Field& record;
 };
@@ -159,20 +150,6 @@ struct Json<std::vector<T>> {
       values.push_back(Json<T>::read(element));
     }
     return values;
-  }
-};
-
-template <class T>
-struct Json<std::pair<T, T>> {
-  static nlohmann::json write(const std::pair<T, T>& pair) {
-    return nlohmann::json::array({Json<T>::write(pair.first), Json<T>::write(pair.second)});
-  }
-  static std::pair<T, T> read(const Field& field) {
-    const std::vector<T> both = Json<std::vector<T>>::read(field);
-    if (both.size() != 2) {
-      field.fail("a pair");
-    }
-    return {both[0], both[1]};
   }
 };
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -60,18 +61,19 @@ struct BothCounts {
 
 BothCounts counts_of(const RecordedSubject* before, const RecordedSubject* now) {
   BothCounts both;
-  for (const RecordedSubject* subject : {now, before}) {
-    for (const RecordedFamily& family : subject == nullptr ? std::vector<RecordedFamily>() : subject->families) {
+  const auto add = [&](const RecordedSubject* subject, Count std::pair<Count, Count>::*of_one) {
+    for (const RecordedFamily& family : subject == nullptr ? std::span<const RecordedFamily>() : subject->families) {
       if (std::find(both.families.begin(), both.families.end(), family.name) == both.families.end()) {
         both.families.push_back(family.name);
       }
       for (const auto& [invariant, count] : family.counts) {
         both.invariants.insert(invariant);
-        auto& [old_count, new_count] = both.counts[{invariant, family.name}];
-        (subject == now ? new_count : old_count) = count;
+        both.counts[{invariant, family.name}].*of_one = count;
       }
     }
-  }
+  };
+  add(now, &std::pair<Count, Count>::second);
+  add(before, &std::pair<Count, Count>::first);
   return both;
 }
 

@@ -25,19 +25,19 @@ using properties::Witness;
 }
 
 void require_one_run(const std::vector<ReadShard>& shards) {
-  const RunFacts expected = run_facts(shards[0]);
+  const RunFacts expected = run_facts(shards[0].run);
   for (const ReadShard& shard : shards) {
-    if (const std::optional<FactDifference> difference = first_difference(expected, run_facts(shard))) {
+    if (const std::optional<FactDifference> difference = first_difference(expected, run_facts(shard.run))) {
       fail_different(shards[0], shard, *difference);
     }
   }
 }
 
 void require_all_once(const std::vector<ReadShard>& shards) {
-  const std::uint64_t of = shards[0].report.options.shard.of;
+  const std::uint64_t of = shards[0].run.options.shard.of;
   std::vector<const ReadShard*> by_number(shards.size() + 1);
   for (const ReadShard& shard : shards) {
-    const std::uint64_t number = shard.report.options.shard.number;
+    const std::uint64_t number = shard.run.options.shard.number;
     if (number > shards.size()) {
       continue;
     }
@@ -106,24 +106,18 @@ Run merged_run(const std::vector<ReadShard>& shards) {
     ordered.push_back(&shard);
   }
   std::sort(ordered.begin(), ordered.end(), [](const ReadShard* x, const ReadShard* y) {
-    return x->report.options.shard.number < y->report.options.shard.number;
+    return x->run.options.shard.number < y->run.options.shard.number;
   });
-  properties::GateReport report = ordered[0]->report;
+  Run merged = ordered[0]->run;
   for (std::size_t i = 1; i < ordered.size(); ++i) {
-    add_report(report, ordered[i]->report);
+    add_report(merged, ordered[i]->run);
   }
-  complete_sum(report, {});
-  for (SubjectResult& result : report.results) {
-    result.witnesses = best_witnesses(result, report.options.families);
+  complete_sum(merged, {});
+  for (SubjectResult& result : merged.results) {
+    result.witnesses = best_witnesses(result, merged.options.families);
   }
-  const Run& first = ordered[0]->run;
-  std::vector<bool> counts;
-  for (const JudgedSubject& subject : first.subjects) {
-    counts.push_back(subject.counts);
-  }
-  Run merged = run_of(std::move(report), counts, first.absent, first.environment, first.settings.deviates, false);
-  merged.settings.without_case = first.settings.without_case;
-  return merged;
+  merged.is_shard = false;
+  return diagnosed(std::move(merged));
 }
 
 }  // namespace carom::report

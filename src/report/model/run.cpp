@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 #include <cctype>
-#include <chrono>
 
 #include <fmt/format.h>
 
 #include <carom/collision/json/text.hpp>
 #include <carom/report/model/exit_status.hpp>
 #include <carom/report/model/run.hpp>
-#include <carom/report/model/version.hpp>
 #include <carom/report/model/words.hpp>
 
 namespace carom::report {
-namespace {
 
-using properties::GateOptions;
 using properties::SubjectResult;
+
+Run diagnosed(Run run) {
+  run.diagnoses = properties::diagnosis::diagnose_all(run);
+  return run;
+}
 
 SubjectStatus status_of(const SubjectResult& result) {
   if (!result.violated_invariants().empty()) {
@@ -27,83 +28,17 @@ SubjectStatus status_of(const SubjectResult& result) {
   return result.is_sound() ? SubjectStatus::sound : SubjectStatus::not_judged;
 }
 
-Settings settings_of(const GateOptions& options, std::vector<std::string> deviates, bool is_shard) {
-  Settings settings;
-  settings.seed = options.seed;
-  if (options.budget) {
-    settings.budget_seconds = std::chrono::duration<double>(*options.budget).count();
-  } else {
-    settings.cases = options.cases;
-  }
-  settings.within = options.within;
-  settings.limits = options.limits;
-  settings.fail_fast = options.fail_fast;
-  settings.relations_every = options.relations_every;
-  settings.deviates = std::move(deviates);
-  if (is_shard) {
-    settings.shard = options.shard;
-  }
-  return settings;
+Digits digits_of(const SubjectResult& result) {
+  return {result.digits_at_least(0.5), result.digits_at_least(0.99), result.digits_at_least(1)};
 }
 
-Features features_of(const properties::FeatureCoverage& coverage) {
-  Features features;
-  features.met_pairs = coverage.met_pairs();
-  features.pairs = coverage.pairs();
-  for (std::size_t i = 0; i < properties::all_features().size(); ++i) {
-    features.cases[std::string(properties::all_features()[i].name)] = coverage.count(i);
-  }
-  return features;
+const std::string& why_not_judged(const SubjectResult& result) {
+  return result.error.empty() ? result.not_judged : result.error;
 }
 
-JudgedSubject judged_subject(SubjectResult result, const GateOptions& options, bool counts) {
-  JudgedSubject subject;
-  subject.counts = counts;
-  subject.status = status_of(result);
-  subject.worst = result.worst_backward_error(options);
-  subject.digits = {result.digits_at_least(0.5), result.digits_at_least(0.99), result.digits_at_least(1)};
-  for (const properties::Witness& witness : result.witnesses) {
-    subject.violations.push_back({witness.invariant, result.count(*witness.invariant).violated, witness.family,
-                                  witness.index, witness_path("", result.subject, *witness.invariant)});
-  }
-  if (subject.status != SubjectStatus::error) {
-    subject.never_judged = result.never_judged(options);
-  }
-  subject.result = std::move(result);
-  return subject;
-}
-
-}  // namespace
-
-Run run_of(properties::GateReport report, const std::vector<bool>& counts, std::vector<Subject> absent,
-           Environment environment, std::vector<std::string> deviates, bool is_shard, bool is_diagnosed) {
-  std::vector<properties::diagnosis::Diagnosis> diagnoses(report.results.size());
-  if (is_diagnosed) {
-    diagnoses = properties::diagnosis::diagnose_all(report);
-  }
-  const GateOptions& options = report.options;
-  Run run;
-  run.carom = version;
-  run.environment = std::move(environment);
-  run.settings = settings_of(options, std::move(deviates), is_shard);
-  run.interrupted = report.interrupted;
-  run.judge_error = report.judge_error;
-  for (std::size_t f = 0; f < options.families.size(); ++f) {
-    run.families.push_back(
-        {options.families[f], report.coverage[f],
-         f < report.sampled.size() ? std::move(report.sampled[f]) : std::vector<properties::SampledCase>()});
-  }
-  run.beyond_domain = options.beyond_domain;
-  run.features = features_of(report.features);
-  for (std::size_t s = 0; s < report.results.size(); ++s) {
-    run.subjects.push_back(judged_subject(std::move(report.results[s]), options, counts[s]));
-    if (diagnoses[s].telling != nullptr) {
-      run.subjects.back().diagnosis = diagnoses[s];
-    }
-    run.subjects.back().no_diagnosis = diagnoses[s].missing;
-  }
-  run.absent = std::move(absent);
-  return run;
+std::vector<const properties::Invariant*> never_judged(const Run& run, const SubjectResult& result) {
+  return status_of(result) == SubjectStatus::error ? std::vector<const properties::Invariant*>()
+                                                   : result.never_judged(run.options);
 }
 
 int Run::exit_status() const {
@@ -111,17 +46,18 @@ int Run::exit_status() const {
   bool violated = false;
   bool ended_early = false;
   bool failed = interrupted || judge_error;
-  for (const JudgedSubject& subject : subjects) {
-    if (!subject.counts) {
+  for (std::size_t s = 0; s < results.size(); ++s) {
+    if (!counts[s]) {
       continue;
     }
     judged = true;
+    const SubjectStatus status = status_of(results[s]);
     // A subject that was judged, but not to the end, is itself at fault.
-    const bool is_at_fault = subject.status == SubjectStatus::violated ||
-                             (subject.status == SubjectStatus::error && subject.result.cases() > 0);
+    const bool is_at_fault =
+        status == SubjectStatus::violated || (status == SubjectStatus::error && results[s].cases() > 0);
     violated = violated || is_at_fault;
-    ended_early = ended_early || !subject.result.error.empty();
-    failed = failed || (subject.status != SubjectStatus::sound && !is_at_fault);
+    ended_early = ended_early || !results[s].error.empty();
+    failed = failed || (status != SubjectStatus::sound && !is_at_fault);
   }
   if (failed || !judged) {
     return exit_usage;
@@ -162,9 +98,9 @@ std::string in_words(const Overall& overall) {
 Overall overall_of(const Run& run) {
   Overall overall;
   overall.interrupted = run.interrupted;
-  for (const JudgedSubject& subject : run.subjects) {
-    if (subject.counts) {
-      overall.add(subject.status, subject.violations.size());
+  for (std::size_t s = 0; s < run.results.size(); ++s) {
+    if (run.counts[s]) {
+      overall.add(status_of(run.results[s]), run.results[s].witnesses.size());
     }
   }
   return overall;
@@ -207,19 +143,20 @@ std::string replay_command(const std::string& witness_file, const Subject& subje
   return fmt::format("carom replay {}", quoted(witness_file)) + replay_options(subject, limits);
 }
 
-std::string replay_command(const properties::diagnosis::FaultWitness& witness, const Settings& settings,
+std::string replay_command(const properties::diagnosis::FaultWitness& witness, const properties::GateOptions& options,
                            const Subject& subject) {
   return fmt::format("carom replay --family {} --case {} --seed {}{}", witness.family->name, witness.index,
-                     settings.seed, within_option(settings.within)) +
-         replay_options(subject, settings.limits);
+                     options.seed, within_option(options.within)) +
+         replay_options(subject, options.limits);
 }
-std::vector<const properties::Witness*> witnesses_by_telling(const JudgedSubject& subject) {
+
+std::vector<const properties::Witness*> witnesses_by_telling(const Run& run, std::size_t s) {
   std::vector<const properties::Witness*> ordered;
-  for (const properties::Witness& witness : subject.result.witnesses) {
+  for (const properties::Witness& witness : run.results[s].witnesses) {
     ordered.push_back(&witness);
   }
   std::stable_partition(ordered.begin(), ordered.end(), [&](const properties::Witness* witness) {
-    return subject.diagnosis && witness->invariant == subject.diagnosis->telling;
+    return witness->invariant == run.diagnoses[s].telling;
   });
   return ordered;
 }

@@ -9,9 +9,8 @@
 
 namespace carom::report {
 
-RunFacts run_facts(const properties::GateOptions& options, const std::vector<Subject>& subjects,
-                   const std::vector<bool>& counts, const std::vector<Subject>& absent,
-                   const std::vector<std::string>& deviates) {
+RunFacts run_facts(const Run& run) {
+  const properties::GateOptions& options = run.options;
   std::vector<std::string> families;
   for (const auto* of_run : {&options.families, &options.beyond_domain}) {
     for (const properties::Family* family : *of_run) {
@@ -25,17 +24,17 @@ RunFacts run_facts(const properties::GateOptions& options, const std::vector<Sub
                  {"within", properties::to_text(options.within)},
                  {"yardstick", Json<oracles::Limits>::write(options.limits).dump()},
                  {"relations_every", std::to_string(options.relations_every)},
-                 {"deviates", listed(deviates)}};
+                 {"deviates", listed(run.deviates)}};
   std::vector<std::string> names;
-  for (const Subject& subject : subjects) {
-    names.push_back(subject.name);
+  for (const properties::SubjectResult& result : run.results) {
+    names.push_back(result.subject.name);
   }
-  for (const Subject& subject : absent) {
+  for (const Subject& subject : run.absent) {
     names.push_back(subject.name + " (absent)");
   }
   facts.emplace_back("subjects", listed(names));
-  for (std::size_t s = 0; s < subjects.size(); ++s) {
-    const Subject& subject = subjects[s];
+  for (std::size_t s = 0; s < run.results.size(); ++s) {
+    const Subject& subject = run.results[s].subject;
     const std::string of = " of " + subject.name;
     facts.emplace_back("specification" + of, subject.specification);
     facts.emplace_back("version" + of, subject.version);
@@ -44,19 +43,9 @@ RunFacts run_facts(const properties::GateOptions& options, const std::vector<Sub
     facts.emplace_back("deviates" + of, listed(subject.deviates));
     facts.emplace_back("claims" + of, properties::to_text(subject.effects));
     facts.emplace_back("collision matrix" + of, subject.shows_collision_matrix ? "shown" : "not shown");
-    facts.emplace_back("counts" + of, counts[s] ? "true" : "false");
+    facts.emplace_back("counts" + of, run.counts[s] ? "true" : "false");
   }
   return facts;
-}
-
-RunFacts run_facts(const ReadShard& shard) {
-  std::vector<Subject> subjects;
-  std::vector<bool> counts;
-  for (const JudgedSubject& judged : shard.run.subjects) {
-    subjects.push_back(judged.result.subject);
-    counts.push_back(judged.counts);
-  }
-  return run_facts(shard.report.options, subjects, counts, shard.run.absent, shard.run.settings.deviates);
 }
 
 std::optional<FactDifference> first_difference(const RunFacts& first, const RunFacts& second) {

@@ -6,19 +6,14 @@
 #include <utility>
 #include <vector>
 
-#include <carom/report/model/run_json.hpp>
+#include <carom/report/model/run.hpp>
 
 namespace carom::report {
 
 /// The facts that are the same in all shards of a run, in words. Each has the name of its field.
 using RunFacts = std::vector<std::pair<std::string, std::string>>;
 
-/// `counts` tells for each subject if it decides the exit status. `deviates` are those of the command line.
-[[nodiscard]] RunFacts run_facts(const properties::GateOptions& options, const std::vector<Subject>& subjects,
-                                 const std::vector<bool>& counts, const std::vector<Subject>& absent,
-                                 const std::vector<std::string>& deviates);
-
-[[nodiscard]] RunFacts run_facts(const ReadShard& shard);
+[[nodiscard]] RunFacts run_facts(const Run& run);
 
 struct FactDifference {
   std::string field;

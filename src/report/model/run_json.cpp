@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <functional>
 #include <limits>
 #include <set>
@@ -165,19 +166,6 @@ void fields(A& archive, Is<properties::Coverage> auto& coverage) {
 }
 
 template <class A>
-void fields(A& archive, Is<RunFamily> auto& family) {
-  archive("name", family.family);
-  archive.derived("summary", std::string(family.family->summary));
-  archive("coverage", family.coverage);
-}
-
-template <class A>
-void fields(A& archive, Is<Features> auto& features) {
-  archive("met_pairs", features.met_pairs);
-  archive("cases", features.cases);
-}
-
-template <class A>
 void fields(A& archive, Is<properties::diagnosis::FaultWitness> auto& witness) {
   archive("family", witness.family);
   archive("case", witness.index);
@@ -209,12 +197,6 @@ void fields(A& archive, Is<Digits> auto& digits) {
 }
 
 template <class A>
-void fields(A& archive, Is<properties::SubjectResult::WorstFamily> auto& worst) {
-  archive("ulps", worst.backward_error);
-  archive.derived("family", std::string(worst.family == nullptr ? "" : worst.family->name));
-}
-
-template <class A>
 void fields(A& archive, Is<properties::Count> auto& count) {
   archive("holds", count.holds);
   archive("violated", count.violated);
@@ -226,15 +208,6 @@ void fields(A& archive, Is<properties::Boundary> auto& boundary) {
   archive("quantity", boundary.quantity);
   archive("case", boundary.index);
   archive("invariant", boundary.invariant);
-}
-
-template <class A>
-void fields(A& archive, Is<Violation> auto& violation) {
-  archive("invariant", violation.invariant);
-  archive("count", violation.count);
-  archive("family", violation.family);
-  archive("case", violation.index);
-  archive("witness", violation.witness);
 }
 
 template <class A>
@@ -349,54 +322,61 @@ void results_field(Reader& archive, const char* name, const Families& families, 
   }
 }
 
-/// Families that a run posed.
-using Families = std::vector<const properties::Family*>;
-
-Families families_of(const Run& run) {
-  Families families;
-  for (const RunFamily& family : run.families) {
-    families.push_back(family.family);
-  }
-  return families;
+/// A violated invariant: the number of cases that violate it, and its witness. The witness is a separate file.
+json violation_record(const properties::Witness& witness, const properties::SubjectResult& result) {
+  return {{"invariant", witness.invariant->name},
+          {"count", result.count(*witness.invariant).violated},
+          {"family", witness.family->name},
+          {"case", witness.index},
+          {"witness", witness_path("", result.subject, *witness.invariant)}};
 }
 
+/// The fields that only a judged subject has, except those that follow from others.
 template <class A>
-void judged_fields(A& archive, const Run& run, Is<JudgedSubject> auto& subject) {
-  auto& result = subject.result;
-  archive.derived("worst_backward_error", subject.worst);
-  archive.derived("digits", subject.digits);
+void judged_fields(A& archive, const Run& run, Is<properties::SubjectResult> auto& result) {
   archive("nanoseconds_per_solve", result.nanoseconds_per_solve);
-  results_field(archive, "families", families_of(run), result.families,
+  results_field(archive, "families", run.options.families, result.families,
                 [](auto& each, const auto& family, auto& of_family) { posed_fields(each, family, of_family); });
-  archive.derived("cases", result.cases());
-  archive.derived("skipped", result.skipped());
-  archive.derived("not_judged", result.unjudged());
   bool has_beyond_domain = !result.beyond_domain.empty();
   if constexpr (A::reads) {
     has_beyond_domain = archive.record.find("beyond_domain").has_value();
-    if (result.families.size() != run.families.size()) {
-      archive.record.at("families").fail(fmt::format("{} families", run.families.size()));
-    }
   }
   if (has_beyond_domain) {
     results_field(
-        archive, "beyond_domain", run.beyond_domain, result.beyond_domain,
+        archive, "beyond_domain", run.options.beyond_domain, result.beyond_domain,
         [](auto& each, const auto& family, auto& of_family) { beyond_domain_fields(each, family, of_family); });
   }
   archive.unless_default("error_beyond_domain", result.error_beyond_domain);
-  if constexpr (!A::reads) {
-    archive.unless_default("never_judged", subject.never_judged);
-    archive.unless_default("diagnosis", subject.diagnosis);
-    archive.unless_default("no_diagnosis", subject.no_diagnosis);
+}
+
+void add_derived_fields(Writer& archive, const Run& run, std::size_t s) {
+  const properties::SubjectResult& result = run.results[s];
+  const auto worst = result.worst_backward_error(run.options);
+  archive.record["worst_backward_error"] = {{"ulps", number_to_json(worst.backward_error)},
+                                            {"family", worst.family == nullptr ? "" : worst.family->name}};
+  archive("digits", digits_of(result));
+  archive("cases", result.cases());
+  archive("skipped", result.skipped());
+  archive("not_judged", result.unjudged());
+  archive.unless_default("never_judged", never_judged(run, result));
+  archive.record["violations"] = json::array();
+  for (const properties::Witness& witness : result.witnesses) {
+    archive.record["violations"].push_back(violation_record(witness, result));
   }
-  archive("violations", subject.violations);
+  const properties::diagnosis::Diagnosis& diagnosis = run.diagnoses[s];
+  if (diagnosis.telling != nullptr) {
+    archive("diagnosis", diagnosis);
+  }
+  archive.unless_default("no_diagnosis", diagnosis.missing);
 }
 
 /// The fields that every subject has, including an absent one.
 template <class A>
 void standing_fields(A& archive, Is<Subject> auto& subject, auto&& counts, auto&& status, auto&& error) {
   subject_fields(archive, subject);
-  archive.derived("not_claimed", properties::not_claimed_without_matrix(subject));
+  if constexpr (!A::reads) {
+    archive("not_claimed", properties::not_claimed_without_matrix(subject));
+  }
   archive("counts", counts);
   archive("status", status);
   archive("error", error);
@@ -404,10 +384,12 @@ void standing_fields(A& archive, Is<Subject> auto& subject, auto&& counts, auto&
 
 void subjects_field(Writer& archive, const Run& run) {
   json list = json::array();
-  for (const JudgedSubject& subject : run.subjects) {
+  for (std::size_t s = 0; s < run.results.size(); ++s) {
+    const properties::SubjectResult& result = run.results[s];
     Writer writer;
-    standing_fields(writer, subject.result.subject, subject.counts, subject.status, subject.why_not_judged());
-    judged_fields(writer, run, subject);
+    standing_fields(writer, result.subject, bool{run.counts[s]}, status_of(result), why_not_judged(result));
+    judged_fields(writer, run, result);
+    add_derived_fields(writer, run, s);
     list.push_back(std::move(writer.record));
   }
   for (const Subject& subject : run.absent) {
@@ -423,35 +405,48 @@ void subjects_field(Reader& archive, Run& run) {
   for (const Field& record : archive.record.at("subjects").elements()) {
     require_new(names, record.at("name"));
     Reader reader(record);
-    JudgedSubject subject;
+    properties::SubjectResult result;
+    bool counts = false;
+    SubjectStatus status{};
     std::string error;
-    standing_fields(reader, subject.result.subject, subject.counts, subject.status, error);
-    if (subject.status == SubjectStatus::absent) {
-      run.absent.push_back(std::move(subject.result.subject));
+    standing_fields(reader, result.subject, counts, status, error);
+    if (status == SubjectStatus::absent) {
+      run.absent.push_back(std::move(result.subject));
       run.absent.back().absent = error;
       continue;
     }
     // A subject with a violation may also have ended early.
-    (subject.status == SubjectStatus::not_judged ? subject.result.not_judged : subject.result.error) = error;
-    judged_fields(reader, run, subject);
-    run.subjects.push_back(std::move(subject));
+    (status == SubjectStatus::not_judged ? result.not_judged : result.error) = error;
+    judged_fields(reader, run, result);
+    if (result.families.size() != run.options.families.size()) {
+      record.at("families").fail(fmt::format("{} families", run.options.families.size()));
+    }
+    for (const Field& violation : record.at("violations").elements()) {
+      properties::Witness& witness = result.witnesses.emplace_back();
+      witness.invariant = Json<const properties::Invariant*>::read(violation.at("invariant"));
+      witness.family = Json<const properties::Family*>::read(violation.at("family"));
+      witness.index = violation.at("case").count();
+    }
+    run.counts.push_back(counts);
+    run.results.push_back(std::move(result));
   }
+  run.diagnoses.resize(run.results.size());
 }
 
 /// The data that only merged_run needs. For each subject it has the histogram of correct digits, and the findings
 /// (findings.hpp) of each family in which the subject violates an invariant.
 json shard_record(const Run& run) {
-  json record{{"number", run.settings.shard->number},
-              {"of", run.settings.shard->of},
-              {"pairs", run.features.pairs},
+  json record{{"number", run.options.shard.number},
+              {"of", run.options.shard.of},
+              {"pairs", run.features.pairs()},
               {"digits", json::array()},
               {"findings", json::array()}};
-  for (const JudgedSubject& subject : run.subjects) {
-    record["digits"].push_back(Json<DigitsHistogram>::write(subject.result.digits));
+  for (const properties::SubjectResult& result : run.results) {
+    record["digits"].push_back(Json<DigitsHistogram>::write(result.digits));
     json findings = json::object();
-    for (std::size_t f = 0; f < subject.result.families.size(); ++f) {
-      if (!subject.result.families[f].worst.empty()) {
-        findings[std::string(run.families[f].family->name)] = findings_record(subject.result.families[f]);
+    for (std::size_t f = 0; f < result.families.size(); ++f) {
+      if (!result.families[f].worst.empty()) {
+        findings[std::string(run.options.families[f]->name)] = findings_record(result.families[f]);
       }
     }
     record["findings"].push_back(std::move(findings));
@@ -465,88 +460,6 @@ properties::Shard shard_number_from(const Field& record) {
     record.at("number").fail("a number from 1 to the number of shards");
   }
   return shard;
-}
-
-void beyond_domain_field(Writer& archive, const Families& families) {
-  for (const properties::Family* family : families) {
-    archive.record["beyond_domain"].push_back(
-        {{"name", family->name}, {"summary", family->summary}, {"quantity", family->beyond.name}});
-  }
-}
-
-void beyond_domain_field(Reader& archive, Families& families) {
-  if (const std::optional<Field> list = archive.record.find("beyond_domain")) {
-    for (const Field& family : list->elements()) {
-      families.push_back(Json<const properties::Family*>::read(family.at("name")));
-      if (!families.back()->is_beyond_domain()) {
-        family.at("name").fail("the name of a family beyond the claimed domain");
-      }
-    }
-  }
-}
-
-template <class A>
-void fields(A& archive, Is<Run> auto& run) {
-  archive("carom", run.carom);
-  archive("environment", run.environment);
-  archive("seed", run.settings.seed);
-  archive("cases_of_each_family", run.settings.cases);
-  archive.unless_default("budget_seconds", run.settings.budget_seconds);
-  archive.unless_default("within", run.settings.within);
-  archive.unless_default("without_case", run.settings.without_case);
-  archive("yardstick", run.settings.limits);
-  archive.unless_default("fail_fast", run.settings.fail_fast);
-  archive.unless_default("relations_every", run.settings.relations_every);
-  archive.unless_default("deviates", run.settings.deviates);
-  archive.derived("exit_status", static_cast<std::uint64_t>(run.exit_status()));
-  archive("interrupted", run.interrupted);
-  archive.unless_default("judge_error", run.judge_error);
-  archive("families", run.families);
-  beyond_domain_field(archive, run.beyond_domain);
-  archive("features", run.features);
-  if constexpr (A::reads) {
-    std::set<std::string> names;
-    for (const Field& family : archive.record.at("families").elements()) {
-      require_new(names, family.at("name"));
-    }
-    if (const std::optional<Field> shard = archive.record.find("shard")) {
-      run.settings.shard = shard_number_from(*shard);
-    }
-  } else {
-    if (run.settings.shard) {
-      archive.record["shard"] = shard_record(run);
-    }
-    if (run.baseline) {
-      archive.record["baseline"] = baseline_record(*run.baseline);
-    }
-  }
-  subjects_field(archive, run);
-}
-
-properties::GateOptions options_from(const Field& record, const Run& run) {
-  properties::GateOptions options;
-  options.seed = run.settings.seed;
-  options.cases = record.at("cases_of_each_family").count();
-  options.within = run.settings.within;
-  options.limits = run.settings.limits;
-  options.relations_every = run.settings.relations_every;
-  options.shard = *run.settings.shard;
-  options.families = families_of(run);
-  options.beyond_domain = run.beyond_domain;
-  return options;
-}
-
-properties::FeatureCoverage coverage_of(const Field& features, const Field& pairs) {
-  std::vector<std::uint64_t> counts;
-  for (const properties::Feature& feature : properties::all_features()) {
-    counts.push_back(features.at("cases").at(std::string(feature.name)).count());
-  }
-  std::optional<properties::FeatureCoverage> coverage =
-      properties::FeatureCoverage::reported(std::move(counts), pairs.text());
-  if (!coverage) {
-    pairs.fail("hexadecimal digits, one for four pairs of features");
-  }
-  return *std::move(coverage);
 }
 
 /// Reads all data of the subject in the shard, except its counts.
@@ -577,9 +490,99 @@ void read_shard_of_subject(const Field& shard, std::size_t s, const properties::
   }
 }
 
+void families_fields(Writer& archive, const Run& run) {
+  json& families = archive.record["families"] = json::array();
+  for (std::size_t f = 0; f < run.options.families.size(); ++f) {
+    const properties::Family& family = *run.options.families[f];
+    families.push_back({{"name", family.name},
+                        {"summary", family.summary},
+                        {"coverage", Json<properties::Coverage>::write(run.coverage[f])}});
+  }
+  for (const properties::Family* family : run.options.beyond_domain) {
+    archive.record["beyond_domain"].push_back(
+        {{"name", family->name}, {"summary", family->summary}, {"quantity", family->beyond.name}});
+  }
+}
+
+void families_fields(Reader& archive, Run& run) {
+  std::set<std::string> names;
+  for (const Field& family : archive.record.at("families").elements()) {
+    require_new(names, family.at("name"));
+    run.options.families.push_back(Json<const properties::Family*>::read(family.at("name")));
+    run.coverage.push_back(Json<properties::Coverage>::read(family.at("coverage")));
+  }
+  if (const std::optional<Field> list = archive.record.find("beyond_domain")) {
+    for (const Field& family : list->elements()) {
+      run.options.beyond_domain.push_back(Json<const properties::Family*>::read(family.at("name")));
+      if (!run.options.beyond_domain.back()->is_beyond_domain()) {
+        family.at("name").fail("the name of a family beyond the claimed domain");
+      }
+    }
+  }
+}
+
+void features_field(Writer& archive, const Run& run) {
+  json cases = json::object();
+  for (std::size_t i = 0; i < properties::all_features().size(); ++i) {
+    cases[std::string(properties::all_features()[i].name)] = run.features.count(i);
+  }
+  archive.record["features"] = {{"met_pairs", run.features.met_pairs()}, {"cases", std::move(cases)}};
+}
+
+void features_field(Reader& archive, Run& run) {
+  const Field features = archive.record.at("features");
+  const Field pairs = archive.record.at("shard").at("pairs");
+  std::vector<std::uint64_t> counts;
+  for (const properties::Feature& feature : properties::all_features()) {
+    counts.push_back(features.at("cases").at(std::string(feature.name)).count());
+  }
+  std::optional<properties::FeatureCoverage> coverage =
+      properties::FeatureCoverage::reported(std::move(counts), pairs.text());
+  if (!coverage) {
+    pairs.fail("hexadecimal digits, one for four pairs of features");
+  }
+  run.features = *std::move(coverage);
+}
+
+/// The fields that are in every report, and that a shard is read from.
+template <class A>
+void run_fields(A& archive, Is<Run> auto& run) {
+  auto& options = run.options;
+  archive("carom", run.carom);
+  archive("environment", run.environment);
+  archive("seed", options.seed);
+  archive("cases_of_each_family", options.cases);
+  archive.unless_default("within", options.within);
+  archive.unless_default("without_case", run.without_case);
+  archive("yardstick", options.limits);
+  archive.unless_default("relations_every", options.relations_every);
+  archive.unless_default("deviates", run.deviates);
+  archive("interrupted", run.interrupted);
+  archive.unless_default("judge_error", run.judge_error);
+  families_fields(archive, run);
+  features_field(archive, run);
+  subjects_field(archive, run);
+}
+
 json environment_record(const Environment& environment) { return Json<Environment>::write(environment); }
 
-json report_record(const Run& run) { return Json<Run>::write(run); }
+json report_record(const Run& run) {
+  Writer archive;
+  run_fields(archive, run);
+  if (run.options.budget) {
+    archive.record["cases_of_each_family"] = nullptr;
+    archive("budget_seconds", std::chrono::duration<double>(*run.options.budget).count());
+  }
+  archive.unless_default("fail_fast", run.options.fail_fast);
+  archive("exit_status", static_cast<std::uint64_t>(run.exit_status()));
+  if (run.is_shard) {
+    archive.record["shard"] = shard_record(run);
+  }
+  if (run.baseline) {
+    archive.record["baseline"] = baseline_record(*run.baseline);
+  }
+  return std::move(archive.record);
+}
 
 RecordedSubject recorded_subject(const Field& record, const std::vector<std::string>& families) {
   const auto texts = [&](const Field& list) {
@@ -704,22 +707,19 @@ ReadShard shard_from(const json& json_record, const std::string& file) {
     throw FormatError(
         "/shard", "is missing: this report is not of a shard; merge needs reports of `carom gate --shard I/N --out`");
   }
-  ReadShard shard{file, Json<Run>::read(record), {}};
-  properties::GateReport& report = shard.report;
-  report.options = options_from(record, shard.run);
-  for (const RunFamily& family : shard.run.families) {
-    report.coverage.push_back(family.coverage);
-  }
-  report.judge_error = shard.run.judge_error;
-  report.features = coverage_of(record.at("features"), record.at("shard").at("pairs"));
-  for (const JudgedSubject& subject : shard.run.subjects) {
-    report.results.push_back(subject.result);
-    read_shard_of_subject(record.at("shard"), report.results.size() - 1, report.options, report.results.back());
+  ReadShard shard{file, {}};
+  Run& run = shard.run;
+  run.is_shard = true;
+  run.options.shard = shard_number_from(record.at("shard"));
+  Reader reader(record);
+  run_fields(reader, run);
+  for (std::size_t s = 0; s < run.results.size(); ++s) {
+    read_shard_of_subject(record.at("shard"), s, run.options, run.results[s]);
   }
   return shard;
 }
 
-json witness_record(const properties::Witness& witness, const Subject& subject, const Settings& settings,
+json witness_record(const properties::Witness& witness, const Subject& subject, const properties::GateOptions& options,
                     const std::string& witness_file) {
   json record = Json<properties::Witness>::write(witness);
   Writer of_subject;
@@ -728,9 +728,9 @@ json witness_record(const properties::Witness& witness, const Subject& subject, 
   record["subject"] = std::move(of_subject.record);
   record["statement"] = witness.invariant->statement;
   record["formula"] = witness.invariant->formula;
-  record["seed"] = settings.seed;
-  record["yardstick"] = Json<oracles::Limits>::write(settings.limits);
-  record["replay"] = replay_command(witness_file, subject, settings.limits);
+  record["seed"] = options.seed;
+  record["yardstick"] = Json<oracles::Limits>::write(options.limits);
+  record["replay"] = replay_command(witness_file, subject, options.limits);
   const properties::JudgedCase judged_case(witness.shrunk, true, subject.effects);
   if (!judged_case.is_valid()) {
     return record;

@@ -16,11 +16,10 @@ namespace carom::report {
 /// The report.json that docs/reference/schemas/report.schema.json describes.
 [[nodiscard]] nlohmann::json report_record(const Run& run);
 
-/// A shard that was read, as a run and as the gate's report.
+/// A shard that was read, without samples and diagnoses. Each witness has only its invariant, family and number.
 struct ReadShard {
   std::string file;
-  Run run;                        // without `sampled`, and without the witnesses
-  properties::GateReport report;  // without the witnesses of run.subjects[…].violations
+  Run run;
 };
 
 /// Throws FormatError, also if the report is no shard, is of another version of Carom, or was interrupted.
@@ -28,7 +27,7 @@ struct ReadShard {
 
 /// A witness as one file, with the command that replays it.
 [[nodiscard]] nlohmann::json witness_record(const properties::Witness& witness, const Subject& subject,
-                                            const Settings& settings, const std::string& witness_file);
+                                            const properties::GateOptions& options, const std::string& witness_file);
 
 /// Reads what witness_record wrote. Throws FormatError, also if the witness violates another invariant than
 /// `invariant`.

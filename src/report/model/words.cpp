@@ -13,8 +13,8 @@ namespace carom::report {
 
 namespace {
 
-std::string budget_in_words(double seconds) {
-  return in_words(std::chrono::round<std::chrono::nanoseconds>(std::chrono::duration<double>(seconds)));
+std::string budget_in_words(const Run& run) {
+  return in_words(run.options.budget.value_or(std::chrono::nanoseconds(0)));
 }
 
 }  // namespace
@@ -42,35 +42,33 @@ std::string within_option(const properties::Domain& domain) {
 }
 
 std::string extent_of(const Run& run) {
-  const Settings& settings = run.settings;
+  const properties::GateOptions& options = run.options;
   const std::string extent =
-      settings.budget_seconds
-          ? fmt::format("{} on {} families in turn", budget_in_words(*settings.budget_seconds), run.families.size())
-          : fmt::format("{} cases of each of {} families", settings.cases.value_or(0), run.families.size());
-  const std::string shard = settings.shard && settings.shard->of > 1
-                                ? fmt::format(", shard {} of {}", settings.shard->number, settings.shard->of)
+      options.budget ? fmt::format("{} on {} families in turn", budget_in_words(run), options.families.size())
+                     : fmt::format("{} cases of each of {} families", options.cases, options.families.size());
+  const std::string shard = run.is_shard && options.shard.of > 1
+                                ? fmt::format(", shard {} of {}", options.shard.number, options.shard.of)
                                 : "";
-  const std::string within = settings.within.is_everything() ? "" : " within " + properties::to_text(settings.within);
-  return extent + within + shard + (settings.fail_fast ? ", each subject to its first violation" : "");
+  const std::string within = options.within.is_everything() ? "" : " within " + properties::to_text(options.within);
+  return extent + within + shard + (options.fail_fast ? ", each subject to its first violation" : "");
 }
 
-std::string cases_judged(const Run& run, const JudgedSubject& subject) {
-  const auto& families = subject.result.families;
+std::string cases_judged(const Run& run, const properties::SubjectResult& result) {
+  const auto& families = result.families;
   const auto fewest = std::min_element(families.begin(), families.end(),
                                        [](const auto& x, const auto& y) { return x.cases < y.cases; });
-  return fmt::format("judged on {} cases in {}; the fewest cases are {} of {}", subject.result.cases(),
-                     budget_in_words(run.settings.budget_seconds.value_or(0)), fewest->cases,
-                     run.families[static_cast<std::size_t>(fewest - families.begin())].family->name);
+  return fmt::format("judged on {} cases in {}; the fewest cases are {} of {}", result.cases(), budget_in_words(run),
+                     fewest->cases, run.options.families[static_cast<std::size_t>(fewest - families.begin())]->name);
 }
 
 std::string adjusted_sentences(const Run& run) {
   using properties::Adjustment;
   properties::Coverage all;
-  for (const RunFamily& family : run.families) {
-    all += family.coverage;
+  for (const properties::Coverage& of_family : run.coverage) {
+    all += of_family;
   }
   std::vector<std::string> without_case;
-  for (const properties::Family* family : run.settings.without_case) {
+  for (const properties::Family* family : run.without_case) {
     without_case.emplace_back(family->name);
   }
   const std::string not_posed =
@@ -85,14 +83,16 @@ std::string adjusted_sentences(const Run& run) {
                          all.adjusted[Adjustment::reversed], all.adjusted[Adjustment::drawn_again]);
 }
 
-std::string verdict_in_words(const JudgedSubject& subject) {
-  return subject.status == SubjectStatus::violated ? fmt::format("{} violated", subject.violations.size())
-                                                   : std::string(name_of(subject.status));
+std::string verdict_in_words(const properties::SubjectResult& result) {
+  const SubjectStatus status = status_of(result);
+  return status == SubjectStatus::violated ? fmt::format("{} violated", result.witnesses.size())
+                                           : std::string(name_of(status));
 }
 
-std::string worst_in_words(const JudgedSubject& subject) {
-  return determines_outcome(subject.result.subject.law) ? fmt::format("{:.3g}", subject.worst.backward_error)
-                                                        : no_number;
+std::string worst_in_words(const Run& run, const properties::SubjectResult& result) {
+  return determines_outcome(result.subject.law)
+             ? fmt::format("{:.3g}", result.worst_backward_error(run.options).backward_error)
+             : no_number;
 }
 
 std::string violated_of_judged(const properties::Count& count) {
@@ -112,9 +112,14 @@ std::string summary_of(const Run& run) {
   const std::size_t counted = overall.subjects;
   const std::size_t sound = overall.sound;
   const std::size_t violated = overall.violating_subjects;
-  const auto in_error = static_cast<std::size_t>(std::ranges::count_if(run.subjects, [](const JudgedSubject& subject) {
-    return subject.counts && subject.status == SubjectStatus::error;
-  }));
+  const auto counting = [&](const auto& is_so) {
+    std::size_t count = 0;
+    for (std::size_t s = 0; s < run.results.size(); ++s) {
+      count += run.counts[s] && is_so(run.results[s]) ? 1 : 0;
+    }
+    return count;
+  };
+  const std::size_t in_error = counting([](const auto& result) { return status_of(result) == SubjectStatus::error; });
   const std::size_t not_judged = counted - sound - violated - in_error;
   std::string text;
   if (counted == 0) {
@@ -127,9 +132,7 @@ std::string summary_of(const Run& run) {
   } else if (counted == 1 && not_judged == 1) {
     text = "The one subject that counts is not judged";
   } else if (counted == 1) {
-    const bool is_judged = std::any_of(run.subjects.begin(), run.subjects.end(), [](const JudgedSubject& subject) {
-      return subject.counts && subject.result.cases() > 0;
-    });
+    const bool is_judged = counting([](const auto& result) { return result.cases() > 0; }) > 0;
     text = fmt::format("The one subject that counts could not be judged {}", is_judged ? "to the end" : "at all");
   } else {
     text = fmt::format("Of {} subjects that count, {} {} sound, {} {} an invariant", counted, sound,
@@ -137,7 +140,7 @@ std::string summary_of(const Run& run) {
     text += not_judged == 0 ? "" : fmt::format(", {} {} not judged", not_judged, not_judged == 1 ? "is" : "are");
     text += in_error == 0 ? "" : fmt::format(", and {} could not be judged to the end", in_error);
   }
-  const std::size_t kept = run.subjects.size() - counted;
+  const std::size_t kept = run.results.size() - counted;
   text += kept == 0 ? ""
                     : fmt::format("; {} more {} kept because {}", kept, kept == 1 ? "is" : "are",
                                   kept == 1 ? "it fails" : "they fail");

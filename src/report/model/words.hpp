@@ -25,17 +25,17 @@ namespace carom::report {
 
 /// For a run with a budget: the number of cases that the subject was judged on, and the family with the fewest cases. A
 /// verdict "sound" refers to these cases. Precondition: there is a family.
-[[nodiscard]] std::string cases_judged(const Run& run, const JudgedSubject& subject);
+[[nodiscard]] std::string cases_judged(const Run& run, const properties::SubjectResult& result);
 
 /// The changes that families made to cases after drawing them: one sentence for each kind of change, with its number
 /// of cases.
 [[nodiscard]] std::string adjusted_sentences(const Run& run);
 
 /// "3 violated", or the status.
-[[nodiscard]] std::string verdict_in_words(const JudgedSubject& subject);
+[[nodiscard]] std::string verdict_in_words(const properties::SubjectResult& result);
 
 /// The worst backward error [ulps] with three significant digits, or no_number for a law that determines no outcome.
-[[nodiscard]] std::string worst_in_words(const JudgedSubject& subject);
+[[nodiscard]] std::string worst_in_words(const Run& run, const properties::SubjectResult& result);
 
 /// "12 of 1000".
 [[nodiscard]] std::string violated_of_judged(const properties::Count& count);

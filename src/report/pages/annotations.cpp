@@ -37,15 +37,14 @@ std::string command(std::string_view name, const std::string& title, const std::
                      escaped(printable(message, longest_message), ""));
 }
 
-std::string violation(const Run& run, const JudgedSubject& subject, const Witness& witness,
+std::string violation(const Run& run, const properties::SubjectResult& result, const Witness& witness,
                       const std::string& out_directory) {
-  const std::string& name = subject.result.subject.name;
+  const std::string& name = result.subject.name;
   const properties::Invariant& invariant = *witness.invariant;
-  std::string message =
-      fmt::format("{}, most often in {}. {}\n{}", violated_of_judged_cases(subject.result.count(invariant)),
-                  witness.family->name, invariant.statement, properties::in_words(witness.verdict));
+  std::string message = fmt::format("{}, most often in {}. {}\n{}", violated_of_judged_cases(result.count(invariant)),
+                                    witness.family->name, invariant.statement, properties::in_words(witness.verdict));
   if (!out_directory.empty()) {
-    message += '\n' + replay_line(run, subject, witness, out_directory);
+    message += '\n' + replay_line(run, result.subject, witness, out_directory);
   }
   const bool known = run.baseline && is_known(*run.baseline, name, invariant);
   return command(known ? "notice" : "error",
@@ -60,29 +59,28 @@ std::string github_annotations(const Run& run, const std::string& out_directory)
   if (run.judge_error) {
     text += command("error", "the judge failed", properties::in_words(*run.judge_error));
   }
-  for (const JudgedSubject& subject : run.subjects) {
-    if (!subject.counts) {
+  for (std::size_t s = 0; s < run.results.size(); ++s) {
+    if (!run.counts[s]) {
       continue;
     }
-    const std::string& name = subject.result.subject.name;
-    if (subject.diagnosis) {
-      for (const properties::diagnosis::Fault& fault : subject.diagnosis->faults) {
-        text += command("notice", "diagnosis of " + name,
-                        fmt::format("{}", fmt::join(properties::diagnosis::lines_of(fault), "\n")));
-      }
+    const properties::SubjectResult& result = run.results[s];
+    const std::string& name = result.subject.name;
+    for (const properties::diagnosis::Fault& fault : run.diagnoses[s].faults) {
+      text += command("notice", "diagnosis of " + name,
+                      fmt::format("{}", fmt::join(properties::diagnosis::lines_of(fault), "\n")));
     }
-    for (const Witness* witness : witnesses_by_telling(subject)) {
-      text += violation(run, subject, *witness, out_directory);
+    for (const Witness* witness : witnesses_by_telling(run, s)) {
+      text += violation(run, result, *witness, out_directory);
     }
-    if (!subject.why_not_judged().empty()) {
-      text += command("error", fmt::format("{} could not be judged", name), subject.why_not_judged());
+    if (!why_not_judged(result).empty()) {
+      text += command("error", fmt::format("{} could not be judged", name), why_not_judged(result));
     }
   }
   const Overall overall = overall_of(run);
   return text +
          command("notice", "carom: " + in_words(overall),
                  fmt::format("{} of {} subjects that count are sound; {}, seed {}{}", overall.sound, overall.subjects,
-                             extent_of(run), run.settings.seed, overall.interrupted ? "; interrupted" : "") +
+                             extent_of(run), run.options.seed, overall.interrupted ? "; interrupted" : "") +
                      (run.baseline ? "; against the baseline " + baseline_verdict(*run.baseline) : ""));
 }
 

@@ -36,12 +36,12 @@ Table coverage_table(const Run& run) {
   for (const Counted& one : counted) {
     table.columns.push_back({one.name, true});
   }
-  for (const RunFamily& family : run.families) {
-    Cell name{std::string(family.family->name)};
-    name.small = family.family->summary;
+  for (std::size_t f = 0; f < run.coverage.size(); ++f) {
+    Cell name{std::string(run.options.families[f]->name)};
+    name.small = run.options.families[f]->summary;
     Row row{{std::move(name)}};
     for (const Counted& one : counted) {
-      row.cells.push_back(number_cell(family.coverage.*one.count));
+      row.cells.push_back(number_cell(run.coverage[f].*one.count));
     }
     table.rows.push_back(std::move(row));
   }
@@ -49,8 +49,8 @@ Table coverage_table(const Run& run) {
 }
 
 std::string features_in_words(const Run& run) {
-  const std::string met = fmt::format("{} pairs of features in colliding cases", run.features.met_pairs);
-  return run.settings.within.is_everything()
+  const std::string met = fmt::format("{} pairs of features in colliding cases", run.features.met_pairs());
+  return run.options.within.is_everything()
              ? fmt::format("{} (20,000 cases of each family have {})", met, properties::pairs_of_long_run)
              : met;
 }
@@ -59,10 +59,10 @@ Table features_table(const Run& run) {
   Table table{"Number of colliding cases with each feature, over all families",
               {{"feature"}, {"definition"}, {"cases", true}},
               {}};
-  for (const properties::Feature& feature : properties::all_features()) {
-    const auto cases = run.features.cases.find(std::string(feature.name));
+  for (std::size_t i = 0; i < properties::all_features().size(); ++i) {
+    const properties::Feature& feature = properties::all_features()[i];
     table.rows.push_back({{std::string(feature.name), Cell(std::string(feature.statement), "word"),
-                           number_cell(cases == run.features.cases.end() ? 0 : cases->second)}});
+                           number_cell(run.features.count(i))}});
   }
   return table;
 }

@@ -35,7 +35,7 @@ std::string families_in_words(const Run& run, const SubjectResult& result) {
   for (std::size_t i = 0; i < std::min(shares.size(), most_named); ++i) {
     const auto& [f, percent] = shares[i];
     text += fmt::format("{}{} % of {}{}", i == 0 ? "" : ", ", percent, i == 0 ? "the judged cases of " : "",
-                        run.families[f].family->name);
+                        run.options.families[f]->name);
     if (const double error = result.families[f].worst_backward_error; error > 0) {
       text += fmt::format(" (backward error up to {:.2g} ulps)", error);
     }
@@ -55,7 +55,7 @@ Facts facts_of(const Run& run, const Subject& subject, const Diagnosis& diagnosi
     facts.pairs.emplace_back("look at", fault.look_at);
     if (count > 1 && fault.witness) {
       facts.pairs.emplace_back("witness",
-                               fmt::format("{} violates {}", replay_command(*fault.witness, run.settings, subject),
+                               fmt::format("{} violates {}", replay_command(*fault.witness, run.options, subject),
                                            fault.witness->invariant->name));
     }
   }
@@ -66,27 +66,27 @@ Facts facts_of(const Run& run, const Subject& subject, const Diagnosis& diagnosi
 std::string in_its_family(const Run& run, const SubjectResult& result, const Witness& witness) {
   for (std::size_t f = 0; f < result.families.size(); ++f) {
     const auto count = result.families[f].counts.find(witness.invariant);
-    if (run.families[f].family == witness.family && count != result.families[f].counts.end()) {
+    if (run.options.families[f] == witness.family && count != result.families[f].counts.end()) {
       return fmt::format("{} ({})", witness.family->name, violated_of_judged_cases(count->second));
     }
   }
   return std::string(witness.family->name);
 }
 
-std::string diagnosis_missing(const JudgedSubject& subject) {
-  return "the diagnosis is missing, because it failed: " + subject.no_diagnosis;
+std::string diagnosis_missing(const Diagnosis& diagnosis) {
+  return "the diagnosis is missing, because it failed: " + diagnosis.missing;
 }
 
 void add_diagnosis(Document& document, const Run& run, std::size_t s) {
-  const JudgedSubject& subject = run.subjects[s];
-  const Diagnosis& diagnosis = *subject.diagnosis;
-  Facts facts = facts_of(run, subject.result.subject, diagnosis);
+  const Subject& subject = run.results[s].subject;
+  const Diagnosis& diagnosis = run.diagnoses[s];
+  Facts facts = facts_of(run, subject, diagnosis);
   Cell telling(fmt::format("witness of {}", diagnosis.telling->name));
   telling.link = '#' + witness_anchor(s, *diagnosis.telling);
   facts.pairs.emplace_back("best witness", std::move(telling));
   facts.pairs.emplace_back("its statement", std::string(diagnosis.telling->statement));
   std::vector<const properties::Invariant*> others;
-  const std::vector<const Witness*> witnesses = witnesses_by_telling(subject);
+  const std::vector<const Witness*> witnesses = witnesses_by_telling(run, s);
   for (const Witness* witness : witnesses) {
     if (witness->invariant != diagnosis.telling) {
       others.push_back(witness->invariant);
@@ -94,7 +94,7 @@ void add_diagnosis(Document& document, const Run& run, std::size_t s) {
   }
   facts.pairs.emplace_back("also violated", listed(others));
   const Witness& witness = *witnesses.front();
-  document.emplace_back(Section{subject.result.subject.name,
+  document.emplace_back(Section{subject.name,
                                 {std::move(facts), Code{properties::violation_in_words(
                                                        witness.shrunk.collision, witness.answer, witness.verdict)}},
                                 "",
@@ -108,23 +108,23 @@ std::string not_shrunk_in_words(const Witness& witness) {
   return "The witness is as it was drawn, because its simplification failed: " + witness.not_shrunk;
 }
 
-std::string replay_line(const Run& run, const JudgedSubject& subject, const Witness& witness,
+std::string replay_line(const Run& run, const Subject& subject, const Witness& witness,
                         const std::string& out_directory) {
-  const Subject& of = subject.result.subject;
-  return replay_command(witness_path(out_directory, of, *witness.invariant), of, run.settings.limits);
+  return replay_command(witness_path(out_directory, subject, *witness.invariant), subject, run.options.limits);
 }
 
-Section findings_part(const Run& run, const JudgedSubject& subject, const std::string& out_directory) {
-  const SubjectResult& result = subject.result;
+Section findings_part(const Run& run, std::size_t s, const std::string& out_directory) {
+  const SubjectResult& result = run.results[s];
+  const Diagnosis& diagnosis = run.diagnoses[s];
   Document content;
-  Facts facts = subject.diagnosis ? facts_of(run, result.subject, *subject.diagnosis) : Facts{};
-  if (!subject.no_diagnosis.empty()) {
-    facts.pairs.emplace_back("what is wrong", diagnosis_missing(subject));
+  Facts facts = diagnosis.telling != nullptr ? facts_of(run, result.subject, diagnosis) : Facts{};
+  if (!diagnosis.missing.empty()) {
+    facts.pairs.emplace_back("what is wrong", diagnosis_missing(diagnosis));
   }
   facts.pairs.emplace_back("in", families_in_words(run, result));
   content.emplace_back(std::move(facts));
   Table table{"", {{"invariant"}, {"violated in"}, {"most often in"}}, {}};
-  const std::vector<const Witness*> witnesses = witnesses_by_telling(subject);
+  const std::vector<const Witness*> witnesses = witnesses_by_telling(run, s);
   for (const Witness* witness : witnesses) {
     table.rows.push_back(
         {{std::string(witness->invariant->name), violated_of_judged_cases(result.count(*witness->invariant)),
@@ -137,7 +137,7 @@ Section findings_part(const Run& run, const JudgedSubject& subject, const std::s
   std::string words = fmt::format("{}\n{}", first.invariant->statement,
                                   properties::violation_in_words(first.shrunk.collision, first.answer, first.verdict));
   if (!out_directory.empty()) {
-    words += replay_line(run, subject, first, out_directory) + '\n';
+    words += replay_line(run, result.subject, first, out_directory) + '\n';
   }
   content.emplace_back(Code{std::move(words)});
   if (!first.not_shrunk.empty()) {
@@ -146,7 +146,7 @@ Section findings_part(const Run& run, const JudgedSubject& subject, const std::s
   if (!out_directory.empty() && witnesses.size() > 1) {
     std::string lines;
     for (const Witness* witness : std::span(witnesses).subspan(1)) {
-      lines += replay_line(run, subject, *witness, out_directory) + '\n';
+      lines += replay_line(run, result.subject, *witness, out_directory) + '\n';
     }
     content.emplace_back(Paragraph{"To replay the other witnesses:"});
     content.emplace_back(Code{std::move(lines)});
@@ -157,13 +157,13 @@ Section findings_part(const Run& run, const JudgedSubject& subject, const std::s
 Document diagnoses_part(const Run& run) {
   Document document;
   Document kept;
-  for (std::size_t s = 0; s < run.subjects.size(); ++s) {
-    if (!run.subjects[s].no_diagnosis.empty()) {
-      document.emplace_back(
-          Section{run.subjects[s].result.subject.name, {Paragraph{diagnosis_missing(run.subjects[s])}}});
+  for (std::size_t s = 0; s < run.results.size(); ++s) {
+    const Diagnosis& diagnosis = run.diagnoses[s];
+    if (!diagnosis.missing.empty()) {
+      document.emplace_back(Section{run.results[s].subject.name, {Paragraph{diagnosis_missing(diagnosis)}}});
     }
-    if (run.subjects[s].diagnosis) {
-      add_diagnosis(run.subjects[s].counts ? document : kept, run, s);
+    if (diagnosis.telling != nullptr) {
+      add_diagnosis(run.counts[s] ? document : kept, run, s);
     }
   }
   if (!kept.empty()) {

@@ -29,10 +29,10 @@ pugi::xml_node add_test(pugi::xml_node suite, const std::string& subject, std::s
 enum class Standing { failure, expected, known };
 
 Standing standing_of(const Run& run, std::size_t subject, const properties::Invariant& invariant) {
-  if (!run.subjects[subject].counts) {
+  if (!run.counts[subject]) {
     return Standing::expected;
   }
-  const bool known = run.baseline && is_known(*run.baseline, run.subjects[subject].result.subject.name, invariant);
+  const bool known = run.baseline && is_known(*run.baseline, run.results[subject].subject.name, invariant);
   return known ? Standing::known : Standing::failure;
 }
 
@@ -114,23 +114,23 @@ double seconds_of(const properties::SubjectResult& result) {
 }
 
 Totals add_judged(pugi::xml_node root, const Run& run, std::size_t subject) {
-  const properties::SubjectResult& result = run.subjects[subject].result;
-  const bool counts = run.subjects[subject].counts;
+  const properties::SubjectResult& result = run.results[subject];
+  const bool counts = run.counts[subject];
   const pugi::xml_node suite = add(root, "testsuite", {{"name", result.subject.name}});
   // JUnit requires properties before the tests.
   if (!result.beyond_domain.empty()) {
     const pugi::xml_node list = add(suite, "properties");
     for (std::size_t f = 0; f < result.beyond_domain.size(); ++f) {
       add(list, "property",
-          {{"name", fmt::format("beyond the claimed domain, {}", run.beyond_domain[f]->name)},
+          {{"name", fmt::format("beyond the claimed domain, {}", run.options.beyond_domain[f]->name)},
            {"value", boundary_in_words(result.beyond_domain[f])}});
     }
   }
-  for (const properties::Invariant* invariant : properties::claim_of(result.subject, run.settings.limits).invariants) {
+  for (const properties::Invariant* invariant : properties::claim_of(result.subject, run.options.limits).invariants) {
     add_case(suite, result, *invariant, standing_of(run, subject, *invariant));
   }
   const pugi::xml_node session = add_test(suite, result.subject.name, "session");
-  if (const std::string& why = run.subjects[subject].why_not_judged(); !why.empty()) {
+  if (const std::string& why = why_not_judged(run.results[subject]); !why.empty()) {
     const char* const message = result.error.empty() ? "not judged" : "could not be judged to the end";
     if (counts) {
       add(session, "error", {{"message", message}, {"type", "session"}}, why);
@@ -159,7 +159,7 @@ std::string junit_xml(const Run& run) {
     root.last_child().append_attribute("timestamp") = run.environment.date.c_str();
     all += totals;
   };
-  for (std::size_t s = 0; s < run.subjects.size(); ++s) {
+  for (std::size_t s = 0; s < run.results.size(); ++s) {
     close(add_judged(root, run, s));
   }
   for (const Subject& subject : run.absent) {

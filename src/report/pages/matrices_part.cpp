@@ -24,15 +24,15 @@ Table matrix(const Run& run, const char* caption, const char* look, const std::v
   }
   for (const bool counts : {true, false}) {
     bool is_first = true;
-    for (std::size_t s = 0; s < run.subjects.size(); ++s) {
-      if (run.subjects[s].counts != counts) {
+    for (std::size_t s = 0; s < run.results.size(); ++s) {
+      if (run.counts[s] != counts) {
         continue;
       }
       if (is_first && !counts) {
         table.rows.push_back({{"Kept because they fail, not counted"}, {}, true});
       }
       is_first = false;
-      Row row{{run.subjects[s].result.subject.name}};
+      Row row{{run.results[s].subject.name}};
       for (std::size_t column = 0; column < names.size(); ++column) {
         row.cells.push_back(cell_of(s, column));
       }
@@ -51,8 +51,8 @@ Cell signed_cell(const char* look, const char* sign, const char* spoken, std::st
 }
 
 Cell invariant_cell(const Run& run, std::size_t s, const properties::Invariant& invariant) {
-  const SubjectResult& result = run.subjects[s].result;
-  const properties::Claim claim = properties::claim_of(result.subject, run.settings.limits);
+  const SubjectResult& result = run.results[s];
+  const properties::Claim claim = properties::claim_of(result.subject, run.options.limits);
   if (std::find(claim.invariants.begin(), claim.invariants.end(), &invariant) == claim.invariants.end()) {
     return signed_cell("unclaimed", "·", "not claimed");
   }
@@ -128,10 +128,10 @@ Document invariants_part(const Run& run) {
 }
 
 Document families_part(const Run& run) {
-  const double limit = run.settings.limits.limit_ulps;
+  const double limit = run.options.limits.limit_ulps;
   std::vector<std::string> names;
-  for (const RunFamily& family : run.families) {
-    names.emplace_back(family.family->name);
+  for (const properties::Family* family : run.options.families) {
+    names.emplace_back(family->name);
   }
   return {Paragraph{fmt::format("The table shows the worst backward error in ulps of the subject's precision. Bold "
                                 "numbers are above the limit of {} ulps.",
@@ -139,7 +139,7 @@ Document families_part(const Run& run) {
           Picture{[limit](pugi::xml_node section) { draw_shades(section, limit); }},
           matrix(run, "Families: the worst backward error in each [ulps]", "matrix shaded", names,
                  [&](std::size_t s, std::size_t f) {
-                   const SubjectResult& result = run.subjects[s].result;
+                   const SubjectResult& result = run.results[s];
                    return family_cell(result, result.families[f], limit);
                  })};
 }
@@ -149,9 +149,9 @@ Document deviations_part(const Run& run) {
   const auto add_row = [&](const Subject& subject, std::string invariant, const char* why) {
     table.rows.push_back({{name_cell(subject.name), Cell(std::move(invariant), "word"), Cell(why, "word")}});
   };
-  const std::vector<std::string>& of_command_line = run.settings.deviates;
-  for (const JudgedSubject& judged_subject : run.subjects) {
-    const Subject& subject = judged_subject.result.subject;
+  const std::vector<std::string>& of_command_line = run.deviates;
+  for (const SubjectResult& result : run.results) {
+    const Subject& subject = result.subject;
     for (const std::string& deviation : subject.deviates) {
       const bool is_own = std::find(of_command_line.begin(), of_command_line.end(), deviation) == of_command_line.end();
       add_row(subject, deviation, is_own ? "the subject does not claim it" : "option --deviates");
@@ -173,9 +173,9 @@ Document deviations_part(const Run& run) {
 
 Document never_judged_part(const Run& run) {
   Table table{"Claimed invariants that no case judged", {{"subject"}, {"invariants"}}, {}};
-  for (const JudgedSubject& subject : run.subjects) {
-    if (!subject.never_judged.empty()) {
-      table.rows.push_back({{name_cell(subject.result.subject.name), Cell(listed(subject.never_judged), "word")}});
+  for (const SubjectResult& result : run.results) {
+    if (const auto never = never_judged(run, result); !never.empty()) {
+      table.rows.push_back({{name_cell(result.subject.name), Cell(listed(never), "word")}});
     }
   }
   if (table.rows.empty()) {
@@ -195,20 +195,21 @@ std::string boundary_in_words(const FamilyResult& family) {
 
 Document beyond_domain_part(const Run& run, Subjects which) {
   Table table{"Limits of each subject beyond the claimed domain", {{"subject"}}, {}};
-  for (const properties::Family* family : run.beyond_domain) {
+  for (const properties::Family* family : run.options.beyond_domain) {
     table.columns.push_back({fmt::format("{} ({})", family->name, family->beyond.name)});
   }
   bool was_posed = false;
-  for (const JudgedSubject& subject : run.subjects) {
-    was_posed = was_posed || !subject.result.beyond_domain.empty();
-    if (!subject.counts && which == Subjects::counting) {
+  for (std::size_t s = 0; s < run.results.size(); ++s) {
+    const SubjectResult& result = run.results[s];
+    was_posed = was_posed || !result.beyond_domain.empty();
+    if (!run.counts[s] && which == Subjects::counting) {
       continue;
     }
-    Row row{{name_cell(subject.result.subject.name)}};
-    for (const FamilyResult& family : subject.result.beyond_domain) {
+    Row row{{name_cell(result.subject.name)}};
+    for (const FamilyResult& family : result.beyond_domain) {
       row.cells.emplace_back(boundary_in_words(family), "word");
     }
-    row.cells.resize(run.beyond_domain.size() + 1, Cell(no_number));
+    row.cells.resize(run.options.beyond_domain.size() + 1, Cell(no_number));
     table.rows.push_back(std::move(row));
   }
   if (!was_posed) {

@@ -50,9 +50,9 @@ enum class Subjects { counting, all };
 /// The boundary of one subject on one family beyond the domain: "from 3.2e+07 on: 412 of 1000".
 [[nodiscard]] std::string boundary_in_words(const properties::FamilyResult& family);
 
-/// The diagnosis of a subject with violations, its violations, and the witness of the invariant that explains most of
-/// them.
-[[nodiscard]] Section findings_part(const Run& run, const JudgedSubject& subject, const std::string& out_directory);
+/// The diagnosis of the subject at this place, which has violations, its violations, and the witness of the invariant
+/// that explains most of them.
+[[nodiscard]] Section findings_part(const Run& run, std::size_t s, const std::string& out_directory);
 
 /// The diagnosis of each subject, in short.
 [[nodiscard]] Document diagnoses_part(const Run& run);
@@ -75,7 +75,7 @@ enum class Subjects { counting, all };
 /// Why a witness was not simplified. Precondition: `not_shrunk` is not empty.
 [[nodiscard]] std::string not_shrunk_in_words(const properties::Witness& witness);
 
-[[nodiscard]] std::string replay_line(const Run& run, const JudgedSubject& subject, const properties::Witness& witness,
+[[nodiscard]] std::string replay_line(const Run& run, const Subject& subject, const properties::Witness& witness,
                                       const std::string& out_directory);
 
 }  // namespace carom::report

@@ -22,7 +22,7 @@ std::string meaning_of(const Run& run) {
 }
 
 Document summary_part(const Run& run) {
-  const Settings& settings = run.settings;
+  const properties::GateOptions& options = run.options;
   Document document =
       with(with({Paragraph{summary_of(run), fmt::format("result exit-{}", run.exit_status())}}, judge_error_part(run)),
            diagnoses_part(run));
@@ -30,14 +30,14 @@ Document summary_part(const Run& run) {
       Facts{{{"exit status", meaning_of(run)},
              {"interrupted", run.interrupted ? "yes: this page shows the results so far" : "no"},
              {"baseline", run.baseline ? baseline_verdict(*run.baseline) : ""},
-             {"seed", std::to_string(settings.seed)},
+             {"seed", std::to_string(options.seed)},
              {"cases", extent_of(run)},
-             {"limit", limit_in_words(settings.limits)},
-             {"relations", settings.relations_every > 0
-                               ? fmt::format("each is judged on every {}th case", settings.relations_every)
+             {"limit", limit_in_words(options.limits)},
+             {"relations", options.relations_every > 0
+                               ? fmt::format("each is judged on every {}th case", options.relations_every)
                                : "each is judged on every case; for programs on every fourth case"},
-             {"judge", settings.limits.filtered ? "exact arithmetic, and faster bounds if they decide the verdict"
-                                                : "only exact arithmetic (--exact)"}}});
+             {"judge", options.limits.filtered ? "exact arithmetic, and faster bounds if they decide the verdict"
+                                               : "only exact arithmetic (--exact)"}}});
   return document;
 }
 
@@ -50,7 +50,7 @@ Document environment_part(const Run& run) {
   const Environment& e = run.environment;
   Facts facts{{{"Carom", run.carom},
                {"date", e.date},
-               {"seed", std::to_string(run.settings.seed)},
+               {"seed", std::to_string(run.options.seed)},
                {"compiler", e.compiler},
                {"build type", e.build_type},
                {"operating system", e.operating_system},
@@ -60,8 +60,8 @@ Document environment_part(const Run& run) {
   for (const auto& [library, flags] : e.compiler_flags) {
     facts.pairs.emplace_back("flags of " + library, flags);
   }
-  for (const JudgedSubject& subject : run.subjects) {
-    facts.pairs.emplace_back("version of " + subject.result.subject.name, subject.result.subject.version);
+  for (const properties::SubjectResult& result : run.results) {
+    facts.pairs.emplace_back("version of " + result.subject.name, result.subject.version);
   }
   return {std::move(facts)};
 }

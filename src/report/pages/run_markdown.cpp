@@ -15,8 +15,8 @@ constexpr int level = 3;  // of a subject's heading
 std::string opening(const Run& run) {
   const Overall overall = overall_of(run);
   Document content{Paragraph{fmt::format("{} of {} subjects that count are sound; {}, seed {}, limit {}; Carom {}.",
-                                         overall.sound, overall.subjects, extent_of(run), run.settings.seed,
-                                         limit_in_words(run.settings.limits), version)}};
+                                         overall.sound, overall.subjects, extent_of(run), run.options.seed,
+                                         limit_in_words(run.options.limits), version)}};
   if (run.baseline) {
     content.emplace_back(Paragraph{fmt::format("Against the baseline: {}.", baseline_verdict(*run.baseline))});
   }
@@ -29,19 +29,21 @@ std::string opening(const Run& run) {
   return in_markdown({Section{"Carom: " + in_words(overall), std::move(content)}}, level - 1);
 }
 
-std::string of_subject(const Run& run, const JudgedSubject& subject, const std::string& out_directory) {
+std::string of_subject(const Run& run, std::size_t s, const std::string& out_directory) {
+  const properties::SubjectResult& result = run.results[s];
+  const std::string& why = why_not_judged(result);
   Document document;
-  if (subject.status == SubjectStatus::violated && !subject.never_judged.empty()) {
-    document.emplace_back(List{{name_cell(subject.result.subject.name)}});
-    document.emplace_back(Paragraph{fmt::format("never judged: {}", listed(subject.never_judged))});
+  if (const auto never = never_judged(run, result); status_of(result) == SubjectStatus::violated && !never.empty()) {
+    document.emplace_back(List{{name_cell(result.subject.name)}});
+    document.emplace_back(Paragraph{fmt::format("never judged: {}", listed(never))});
   }
-  if (!subject.result.witnesses.empty()) {
-    document.emplace_back(findings_part(run, subject, out_directory));
+  if (!result.witnesses.empty()) {
+    document.emplace_back(findings_part(run, s, out_directory));
   }
-  if (!subject.why_not_judged().empty()) {
-    document.emplace_back(List{{name_cell(subject.result.subject.name)}});
+  if (!why.empty()) {
+    document.emplace_back(List{{name_cell(result.subject.name)}});
     document.emplace_back(Paragraph{"could not be judged:"});
-    document.emplace_back(Code{subject.why_not_judged()});
+    document.emplace_back(Code{why});
   }
   return document.empty() ? "" : '\n' + in_markdown(document, level);
 }
@@ -51,8 +53,8 @@ std::string of_subject(const Run& run, const JudgedSubject& subject, const std::
 std::string run_markdown(const Run& run, const std::string& out_directory) {
   std::string text = opening(run);
   std::size_t left_out = 0;
-  for (const JudgedSubject& subject : run.subjects) {
-    const std::string section = subject.counts ? of_subject(run, subject, out_directory) : "";
+  for (std::size_t s = 0; s < run.results.size(); ++s) {
+    const std::string section = run.counts[s] ? of_subject(run, s, out_directory) : "";
     const bool fits = text.size() + section.size() <= longest_page;
     text += fits ? section : "";
     left_out += fits ? 0 : 1;

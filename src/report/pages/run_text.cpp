@@ -10,8 +10,8 @@ namespace carom::report {
 
 std::string run_text(const Run& run, const std::string& out_directory) {
   Document document{Paragraph{fmt::format("Carom {}: {}, seed {}, limit {}{}", version, extent_of(run),
-                                          run.settings.seed, limit_in_words(run.settings.limits),
-                                          run.settings.limits.filtered ? "" : ", judged only in exact arithmetic")}};
+                                          run.options.seed, limit_in_words(run.options.limits),
+                                          run.options.limits.filtered ? "" : ", judged only in exact arithmetic")}};
   if (run.interrupted) {
     document.emplace_back(Section{"", {Paragraph{"INTERRUPTED: these are the results so far"}}});
   }
@@ -19,9 +19,9 @@ std::string run_text(const Run& run, const std::string& out_directory) {
   document.emplace_back(Section{"", {coverage_table(run)}});
   document.emplace_back(Section{"", {Paragraph{features_in_words(run)}, Paragraph{adjusted_sentences(run)}}});
   document.emplace_back(Section{"", {subjects_table(run, Subjects::all)}});
-  for (const JudgedSubject& subject : run.subjects) {
-    if (subject.counts && !subject.result.witnesses.empty()) {
-      document.emplace_back(findings_part(run, subject, out_directory));
+  for (std::size_t s = 0; s < run.results.size(); ++s) {
+    if (run.counts[s] && !run.results[s].witnesses.empty()) {
+      document.emplace_back(findings_part(run, s, out_directory));
     }
   }
   document = with(std::move(document), beyond_domain_part(run, Subjects::counting));

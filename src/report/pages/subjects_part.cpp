@@ -37,8 +37,8 @@ void add_deviations(std::vector<std::string>& notes, const Subject& subject,
 /// "restitution_threshold in 120 of 4000 colliding cases". Empty if no declared effect decides a case.
 std::string decided_cases(const properties::SubjectResult& result, const Run& run) {
   std::uint64_t colliding = 0;
-  for (const RunFamily& family : run.families) {
-    colliding += family.coverage.colliding;
+  for (const properties::Coverage& coverage : run.coverage) {
+    colliding += coverage.colliding;
   }
   const properties::EffectCounts decided = result.decided_by();
   std::vector<std::string> words;
@@ -51,8 +51,8 @@ std::string decided_cases(const properties::SubjectResult& result, const Run& ru
 }
 
 /// The lines below a subject's row in a text.
-std::vector<std::string> notes_on(const JudgedSubject& subject, const Run& run) {
-  const properties::SubjectResult& result = subject.result;
+std::vector<std::string> notes_on(const properties::SubjectResult& result, const Run& run) {
+  const SubjectStatus status = status_of(result);
   std::vector<std::string> notes;
   if (result.skipped() > 0) {
     notes.push_back(fmt::format("{} cases skipped", result.skipped()));
@@ -68,11 +68,11 @@ std::vector<std::string> notes_on(const JudgedSubject& subject, const Run& run) 
   } else if (!result.not_judged.empty()) {
     notes.push_back("not judged: " + result.not_judged);
   }
-  if (subject.status == SubjectStatus::violated && !subject.never_judged.empty()) {
-    notes.push_back("never judged: " + listed(subject.never_judged));
+  if (const auto never = never_judged(run, result); status == SubjectStatus::violated && !never.empty()) {
+    notes.push_back("never judged: " + listed(never));
   }
-  if (run.settings.budget_seconds && subject.status == SubjectStatus::sound) {
-    notes.push_back(cases_judged(run, subject));
+  if (run.options.budget && status == SubjectStatus::sound) {
+    notes.push_back(cases_judged(run, result));
   }
   if (const std::string effects = properties::to_text(result.subject.effects); !effects.empty()) {
     notes.push_back("judged without its declared effects: " + effects);
@@ -80,25 +80,26 @@ std::vector<std::string> notes_on(const JudgedSubject& subject, const Run& run) 
   if (const std::string decided = decided_cases(result, run); !decided.empty()) {
     notes.push_back("decided by a declared effect: " + decided);
   }
-  add_deviations(notes, result.subject, run.settings.deviates);
+  add_deviations(notes, result.subject, run.deviates);
   return notes;
 }
 
 Row subject_row(const Run& run, std::size_t s) {
-  const JudgedSubject& subject = run.subjects[s];
-  const properties::SubjectResult& result = subject.result;
-  Cell verdict(verdict_in_words(subject), fmt::format("verdict {}", name_of(subject.status)));
-  verdict.sign = subject.status == SubjectStatus::sound ? "✓" : subject.status == SubjectStatus::violated ? "✗" : "!";
-  if (!subject.why_not_judged().empty()) {
+  const properties::SubjectResult& result = run.results[s];
+  const SubjectStatus status = status_of(result);
+  const properties::Family* const worst = result.worst_backward_error(run.options).family;
+  Cell verdict(verdict_in_words(result), fmt::format("verdict {}", name_of(status)));
+  verdict.sign = status == SubjectStatus::sound ? "✓" : status == SubjectStatus::violated ? "✗" : "!";
+  if (!why_not_judged(result).empty()) {
     verdict.link = '#' + error_anchor(s);
   }
-  return {{name_cell(result.subject.name), std::move(verdict), Cell(worst_in_words(subject), "number"),
-           Cell(std::string(subject.worst.family == nullptr ? no_number : subject.worst.family->name), "word"),
-           Cell(in_words(subject.digits), "number"),
+  return {{name_cell(result.subject.name), std::move(verdict), Cell(worst_in_words(run, result), "number"),
+           Cell(std::string(worst == nullptr ? no_number : worst->name), "word"),
+           Cell(in_words(digits_of(result)), "number"),
            Cell(result.cases() > 0 ? fmt::format("{:.0f}", result.nanoseconds_per_solve) : no_number, "number"),
            Cell(std::to_string(result.cases()), "number"), Cell(std::string(name_of(result.subject.law)), "word"),
            Cell(std::string(name_of(result.subject.precision)), "word")},
-          subject.counts ? notes_on(subject, run) : std::vector<std::string>{}};
+          run.counts[s] ? notes_on(result, run) : std::vector<std::string>{}};
 }
 
 /// "family (violated cases)", the family with the most violated cases first.
@@ -142,8 +143,8 @@ Table subjects_table(const Run& run, Subjects which) {
       return table;
     }
     bool is_first = true;
-    for (std::size_t s = 0; s < run.subjects.size(); ++s) {
-      if (run.subjects[s].counts == counts) {
+    for (std::size_t s = 0; s < run.results.size(); ++s) {
+      if (run.counts[s] == counts) {
         if (is_first && !counts) {
           table.rows.push_back({{"Kept because they fail, not counted"}, {}, true});
         }
@@ -160,10 +161,10 @@ Table subjects_table(const Run& run, Subjects which) {
 
 Document errors_part(const Run& run) {
   Document document;
-  for (std::size_t s = 0; s < run.subjects.size(); ++s) {
-    const std::string& why = run.subjects[s].why_not_judged();
+  for (std::size_t s = 0; s < run.results.size(); ++s) {
+    const std::string& why = why_not_judged(run.results[s]);
     if (!why.empty()) {
-      const properties::SubjectResult& result = run.subjects[s].result;
+      const properties::SubjectResult& result = run.results[s];
       document.emplace_back(
           Section{fmt::format("Why {} {}", result.subject.name,
                               result.error.empty() ? "is not judged" : "could not be judged to the end"),

@@ -14,9 +14,9 @@ using properties::SubjectResult;
 
 using Invariants = std::vector<const properties::Invariant*>;
 
-Invariants violated_in_order(const JudgedSubject& subject) {
+Invariants violated_in_order(const Run& run, std::size_t s) {
   Invariants violated;
-  for (const properties::Witness* witness : witnesses_by_telling(subject)) {
+  for (const properties::Witness* witness : witnesses_by_telling(run, s)) {
     violated.push_back(witness->invariant);
   }
   return violated;
@@ -30,7 +30,7 @@ void add_upright(Table& table, const Invariants& invariants) {
 
 /// "12 of 1000, #7". #7 is the worst case. It links to the witness if the witness is of this family.
 Cell family_cell(const Run& run, std::size_t s, std::size_t f, const properties::Invariant& invariant) {
-  const SubjectResult& result = run.subjects[s].result;
+  const SubjectResult& result = run.results[s];
   const FamilyResult& family = result.families[f];
   const auto count = family.counts.find(&invariant);
   if (count == family.counts.end() || count->second.judged() == 0) {
@@ -42,15 +42,15 @@ Cell family_cell(const Run& run, std::size_t s, std::size_t f, const properties:
   Cell cell(fmt::format("#{}", family.worst.at(&invariant).index), "violated");
   cell.before = violated_of_judged(count->second) + ", ";
   const bool has_witness = std::any_of(result.witnesses.begin(), result.witnesses.end(), [&](const auto& witness) {
-    return witness.invariant == &invariant && witness.family == run.families[f].family;
+    return witness.invariant == &invariant && witness.family == run.options.families[f];
   });
   cell.link = has_witness ? '#' + witness_anchor(s, invariant) : "";
   return cell;
 }
 
 Table family_matrix(const Run& run, std::size_t s) {
-  const SubjectResult& result = run.subjects[s].result;
-  const Invariants violated = violated_in_order(run.subjects[s]);
+  const SubjectResult& result = run.results[s];
+  const Invariants violated = violated_in_order(run, s);
   Table table{
       result.subject.name + ": number of violated and judged cases, and the worst case", {{"family"}}, {}, "matrix"};
   add_upright(table, violated);
@@ -58,7 +58,7 @@ Table family_matrix(const Run& run, std::size_t s) {
     if (result.families[f].violated == 0) {
       continue;
     }
-    Row row{{std::string(run.families[f].family->name)}};
+    Row row{{std::string(run.options.families[f]->name)}};
     for (const properties::Invariant* invariant : violated) {
       row.cells.push_back(family_cell(run, s, f, *invariant));
     }
@@ -90,7 +90,7 @@ std::vector<FeatureRow> feature_rows(const Run& run, const SubjectResult& result
       const auto found = result.families[f].violated_cases.find(invariant);
       violated.push_back(found == result.families[f].violated_cases.end() ? &none : &found->second);
     }
-    const auto& sampled = run.families[f].sampled;
+    const auto& sampled = run.sampled[f];
     for (std::size_t number = 0; number < sampled.size(); ++number) {
       std::vector<bool> violates;
       for (const auto* numbers : violated) {
@@ -111,8 +111,8 @@ std::vector<FeatureRow> feature_rows(const Run& run, const SubjectResult& result
 }
 
 Details feature_matrix(const Run& run, std::size_t s) {
-  const SubjectResult& result = run.subjects[s].result;
-  const Invariants violated = violated_in_order(run.subjects[s]);
+  const SubjectResult& result = run.results[s];
+  const Invariants violated = violated_in_order(run, s);
   std::vector<FeatureRow> rows = feature_rows(run, result, violated);
   std::erase_if(rows, [](const FeatureRow& row) { return row.violated == 0; });
   std::stable_sort(rows.begin(), rows.end(),
@@ -142,8 +142,8 @@ Details feature_matrix(const Run& run, std::size_t s) {
 
 Document violations_part(const Run& run) {
   Document document;
-  for (std::size_t s = 0; s < run.subjects.size(); ++s) {
-    if (run.subjects[s].counts && run.subjects[s].diagnosis) {
+  for (std::size_t s = 0; s < run.results.size(); ++s) {
+    if (run.counts[s] && run.diagnoses[s].telling != nullptr) {
       document.emplace_back(family_matrix(run, s));
       document.emplace_back(feature_matrix(run, s));
     }
@@ -152,7 +152,7 @@ Document violations_part(const Run& run) {
       Paragraph{document.empty() ? "No subject that counts violates an invariant."
                                  : fmt::format("To replay a case by its number: carom replay --family FAMILY --case "
                                                "NUMBER --seed SEED{} --subject SUBJECT.",
-                                               within_option(run.settings.within))});
+                                               within_option(run.options.within))});
   return document;
 }
 

@@ -167,12 +167,11 @@ Details drawn_case(const Witness& witness, const std::string& replay) {
 }
 
 Section witness_section(const Run& run, std::size_t s, const Witness& witness, const std::string& out_directory) {
-  const JudgedSubject& subject = run.subjects[s];
-  const properties::SubjectResult& result = subject.result;
+  const properties::SubjectResult& result = run.results[s];
   const properties::Invariant& invariant = *witness.invariant;
   const std::string anchor = witness_anchor(s, invariant);
   const std::string title = fmt::format("{} violates {}", result.subject.name, invariant.name);
-  const std::string replay = replay_line(run, subject, witness, out_directory);
+  const std::string replay = replay_line(run, result.subject, witness, out_directory);
   Document numbers;
   add_collision(numbers, witness.shrunk.collision);
   if (const std::string effects = properties::to_text(result.subject.effects); !effects.empty()) {
@@ -216,13 +215,13 @@ std::string witness_anchor(std::size_t subject, const properties::Invariant& inv
 Document witnesses_part(const Run& run, const std::string& out_directory) {
   Document document;
   for (const bool counts : {true, false}) {
-    for (std::size_t s = 0; s < run.subjects.size(); ++s) {
-      const JudgedSubject& subject = run.subjects[s];
-      if (subject.counts != counts || subject.result.witnesses.empty()) {
+    for (std::size_t s = 0; s < run.results.size(); ++s) {
+      const properties::SubjectResult& result = run.results[s];
+      if (run.counts[s] != counts || result.witnesses.empty()) {
         continue;
       }
-      Section section{subject.result.subject.name + (counts ? "" : " (kept because it fails)"), {}};
-      for (const Witness* witness : witnesses_by_telling(subject)) {
+      Section section{result.subject.name + (counts ? "" : " (kept because it fails)"), {}};
+      for (const Witness* witness : witnesses_by_telling(run, s)) {
         section.content.emplace_back(witness_section(run, s, *witness, out_directory));
       }
       document.emplace_back(std::move(section));

@@ -164,13 +164,17 @@ properties::GateOptions options_of(const GateArguments& arguments, const propert
   return options;
 }
 
-Journal journal_of(const Selection& selection, const properties::GateOptions& options,
-                   const std::vector<std::string>& deviates, const std::string& out) {
-  properties::GateOptions of_part = options;
-  of_part.shard = options.shard.part(1, parts_of(options));
-  return {fs::path(out) / "journal",
-          report::run_facts(of_part, selection.subjects, selection.counts, selection.absent, deviates),
-          of_part.shard.of};
+/// `as_run` makes the run of a report.
+Journal journal_of(const std::vector<Subject>& subjects, const properties::GateOptions& options, const std::string& out,
+                   const std::function<report::Run(properties::GateReport)>& as_run) {
+  properties::GateReport part;
+  part.options = options;
+  part.options.shard = options.shard.part(1, parts_of(options));
+  for (const Subject& subject : subjects) {
+    part.results.emplace_back().subject = subject;
+  }
+  const std::uint64_t shards = part.options.shard.of;
+  return {fs::path(out) / "journal", report::run_facts(as_run(std::move(part))), shards};
 }
 
 int gate(const GateArguments& arguments) {
@@ -205,14 +209,12 @@ int gate(const GateArguments& arguments) {
     staged.emplace(out);
   }
   const auto as_run = [&, environment = this_environment()](properties::GateReport report) {
-    report::Run run =
-        report::run_of(std::move(report), selection.counts, selection.absent, environment, deviates, shard.has_value());
-    run.settings.without_case = posed.without_case;
-    return run;
+    return report::diagnosed({std::move(report), environment, deviates, posed.without_case, selection.counts,
+                              selection.absent, shard.has_value()});
   };
   std::optional<Journal> journal;
   if (arguments.has_journal) {
-    journal = journal_of(selection, options, deviates, out);
+    journal = journal_of(selection.subjects, options, out, as_run);
   }
   report::Run run = as_run(journal ? journaled_gate(selection.subjects, options, *journal, as_run)
                                    : properties::run_gate(selection.subjects, options));

@@ -59,20 +59,20 @@ std::optional<properties::GateReport> Journal::finished(const properties::Shard&
     return std::nullopt;
   }
   report::ReadShard read = read_shard_report(file.string());
-  if (const auto difference = report::first_difference(report::run_facts(read), facts_)) {
+  if (const auto difference = report::first_difference(report::run_facts(read.run), facts_)) {
     throw UsageError(fmt::format("--journal: {} belongs to another run: {}: {}, but here {}; {}",
                                  report::shown(file.string()), difference->field, report::shown(difference->first),
                                  report::shown(difference->second), remedy));
   }
-  if (read.report.options.shard.number != part.number) {
+  if (read.run.options.shard.number != part.number) {
     throw UsageError(fmt::format("--journal: {}: /shard/number: expected {}, found {}; {}",
-                                 report::shown(file.string()), part.number, read.report.options.shard.number, remedy));
+                                 report::shown(file.string()), part.number, read.run.options.shard.number, remedy));
   }
-  return std::move(read.report);
+  return std::move(read.run);
 }
 
 void Journal::keep(const report::Run& run) const {
-  const std::string name = name_of_part(run.settings.shard.value());
+  const std::string name = name_of_part(run.options.shard);
   StagedOutput staged(folder_);
   write_file(staged.stage() / name,
              report::report_record(run).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + '\n');

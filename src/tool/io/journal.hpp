@@ -18,7 +18,7 @@ class Journal {
   /// made, or if it has parts of another number of shards.
   Journal(std::filesystem::path folder, report::RunFacts facts, std::uint64_t shards);
 
-  /// The report of a part, without samples and witnesses; none if the part is not finished. Throws UsageError that
+  /// The results of a part, without samples and witnesses; none if the part is not finished. Throws UsageError that
   /// names the file and the place if the file is no such report, or belongs to another run.
   [[nodiscard]] std::optional<properties::GateReport> finished(const properties::Shard& part) const;
 

@@ -26,12 +26,11 @@ std::string in_json(const nlohmann::json& record, int indent) {
 void write_reports(const report::Run& run, const std::string& out, StagedOutput& staged) {
   const fs::path& stage = staged.stage();
   make_directories(stage / "witnesses");
-  for (const report::JudgedSubject& subject : run.subjects) {
-    const properties::SubjectResult& result = subject.result;
+  for (const properties::SubjectResult& result : run.results) {
     for (const properties::Witness& witness : result.witnesses) {
       const fs::path place = report::witness_path(out, result.subject, *witness.invariant);
       write_file(report::witness_path(stage, result.subject, *witness.invariant),
-                 in_json(report::witness_record(witness, result.subject, run.settings, place), 2));
+                 in_json(report::witness_record(witness, result.subject, run.options, place), 2));
     }
   }
   write_file(stage / "junit.xml", report::junit_xml(run));

@@ -51,14 +51,13 @@ report::ReadShard read_shard_report(const std::string& file) {
 
 report::ReadShard read_shard(const std::string& directory) {
   report::ReadShard shard = read_shard_report((fs::path(directory) / "report.json").string());
-  for (std::size_t s = 0; s < shard.run.subjects.size(); ++s) {
-    properties::SubjectResult& result = shard.report.results[s];
-    for (const report::Violation& violation : shard.run.subjects[s].violations) {
+  for (properties::SubjectResult& result : shard.run.results) {
+    for (properties::Witness& witness : result.witnesses) {
       // The path in the report is not used, because it could lead to any file.
-      const fs::path path = report::witness_path(directory, result.subject, *violation.invariant);
-      result.witnesses.push_back(read_from(path.string(), "", [&](const nlohmann::json& record) {
-        return report::witness_from(record, *violation.invariant);
-      }));
+      const fs::path path = report::witness_path(directory, result.subject, *witness.invariant);
+      witness = read_from(path.string(), "", [&](const nlohmann::json& record) {
+        return report::witness_from(record, *witness.invariant);
+      });
     }
   }
   return shard;
