@@ -112,6 +112,23 @@ TEST(KnownCollisions, ShowWhichInvariantsAWrongAnswerViolates) {
             {"backward_error", "collinear_spin", "frictionless_direction", "impulse_bound"});
 }
 
+/// The ball slips along a plane, and parts faster than before by 4 α, with the allowance α. If it does not collide, α
+/// times the scale is 3 α: 1 for v⁻ and 2 for v⁺. If it collides, V⁺ + V⁻ adds 2 for N. So rounding explains the speed
+/// only if the ball may collide, that is, if N·V⁻ is a rounding error.
+TEST(KnownCollisions, MayPartByTheRoundingOfEitherApproach) {
+  constexpr double allowance = 0x1p-48;
+  for (const double parting : {0x1p-60, 0x1p-20}) {
+    Collision c;
+    c.normal = {0x1p-10, 1, 0};
+    c.a.velocity = {1, -0x1p-10 + parting, 0};
+    c.b.immovable = true;
+    ReportedOutcome answer = reported(unchanged(c));
+    answer.a.velocity[1] += 4 * allowance;
+    const Names violated = violated_in(judged(c, Law::any, Precision::binary64, answer));
+    EXPECT_EQ(violated.contains("parting_speed"), parting == 0x1p-20) << parting;
+  }
+}
+
 /// Rational arithmetic is slow, so filters decide every comparison of moderate collisions.
 TEST(KnownCollisions, HaveRightAnswersThatHoldByFilters) {
   for (const unit::KnownCollision& known : unit::known_collisions()) {
