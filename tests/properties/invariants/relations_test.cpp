@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <utility>
+
 #include <gtest/gtest.h>
 
 #include <carom/properties/trial/trial.hpp>
@@ -46,6 +48,42 @@ TEST(Relations, AreViolatedIfTheSubjectRefusesOrAnswersInfinity) {
   const Verdict infinite = verdict_of_swap([](const Collision&) { return NotFinite{}; });
   EXPECT_EQ(infinite.status, Status::violated);
   EXPECT_EQ(infinite.detail, "the outcome of the related collision contains infinities or NaN");
+}
+
+/// The status of the relation if the last answer is off by `share` of what the errors of both answers permit. An error
+/// of the first answer grows by `factor`.
+Status status_of(const char* relation, double factor, double share, bool filtered) {
+  const Invariant& invariant = *invariant_named(relation);
+  const JudgedCase judged_case({unit::plain_collision()}, filtered);
+  const auto questions = judged_case.questions_of(invariant);
+  Claim claim;
+  claim.law = Law::reflection;
+  claim.yardstick = claim.yardstick.in(Precision::binary32);  // so the rounding of answers to binary64 is negligible
+  claim.yardstick.filtered = filtered;
+  claim.invariants = {&invariant};
+  const double allowance = claim.yardstick.allowance();
+  const auto sensitivity = [&](const oracles::ExactCase& question) {
+    return question.sensitivity(Law::reflection, allowance)[OutcomeVector::velocity_of_b];
+  };
+  std::size_t asked = 0;
+  const auto solve = [&](const Collision& c) -> ExactAnswer {
+    ReportedOutcome outcome = unit::reported_outcome(oracles::ExactCase(c), Law::reflection);
+    if (asked++ == questions.size()) {
+      outcome.b.velocity[1] +=
+          share * allowance * (factor * sensitivity(questions.front()) + sensitivity(questions.back()));
+    }
+    return oracles::LiftedOutcome(outcome);
+  };
+  return try_case(judged_case, claim, solve).verdicts.at(0).verdict.status;
+}
+
+TEST(Relations, PermitTheErrorsOfBothAnswers) {
+  for (const auto& [relation, factor] : {std::pair{"swap", 1.0}, {"translation", 1.0}, {"homogeneous", 3.0}}) {
+    for (const bool filtered : {true, false}) {
+      EXPECT_EQ(status_of(relation, factor, 0.99, filtered), Status::holds) << relation << filtered;
+      EXPECT_EQ(status_of(relation, factor, 1.01, filtered), Status::violated) << relation << filtered;
+    }
+  }
 }
 
 }  // namespace
