@@ -58,8 +58,8 @@ Status status_of(const char* relation, double factor, double share, bool filtere
   const auto questions = judged_case.questions_of(invariant);
   Claim claim;
   claim.law = Law::reflection;
-  claim.yardstick = claim.yardstick.in(Precision::binary32);  // so the rounding of answers to binary64 is negligible
-  claim.yardstick.filtered = filtered;
+  // In binary32, the rounding of answers to binary64 is negligible.
+  claim.yardstick = oracles::Yardstick::of(Precision::binary32, {.filtered = filtered});
   claim.invariants = {&invariant};
   const double allowance = claim.yardstick.allowance();
   const auto sensitivity = [&](const oracles::ExactCase& question) {
