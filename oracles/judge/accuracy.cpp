@@ -253,12 +253,13 @@ Accuracy accuracy(const ExactCase& exact_case, Law law, const LiftedOutcome& out
     undecided.is_decided = false;
     return undecided;
   }
-  Accuracy own = accuracy_as(exact_case, law, approach, outcome, yardstick, known);
   if (!exact_case.has_two_answers(law, yardstick.allowance())) {
-    return own;
+    return accuracy_as(exact_case, law, approach, outcome, yardstick, known);
   }
+  // The nearer answer is found by backward errors, so these must not depend on `known`.
+  const Accuracy own = accuracy_as(exact_case, law, approach, outcome, yardstick, 0);
   const Approach other = approach == Approach::colliding ? Approach::separating : Approach::colliding;
-  Accuracy result = accuracy_as(exact_case, law, other, outcome, yardstick, known);
+  Accuracy result = accuracy_as(exact_case, law, other, outcome, yardstick, 0);
   if (!passes(result)) {
     return own;
   }

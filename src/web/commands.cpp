@@ -14,6 +14,7 @@
 #include <carom/properties/domains/draw_within.hpp>
 #include <carom/properties/gate/gate.hpp>
 #include <carom/properties/gate/posed_families.hpp>
+#include <carom/report/model/answer_json.hpp>
 #include <carom/report/model/lists.hpp>
 #include <carom/report/model/report_sum.hpp>
 #include <carom/report/model/run_json.hpp>
