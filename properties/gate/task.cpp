@@ -151,7 +151,7 @@ void ask_again(Examinee& examinee, std::uint64_t task, Session& session, const s
 
 namespace {
 
-/// What a subject and the gate ask each other in a task.
+/// The answers of a subject in a task, and the trials that judge them.
 struct Exchange {
   Batch answers;  // to the cases
   std::vector<Trial> trials;

@@ -39,8 +39,8 @@ struct Run : properties::GateReport {
   std::vector<bool> counts;                             // of each result: whether it decides the exit status
   std::vector<Subject> absent;                          // chosen by the command line or by default, not installed
   bool is_shard = false;                                // whether the run will be merged with others
-  std::vector<properties::diagnosis::Diagnosis> diagnoses =
-      {};  // of each result; `telling` is nullptr if there is none
+  // Of each result. `telling` is nullptr if there is no diagnosis.
+  std::vector<properties::diagnosis::Diagnosis> diagnoses = {};
   std::string carom = version;
   std::optional<Comparison> baseline = {};  // of this run with an earlier one
 

@@ -8,9 +8,14 @@
 
 namespace carom::report {
 
-/// The state of a subject after a run. The first that applies: `absent` if the subject is not installed, `violated` if
-/// it violates an invariant, `error` if it was not judged to the end, `not_judged` if it got too few cases, `sound`.
-enum class SubjectStatus { sound, violated, error, not_judged, absent };
+/// The state of a subject after a run.
+enum class SubjectStatus {
+  sound,
+  violated,    // it violates an invariant
+  error,       // it was not judged to the end, and violates none
+  not_judged,  // it got too few cases
+  absent,      // it is not installed
+};
 inline constexpr std::array all_subject_statuses{SubjectStatus::sound, SubjectStatus::violated, SubjectStatus::error,
                                                  SubjectStatus::not_judged, SubjectStatus::absent};
 static_assert(counts_from_zero_to(all_subject_statuses, SubjectStatus::absent));

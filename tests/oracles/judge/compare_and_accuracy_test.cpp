@@ -171,7 +171,7 @@ TEST(Accuracy, IsOfTheSensitivityUnlessABoundIsKnown) {
     const ExactCase exact_case(one.collision);
     const LiftedOutcome outcome(reported(exact_case.nearest_truth(Law::reflection)));
     const auto error_by = [&](const Yardstick& by, double known) {
-      return accuracy(exact_case, Law::reflection, outcome, by, known).backward_error(by.unit_roundoff);
+      return accuracy(exact_case, Law::reflection, outcome, by, known).backward_error(by.unit_roundoff());
     };
     if (!accuracy(exact_case, Law::reflection, outcome, exactly).is_decided) {
       continue;
@@ -284,9 +284,9 @@ TEST(Range, AnAllowanceThatUnderflowsDecidesNothing) {
   }
   for (const double scale : {HUGE_VAL, std::nan("")}) {
     EXPECT_FALSE(yardstick.allowed(scale).has_value()) << scale;
-    EXPECT_FALSE(Yardstick().allowed(scale).has_value()) << "nor where nothing is allowed";
+    EXPECT_FALSE(Yardstick::of_exact_arithmetic().allowed(scale).has_value()) << "nor where nothing is allowed";
   }
-  EXPECT_EQ(Yardstick().allowed(0x1p-1074), 0);
+  EXPECT_EQ(Yardstick::of_exact_arithmetic().allowed(0x1p-1074), 0);
 }
 
 /// A ball slides along a wall, and the rounding of the inputs exceeds its approach. If the ball collides, `sticking`
