@@ -11,7 +11,7 @@
 #include <carom/impulse/reflection.hpp>
 #include <carom/impulse/rough.hpp>
 #include <carom/oracles/filters/lifted_outcome.hpp>
-#include <carom/oracles/judge/exact_case.hpp>
+#include <carom/oracles/laws/branch.hpp>
 #include <carom/oracles/laws/equations.hpp>
 #include <carom/oracles/numbers/components.hpp>
 #include <carom/properties/gate/histogram.hpp>
@@ -73,8 +73,6 @@ TEST(PreconditionDeathTest, OfTheOracles) {
   const Outcome<double> after = unchanged(hit);
   EXPECT_DEATH(static_cast<void>(oracles::equation::LinearMomentum{}(hit, after)), "immovable");
   EXPECT_DEATH(static_cast<void>(oracles::equation::AngularMomentum{false}(hit, after)), "immovable");
-  hit.restitution = 2;
-  EXPECT_DEATH(oracles::ExactCase{hit}, "restitution");
   EXPECT_DEATH(static_cast<void>(oracles::other_side(oracles::Branch::only)), "only");
   oracles::Components<int> full;
   for (std::size_t i = 0; i < oracles::Components<int>::capacity; ++i) {
