@@ -9,9 +9,9 @@ import sys
 
 # The colour of each part, and the middle of its column.
 PARTS = {"src/collision": ("#dfe8f5", 450), "src/impulse": ("#d5ead7", 235), "src/scene": ("#fbe6c4", 80),
-         "oracles": ("#f2d9e6", 450), "properties": ("#e2daf4", 680), "src/report": ("#cfe9ea", 900),
-         "src/subjects": ("#eae6cf", 1110), "src/web": ("#f5dcd2", 960), "src/tool": ("#e2e2e2", 680)}
-WIDTH, BOX, HEIGHT, ROW = 1260, 140, 44, 76
+         "oracles": ("#f2d9e6", 450), "properties": ("#e2daf4", 760), "src/report": ("#cfe9ea", 1010),
+         "src/subjects": ("#eae6cf", 1210), "src/web": ("#f5dcd2", 1060), "src/tool": ("#e2e2e2", 760)}
+WIDTH, BOX, HEIGHT, ROW = 1370, 140, 44, 76
 INCLUDE = re.compile(r'^#include (?:<carom/([\w/]+)\.hpp>|"([\w/]+)\.hpp")', re.M)
 
 
@@ -80,7 +80,8 @@ def drawn(below):
             to_x, to_y = place[one]
             lines.append(f'<path d="M{x:.0f} {y + HEIGHT}C{x:.0f} {y + HEIGHT + 26} {to_x:.0f} {to_y - 26} {to_x:.0f} {to_y}"/>')
         boxes.append(f'<rect x="{x - BOX / 2:.0f}" y="{y}" width="{BOX}" height="{HEIGHT}" rx="5" fill="{PARTS[part_of(folder)][0]}"/>')
-        words = folder.removeprefix("src/").rsplit("/", 1)
+        words = folder.removeprefix("src/").split("/")
+        words = words[:1] + words[1:][-1:]  # the part and the folder
         for i, word in enumerate(words):
             boxes.append(f'<text x="{x:.0f}" y="{y + 28 + 18 * i - 9 * (len(words) - 1)}">{word}</text>')
     return "\n".join([f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {height}" font-family="sans-serif" '
