@@ -69,8 +69,9 @@ const Invariant* telling_invariant(const SubjectResult& result, std::uint64_t vi
       return invariant;
     }
   }
-  return *std::ranges::max_element(all, {},
-                                   [&](const Invariant* invariant) { return cases_that_violate(result, invariant); });
+  return *std::max_element(all.begin(), all.end(), [&](const Invariant* x, const Invariant* y) {
+    return cases_that_violate(result, x) < cases_that_violate(result, y);
+  });
 }
 
 }  // namespace

@@ -195,7 +195,7 @@ Exchange exchange_of(Examinee& examinee, const Task& task, const std::deque<Judg
 void add_failed_replies(const Trial& trial, std::span<const Answer> replies, const Claim& claim, std::size_t family,
                         std::uint64_t index, SubjectTally& tally) {
   const auto is_failed = [](const Answer& reply) { return std::holds_alternative<Failed>(reply); };
-  if (std::ranges::none_of(replies, is_failed)) {
+  if (!std::ranges::any_of(replies, is_failed)) {
     return;
   }
   const std::vector<Collision> questions = trial.questions();

@@ -260,7 +260,7 @@ Judgement Trial::judge(std::span<const Answer> answers, double known_backward_er
           lift_without_matrix(answer, lifted.emplace_back(NotFinite{}));
         }
         answers = answers.subspan(questions.size());
-        return std::span(lifted);
+        return std::span<ExactAnswer>(lifted);
       },
       known_backward_error);
 }

@@ -9,6 +9,7 @@
 #include <carom/oracles/judge/compare.hpp>
 #include <carom/oracles/judge/norm_at_most.hpp>
 #include <carom/oracles/judge/permitted_noise.hpp>
+#include <carom/properties/families/family.hpp>
 
 #include "support/exact.hpp"
 
@@ -205,6 +206,31 @@ TEST(Accuracy, CountsUlpsAndDigits) {
   const Accuracy exact = accuracy(exact_case, Law::frictionless, LiftedOutcome(outcome), yardstick);
   EXPECT_EQ(exact.backward_error(0x1p-24), 0);
   EXPECT_EQ(exact.digits(), 40);
+}
+
+/// The contact grazes and has two answers, and the outcome lies between them. The judge chooses the nearer answer. The
+/// choice must not depend on the errors known before, and so not on the order of judgements.
+TEST(Accuracy, IsOfTheNearerAnswerWhateverIsKnown) {
+  const properties::Family& family = *properties::family_named("structured");
+  const ExactCase exact_case(drawn_case(family, 1, 143).collision);
+  const Yardstick yardstick = yardstick_of(Precision::binary64);
+  ASSERT_TRUE(exact_case.has_two_answers(Law::sticking, yardstick.allowance()));
+  const auto answer = [&](Approach approach) {
+    return map_outcome<long double>(exact_case.enclosed_truth(Law::sticking, approach).outcome,
+                                    [](const Enclosure& x) { return static_cast<long double>(x.middle()); });
+  };
+  const Outcome<long double> colliding = answer(Approach::colliding);
+  const Outcome<long double> untouched = answer(Approach::separating);
+  for (const long double share : {0.25L, 0.4L, 0.5L, 0.6L, 0.75L}) {
+    Outcome<long double> between = colliding;
+    for (const OutcomeVector k : all_outcome_vectors) {
+      *vectors(between)[k] += share * (*vectors(untouched)[k] - *vectors(colliding)[k]);
+    }
+    const auto is_of_truth = [&](double known) {
+      return accuracy(exact_case, Law::sticking, LiftedOutcome(between), yardstick, known).is_of_truth;
+    };
+    EXPECT_EQ(is_of_truth(0), is_of_truth(HUGE_VAL)) << static_cast<double>(share);
+  }
 }
 
 /// Errors just below and just above the permitted error, limit_ulps · unit_roundoff · sensitivity.
