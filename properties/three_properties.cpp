@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <exception>
-#include <iterator>
 #include <utility>
 
 #include <carom/collision/validate.hpp>
@@ -188,7 +187,8 @@ std::vector<diagnosis::Fault> faults_of(const detail::PropertyAnswer& answered, 
   std::erase_if(violated,
                 [](const ViolatedCase& one) { return properties::kind_of(one.answer) != AnswerKind::outcome; });
   if (violated.size() >= diagnosis::least_violated) {
-    std::ranges::copy(faults_of_outcomes(std::move(violated), claim, answered, options), std::back_inserter(faults));
+    const std::vector<diagnosis::Fault> of_outcomes = faults_of_outcomes(std::move(violated), claim, answered, options);
+    faults.insert(faults.end(), of_outcomes.begin(), of_outcomes.end());
   }
   return faults;
 }

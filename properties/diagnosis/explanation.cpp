@@ -130,7 +130,7 @@ class HypothesisSearch {
   /// The number of hypotheses that explain the case: this one and those of the first subset that suffices.
   [[nodiscard]] Fewest fewest_with(const Hypothesis& hypothesis, const std::vector<std::vector<std::size_t>>& subsets,
                                    const KnownCase& one) const {
-    const auto found = std::ranges::find_if(subsets, [&](const std::vector<std::size_t>& subset) {
+    const auto found = std::find_if(subsets.begin(), subsets.end(), [&](const std::vector<std::size_t>& subset) {
       return explains(joined(explanation_.found, subset, &hypothesis), one);
     });
     return found == subsets.end() ? 0 : 1 + found->size();

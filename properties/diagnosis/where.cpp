@@ -261,7 +261,8 @@ class Sample {
         continue;
       }
       CaseSet kept(size_);
-      const auto end = std::ranges::find(values.rbegin(), values.rend(), *limit, &Sized::size).base();
+      const auto is_at_limit = [&](const Sized& value) { return value.size == *limit; };
+      const auto end = std::find_if(values.rbegin(), values.rend(), is_at_limit).base();
       for (auto value = values.begin(); value != end; ++value) {
         kept.add(value->number);
       }
