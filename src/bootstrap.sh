@@ -291,7 +291,11 @@ test)
     build carom_all_tests everything
     wait "$web" || {
       tail -n 20 build-wasm/build.log >&2
-      echo "bootstrap: the tests Web.* will be skipped" >&2
+      if [ -e build-wasm/libraries/lib/libmpfr.a ] && [ -e build-wasm/build.ninja ]; then
+        echo "bootstrap: the judge in WebAssembly does not compile" >&2
+        exit 1
+      fi
+      echo "bootstrap: the tests Web.* will be skipped, because a tool or a library is missing" >&2
     }
     run_tests build "${@:2}"
   fi
