@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // A restitution threshold: slow contacts do not bounce, as in many engines.
 // The law says that they do. The last line of this block would declare the threshold.
+// Then choose the domain approach=0.5: too, so that few cases are slow.
 export const name = 'restitution threshold', law = 'frictionless';
 // export const claims = { restitution_threshold: 0.5 };
 
