@@ -31,7 +31,7 @@ using properties::NamedVerdict;
 using properties::Status;
 
 constexpr std::uint64_t seed_of_drivers = 20261128;
-constexpr std::uint64_t cases_of_drivers = 12;  // of each family, times its weight
+constexpr std::uint64_t cases_of_drivers = 4;  // of each family, times its weight
 
 std::vector<const Family*> few_families() {
   std::vector<const Family*> families;
@@ -122,9 +122,13 @@ TEST_P(Drivers, TheKitHoldsWhereAReplayHolds) {
     const std::vector<conformance::Statement> statements =
         conformance::statements(subject, {.families = {"generic", "near_special"}});
     for_each_case([&](const Family& family, const Case& one) {
+      const auto is_of_family = [&](const conformance::Statement& statement) { return statement.family == &family; };
+      if (!std::ranges::any_of(statements, is_of_family)) {
+        return;
+      }
       const auto statuses = statuses_of(replayed(claim, subject, one));
       for (const conformance::Statement& statement : statements) {
-        if (statement.family == &family && statuses.contains(statement.invariant)) {
+        if (is_of_family(statement) && statuses.contains(statement.invariant)) {
           EXPECT_EQ(conformance::Examination(statement).holds(one),
                     statuses.at(statement.invariant) != Status::violated)
               << subject.name << ' ' << statement.invariant->name;
