@@ -9,12 +9,16 @@
 namespace carom::oracles {
 
 /// Whether xᵀ M x ≥ 0 for every x, or no value if the bounds do not decide it.
-[[nodiscard]] std::optional<bool> is_positive_semidefinite(const Matrix3<Enclosure>& matrix);
-
-/// Whether bound · I ⪯ M, by enclosures if they decide it, otherwise by rationals.
-[[nodiscard]] bool is_at_least_by_enclosures(const Matrix3<Rational>& matrix, const Rational& bound);
-
-/// Whether M ⪯ bound · I, in the same way.
-[[nodiscard]] bool is_at_most_by_enclosures(const Matrix3<Rational>& matrix, const Rational& bound);
+[[nodiscard]] inline std::optional<bool> is_positive_semidefinite(const Matrix3<Enclosure>& matrix) {
+  bool decided = true;
+  for (const Enclosure& minor : principal_minors(matrix)) {
+    const std::optional<int> sign = minor.sign();
+    if (sign == -1) {
+      return false;
+    }
+    decided = decided && sign.has_value();
+  }
+  return decided ? std::optional<bool>(true) : std::nullopt;
+}
 
 }  // namespace carom::oracles

@@ -468,18 +468,22 @@ double ExactCase::collision_matrix_sensitivity_below() const {
 
 bool ExactCase::is_definite() const {
   return is_definite_.get([this] {
-    return filtered_ ? is_at_least_by_enclosures(collision_matrix(), inverse_mass(exact()))
-                     : is_at_least(collision_matrix(), inverse_mass(exact()));
+    const auto by_enclosures = [this] {
+      return is_positive_semidefinite(
+          less_multiple_of_identity<Enclosure>(enclosed_collision_matrix(), inverse_mass(enclosed())));
+    };
+    const std::optional<bool> decided = filtered_ ? by_enclosures() : std::nullopt;
+    return decided ? *decided : is_at_least(collision_matrix(), inverse_mass(exact()));
   });
 }
 
 bool ExactCase::is_bounded_by(const Rational& bound) const {
-  if (!filtered_) {
-    return is_at_most(collision_matrix(), bound);
-  }
-  const std::optional<bool> decided = is_positive_semidefinite(
-      less_multiple_of_identity<Enclosure>(-enclosed_collision_matrix(), Enclosure(Rational(-bound))));
-  return decided ? *decided : is_at_most_by_enclosures(collision_matrix(), bound);
+  const auto by_enclosures = [&] {
+    return is_positive_semidefinite(
+        less_multiple_of_identity<Enclosure>(-enclosed_collision_matrix(), Enclosure(Rational(-bound))));
+  };
+  const std::optional<bool> decided = filtered_ ? by_enclosures() : std::nullopt;
+  return decided ? *decided : is_at_most(collision_matrix(), bound);
 }
 
 bool ExactCase::is_collinear() const {

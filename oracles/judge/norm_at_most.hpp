@@ -11,9 +11,38 @@
 
 namespace carom::oracles {
 
-/// Whether ‖v‖ ≤ bound. No value if error bounds of the components do not decide it. Precondition: the bound is finite.
+namespace norm_bounds {
+
+/// An upper bound of the relative rounding error of a sum of six squares and of a comparison with a square.
+inline constexpr double rounding = 0x1p-45;
+
+/// Enclosures decide only if `bound` is between these limits. The underflow of squares is negligible at the smaller
+/// limit. The square of the larger limit is far from overflow.
+inline constexpr double least = 0x1p-400;
+inline constexpr double largest = 0x1p+400;
+
+/// Σ size(v_i)².
+template <class S, class T, class Size>
+[[nodiscard]] S sum_of_squares(std::span<const T> vector, const Size& size) {
+  S sum(0);
+  for (const T& component : vector) {
+    const S x = size(component);
+    sum += x * x;
+  }
+  return sum;
+}
+
+}  // namespace norm_bounds
+
+/// Whether ‖v‖ ≤ bound. Precondition: the bound is finite and not negative.
 [[nodiscard]] bool norm_at_most(std::span<const Rational> vector, double bound);
 [[nodiscard]] bool norm_at_most(std::span<const Radical> vector, double bound);
+
+/// The same, or nullopt if the enclosures do not decide it. A² is the computed sum of the squared upper bounds of |v_i|,
+/// and B² that of the lower bounds. Each has a relative rounding error below ρ = `norm_bounds::rounding`.
+///
+///   (1) true if A² (1 + ρ) ≤ bound² (1 − ρ), or if all upper bounds are 0;
+///   (2) false if B² (1 − ρ) > bound² (1 + ρ).
 [[nodiscard]] std::optional<bool> norm_at_most(std::span<const Enclosure> vector, double bound);
 
 /// Rounded for print.

@@ -57,7 +57,8 @@ template <class Derived, class OtherDerived>
   return true;
 }
 
-[[nodiscard]] inline bool same(const Outcome<Rational>& left, const Outcome<Rational>& right) {
+template <class S>
+[[nodiscard]] bool same(const Outcome<S>& left, const Outcome<S>& right) {
   return same(left.a.velocity, right.a.velocity) && same(left.a.angular_velocity, right.a.angular_velocity) &&
          same(left.b.velocity, right.b.velocity) && same(left.b.angular_velocity, right.b.angular_velocity);
 }

@@ -124,13 +124,6 @@ TEST(Bounds, AreDecidedExactlyAtTheEigenvalue) {
   EXPECT_TRUE(is_at_most(m, ratio(8, 3)));
   EXPECT_FALSE(is_at_most(m, ratio(8, 3) - hair));
   EXPECT_TRUE(is_at_most(m, ratio(8, 3) + hair));
-  // Enclosures decide if the bound is farther than their radii.
-  for (const Rational& far : {hair, ratio(1, 100)}) {
-    EXPECT_FALSE(is_at_least_by_enclosures(m, ratio(2, 3) + far)) << far;
-    EXPECT_TRUE(is_at_least_by_enclosures(m, ratio(2, 3) - far)) << far;
-    EXPECT_FALSE(is_at_most_by_enclosures(m, ratio(8, 3) - far)) << far;
-    EXPECT_TRUE(is_at_most_by_enclosures(m, ratio(8, 3) + far)) << far;
-  }
 }
 
 }  // namespace
