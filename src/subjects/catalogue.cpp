@@ -25,6 +25,17 @@ std::vector<Subject> all_subjects() {
   return all;
 }
 
+std::vector<Subject> default_subjects() {
+  std::vector<std::string> names{"coulomb-double", "reflection-in-basis-double"};
+  for (const Law law : laws_with_truth) {
+    names.push_back(std::string(name_of(law)) + "-double");
+  }
+  std::vector<Subject> subjects = built_in_subjects();
+  std::erase_if(subjects, [&](const Subject& subject) { return std::ranges::count(names, subject.name) == 0; });
+  append(subjects, linked_engines());
+  return subjects;
+}
+
 std::vector<Subject> engine_subjects(const protocol::ExecOptions& options) {
   std::vector<Subject> engines = linked_engines();
   for (const Subject& claim : protocol_engines()) {

@@ -16,6 +16,10 @@ namespace carom::subjects {
 /// The built-in solvers and the linked engines, including absent engines.
 [[nodiscard]] std::vector<Subject> all_subjects();
 
+/// What the gate judges if no subject is named: the recommended solver of each law in binary64, the note's own method,
+/// and the linked engines, including absent ones.
+[[nodiscard]] std::vector<Subject> default_subjects();
+
 /// Every engine, linked or over the protocol, including absent ones. Starts programs with `options`.
 [[nodiscard]] std::vector<Subject> engine_subjects(const protocol::ExecOptions& options);
 

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <memory>
 #include <stdexcept>
+#include <string>
 
 #include <ode/ode.h>
 
@@ -25,15 +26,24 @@ class AssertionFailed : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+inline std::string in_words(const char* format, va_list arguments) {
+  char text[256];
+  std::vsnprintf(text, sizeof text, format, arguments);
+  return text;
+}
+
+/// The last warning of ODE in this thread. ODE's own handler writes each warning to standard error.
+inline thread_local std::string last_warning;
+inline void keep_warning(int, const char* format, va_list arguments) { last_warning = in_words(format, arguments); }
+
 /// Throws AssertionFailed, because ODE's own handler ends the process.
 [[noreturn]] inline void throw_assertion(int, const char* format, va_list arguments) {
-  char message[256];
-  std::vsnprintf(message, sizeof message, format, arguments);
-  throw AssertionFailed(message);
+  throw AssertionFailed(in_words(format, arguments));
 }
 
 inline void enter_thread() {
-  [[maybe_unused]] static const int library = (dSetDebugHandler(throw_assertion), dInitODE2(0));
+  [[maybe_unused]] static const int library =
+      (dSetDebugHandler(throw_assertion), dSetMessageHandler(keep_warning), dInitODE2(0));
   [[maybe_unused]] thread_local const int thread = dAllocateODEDataForThread(dAllocateFlagBasicData);
 }
 

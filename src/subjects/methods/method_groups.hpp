@@ -5,13 +5,8 @@
 
 #include <carom/subjects/methods.hpp>
 
-/// The methods, grouped by the unit that compiles them.
+/// Groups of methods that are compiled apart from methods.cpp.
 namespace carom::subjects {
-
-[[nodiscard]] std::vector<Method> float_methods();
-[[nodiscard]] std::vector<Method> double_methods();
-[[nodiscard]] std::vector<Method> long_double_methods();
-[[nodiscard]] std::vector<Method> double_double_methods();
 
 /// Reflection by the pivoting decompositions of Eigen.
 [[nodiscard]] std::vector<Method> pivoting_float_methods();

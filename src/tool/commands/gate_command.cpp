@@ -53,6 +53,7 @@ struct GateArguments {
   std::string out;          // a directory; empty for none
   std::string annotations;  // "github", or empty for none
   std::string summary;      // a file to append to; empty for none
+  bool all = false;
   bool engines = false;
   std::uint64_t relations_every = 0;  // 0: the default of GateOptions
   double timeout = 5;                 // for each reply of a program [s]
@@ -99,15 +100,23 @@ Selection select(const GateArguments& arguments, const std::stop_token& stop) {
     }
     wanted.push_back(std::move(subject));
   }
-  const bool named = !wanted.empty();
-  if (arguments.engines) {
-    for (Subject& engine : subjects::engine_subjects(subjects::protocol::exec_options(arguments.timeout, stop))) {
-      if (!words.contains(engine.name)) {
-        wanted.push_back(std::move(engine));
+  const auto add = [&](std::vector<Subject> more) {
+    for (Subject& subject : more) {
+      const auto has_its_name = [&](const Subject& one) { return one.name == subject.name; };
+      if (std::ranges::none_of(wanted, has_its_name)) {
+        wanted.push_back(std::move(subject));
       }
     }
-  } else if (!named) {
-    wanted = subjects::all_subjects();
+  };
+  const bool named = !wanted.empty();
+  if (arguments.all) {
+    add(subjects::all_subjects());
+  }
+  if (arguments.engines) {
+    add(subjects::engine_subjects(subjects::protocol::exec_options(arguments.timeout, stop)));
+  }
+  if (!named && !arguments.all && !arguments.engines) {
+    wanted = subjects::default_subjects();
   }
   Selection selection;
   for (Subject& subject : wanted) {
@@ -242,7 +251,9 @@ void add_gate(CLI::App& app, Chosen& chosen) {
       "Judge subjects; exit status 0 all invariants hold, 1 an invariant is violated, 2 usage or environment error");
   command->add_option("SUBJECT", arguments->subjects,
                       "Subjects to judge: built-in names, or 'exec:PROGRAM ARG…' for a program that implements the "
-                      "protocol (default: all built-in subjects; subjects that are expected to fail do not count)");
+                      "protocol (default: one solver of each law, the method of the note, and the installed engines "
+                      "that are linked; subjects that are expected to fail do not count)");
+  command->add_flag("--all", arguments->all, "Judge all built-in subjects");
   command->add_flag("--engines", arguments->engines, "Judge all installed engines");
   add_seed(*command, arguments->seed, "Seed of the cases; the same seed gives the same cases");
   CLI::Option* cases = command

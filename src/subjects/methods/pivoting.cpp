@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
-#pragma once
-
 #include <type_traits>
 #include <utility>
 
 #include <carom/impulse/solve3_pivoting.hpp>
+#include <carom/subjects/methods/method_groups.hpp>
 #include <carom/subjects/methods/scalar_methods.hpp>
 
 namespace carom::subjects {
@@ -18,7 +17,7 @@ inline constexpr Solve3 solve3<impulse::EigenColPivHouseholderQr>{"ColPivHouseho
                                                                   "EigenColPivHouseholderQr", 6, true};
 
 template <class S>
-[[nodiscard]] std::vector<Method> pivoting_methods() {
+static std::vector<Method> pivoting_methods() {
   std::vector<Method> methods{
       reflection_method<S, impulse::EigenLdlt>("reflection-ldlt-eigen", "Eigen's LDLT"),
       reflection_method<S, impulse::EigenPartialPivLu>("reflection-partial-lu", "Eigen's PartialPivLU"),
@@ -31,5 +30,9 @@ template <class S>
   }
   return methods;
 }
+
+std::vector<Method> pivoting_float_methods() { return pivoting_methods<float>(); }
+
+std::vector<Method> pivoting_double_methods() { return pivoting_methods<double>(); }
 
 }  // namespace carom::subjects
