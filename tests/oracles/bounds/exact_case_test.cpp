@@ -82,8 +82,8 @@ TEST(ExactCase, TakesHalfOfLambdaWhereLargeTermsCancel) {
 }
 
 /// The ball moves with the wall, and its lever arm is 0, so a first-order change gives it no spin. But rounding of the
-/// velocities (α (2 + 2)) may cause the impulse 4 · 4 α, and the lever arm has the uncertainty α (5 + 5 + 1/2), with the
-/// extent √(J / (2 m)) = 1/2. The spin is their product over J = 2.
+/// velocities (α (2 + 2)) may cause the impulse 4 · 4 α, and the lever arm has the uncertainty α (5 + 5 + 1/2), with
+/// the extent √(J / (2 m)) = 1/2. The spin is their product over J = 2.
 TEST(ExactCase, GrazesWithTheSpinByAnImpulseAndAnArmOfRounding) {
   constexpr double allowance = 0x1p-40;
   Collision c = against_a_wall({0, 0, 0}, 2);

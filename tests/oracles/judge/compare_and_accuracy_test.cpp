@@ -412,11 +412,10 @@ TEST(Compare, AllowsTheFrictionConeWhatRoundingOfTheImpulseMakes) {
   }
 }
 
-/// A ball moves with a wall, but for the velocities d and e of the rounding's size. F = m (d, 0, 0), V⁺ = (d, 0, −e), and
-/// the residual is n² m d e with n = ‖N‖. Let α be the allowance. The permitted residual is n² m α times a sum:
-/// 5 √(d² + e²) for v⁻, 10 e + 10 d for the velocities after the impulse, and 200 α for the product of the
-/// uncertainties of F (10 m α) and of V⁺ (20 α). With d = e, the outcome passes if d² ≤ α (27.1 d + 200 α), that is, if
-/// d ≤ 33.1 α.
+/// A ball moves with a wall, but for the velocities d and e of the rounding's size. F = m (d, 0, 0), V⁺ = (d, 0, −e),
+/// and the residual is n² m d e with n = ‖N‖. Let α be the allowance. The permitted residual is n² m α times a sum: 5
+/// √(d² + e²) for v⁻, 10 e + 10 d for the velocities after the impulse, and 200 α for the product of the uncertainties
+/// of F (10 m α) and of V⁺ (20 α). With d = e, the outcome passes if d² ≤ α (27.1 d + 200 α), that is, if d ≤ 33.1 α.
 TEST(Compare, AllowsFrictionAcrossTheSlipWhatRoundingOfBothMakes) {
   const Yardstick yardstick = yardstick_of(Precision::binary64);
   for (const bool of_a : {true, false}) {
@@ -431,18 +430,18 @@ TEST(Compare, AllowsFrictionAcrossTheSlipWhatRoundingOfBothMakes) {
       wall.velocity[2] = times * yardstick.allowance();
       ReportedOutcome outcome = reported(unchanged(c));
       (of_a ? outcome.a : outcome.b).velocity[0] = times * yardstick.allowance();
-      EXPECT_EQ(compare(equation::FrictionAlongSlip{of_a}, Relation::equal, ExactCase(c), LiftedOutcome(outcome),
-                        yardstick)
-                    .holds,
-                times < 33.1)
+      EXPECT_EQ(
+          compare(equation::FrictionAlongSlip{of_a}, Relation::equal, ExactCase(c), LiftedOutcome(outcome), yardstick)
+              .holds,
+          times < 33.1)
           << of_a << ' ' << times;
     }
   }
 }
 
-/// The lever arm is 0, and the ball keeps its velocity, so no slope allows it the spin δ. The residual is J δ = 2 δ. Let
-/// α be the allowance. The lever arm has the uncertainty (5 + 5 + 1/2) α, with the extent √(J / (2 m)) = 1/2, and m Δv
-/// has the uncertainty 4 (2 + 2) α. So δ ≤ 84 α² passes.
+/// The lever arm is 0, and the ball keeps its velocity, so no slope allows it the spin δ. The residual is J δ = 2 δ.
+/// Let α be the allowance. The lever arm has the uncertainty (5 + 5 + 1/2) α, with the extent √(J / (2 m)) = 1/2, and m
+/// Δv has the uncertainty 4 (2 + 2) α. So δ ≤ 84 α² passes.
 TEST(Compare, AllowsTheAngularMomentumWhatRoundingOfArmAndVelocityMakes) {
   const Yardstick yardstick = yardstick_of(Precision::binary64);
   for (const bool of_a : {true, false}) {
