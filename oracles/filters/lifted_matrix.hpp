@@ -55,14 +55,24 @@ class LiftedMatrix {
   }
 
  private:
+  /// A dual number converts only from its own scalar type.
+  template <class T>
+  static T rounded(double x) {
+    if constexpr (requires(T number) { number.value; }) {
+      return T(static_cast<decltype(T::value)>(x));
+    } else {
+      return static_cast<T>(x);
+    }
+  }
+
   template <class T, class Number>
   static T number(const Number& x) {
     if constexpr (std::is_same_v<T, Enclosure>) {
       return Enclosure(x);
     } else if constexpr (std::is_same_v<Number, Rational>) {
-      return T(to_double(x));
+      return rounded<T>(to_double(x));
     } else {
-      return T(static_cast<double>(x));
+      return rounded<T>(static_cast<double>(x));
     }
   }
 

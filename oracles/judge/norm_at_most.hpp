@@ -38,8 +38,8 @@ template <class S, class T, class Size>
 [[nodiscard]] bool norm_at_most(std::span<const Rational> vector, double bound);
 [[nodiscard]] bool norm_at_most(std::span<const Radical> vector, double bound);
 
-/// The same, or nullopt if the enclosures do not decide it. A² is the computed sum of the squared upper bounds of |v_i|,
-/// and B² that of the lower bounds. Each has a relative rounding error below ρ = `norm_bounds::rounding`.
+/// The same, or nullopt if the enclosures do not decide it. A² is the computed sum of the squared upper bounds of
+/// |v_i|, and B² that of the lower bounds. Each has a relative rounding error below ρ = `norm_bounds::rounding`.
 ///
 ///   (1) true if A² (1 + ρ) ≤ bound² (1 − ρ), or if all upper bounds are 0;
 ///   (2) false if B² (1 − ρ) > bound² (1 + ρ).

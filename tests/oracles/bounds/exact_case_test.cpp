@@ -81,5 +81,26 @@ TEST(ExactCase, TakesHalfOfLambdaWhereLargeTermsCancel) {
   EXPECT_NEAR(ExactCase(c).collision_matrix_sensitivity_below(), 0.5, 0x1p-20) << "half of λ";
 }
 
+/// The ball moves with the wall, and its lever arm is 0, so a first-order change gives it no spin. But rounding of the
+/// velocities (α (2 + 2)) may cause the impulse 4 · 4 α, and the lever arm has the uncertainty α (5 + 5 + 1/2), with
+/// the extent √(J / (2 m)) = 1/2. The spin is their product over J = 2.
+TEST(ExactCase, GrazesWithTheSpinByAnImpulseAndAnArmOfRounding) {
+  constexpr double allowance = 0x1p-40;
+  Collision c = against_a_wall({0, 0, 0}, 2);
+  c.a.mass = 4;
+  c.a.position = c.point = {3, 4, 0};
+  c.a.velocity = c.b.velocity = {0, 0, -2};
+  EXPECT_GE(ExactCase(c).sensitivity(Law::frictionless, allowance)[OutcomeVector::angular_velocity_of_a],
+            allowance * 4 * 4 * 10.5 / 2);
+}
+
+TEST(PermittedInputs, MoveTheVelocitiesOfBothBodies) {
+  constexpr double allowance = 0x1p-40;
+  Collision c = against_a_wall({0, 0, 0}, 1);
+  c.b.velocity = {0, 3, 0};
+  const oracles::PermittedInputs permitted(ExactCase(c), allowance);
+  EXPECT_NEAR(permitted.relative_velocity().radius / allowance, 1 + 3, 0x1p-40) << "‖v_A‖ + ‖v_B‖";
+}
+
 }  // namespace
 }  // namespace carom::bounds

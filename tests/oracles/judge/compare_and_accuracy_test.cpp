@@ -412,6 +412,58 @@ TEST(Compare, AllowsTheFrictionConeWhatRoundingOfTheImpulseMakes) {
   }
 }
 
+/// A ball moves with a wall, but for the velocities d and e of the rounding's size. F = m (d, 0, 0), V⁺ = (d, 0, −e),
+/// and the residual is n² m d e with n = ‖N‖. Let α be the allowance. The permitted residual is n² m α times a sum: 5
+/// √(d² + e²) for v⁻, 10 e + 10 d for the velocities after the impulse, and 200 α for the product of the uncertainties
+/// of F (10 m α) and of V⁺ (20 α). With d = e, the outcome passes if d² ≤ α (27.1 d + 200 α), that is, if d ≤ 33.1 α.
+TEST(Compare, AllowsFrictionAcrossTheSlipWhatRoundingOfBothMakes) {
+  const Yardstick yardstick = yardstick_of(Precision::binary64);
+  for (const bool of_a : {true, false}) {
+    Collision c;
+    Body& ball = of_a ? c.a : c.b;
+    Body& wall = of_a ? c.b : c.a;
+    wall.immovable = true;
+    ball.mass = 0x1p+4;
+    ball.velocity = wall.velocity = {0, -5, 0};
+    c.normal = {0, 0x1p+5, 0};
+    for (const double times : {32.0, 34.0}) {
+      wall.velocity[2] = times * yardstick.allowance();
+      ReportedOutcome outcome = reported(unchanged(c));
+      (of_a ? outcome.a : outcome.b).velocity[0] = times * yardstick.allowance();
+      EXPECT_EQ(
+          compare(equation::FrictionAlongSlip{of_a}, Relation::equal, ExactCase(c), LiftedOutcome(outcome), yardstick)
+              .holds,
+          times < 33.1)
+          << of_a << ' ' << times;
+    }
+  }
+}
+
+/// The lever arm is 0, and the ball keeps its velocity, so no slope allows it the spin δ. The residual is J δ = 2 δ.
+/// Let α be the allowance. The lever arm has the uncertainty (5 + 5 + 1/2) α, with the extent √(J / (2 m)) = 1/2, and m
+/// Δv has the uncertainty 4 (2 + 2) α. So δ ≤ 84 α² passes.
+TEST(Compare, AllowsTheAngularMomentumWhatRoundingOfArmAndVelocityMakes) {
+  const Yardstick yardstick = yardstick_of(Precision::binary64);
+  for (const bool of_a : {true, false}) {
+    Collision c;
+    Body& ball = of_a ? c.a : c.b;
+    (of_a ? c.b : c.a).immovable = true;
+    ball.mass = 4;
+    ball.principal_inertia.setConstant(2);
+    ball.position = c.point = {3, 4, 0};
+    ball.velocity = {0, -2, 0};
+    for (const double times : {83.0, 85.0}) {
+      ReportedOutcome outcome = reported(unchanged(c));
+      (of_a ? outcome.a : outcome.b).angular_velocity[0] = times * yardstick.allowance() * yardstick.allowance();
+      EXPECT_EQ(
+          compare(equation::AngularMomentum{of_a}, Relation::equal, ExactCase(c), LiftedOutcome(outcome), yardstick)
+              .holds,
+          times < 84)
+          << of_a << ' ' << times;
+    }
+  }
+}
+
 /// F = (d, 0, 2), where d is less than a binary64 ulp of the velocity. The allowance is α = d / 16. μ is so chosen that
 /// μ N·F = d − t α, with t = `times`. The residual is ‖N × F‖² − (μ N·F)² = d² − (d − t α)² = (2 t − t² / 16) d α. The
 /// permitted residual is 12.5 d α: 8.1 d α for the velocities (2 ‖v⁺‖ + 4 ‖v⁻‖), 4 d α for N, and 7.3 α² for the square

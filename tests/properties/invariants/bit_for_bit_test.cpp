@@ -118,32 +118,33 @@ std::size_t differences(const Subject& subject, const Relation& relation) {
 
 /// Expects no difference for the sound built-in solvers, except for those with this word in their name, which must
 /// show some.
-void expect_bit_for_bit(const Relation& relation, const std::string& except = "no such name") {
+void expect_bit_for_bit(const std::vector<Relation>& relations, const std::string& except = "no such name") {
   for (const Subject& subject : subjects::built_in_subjects()) {
-    if (subject.expected_to_pass) {
-      const bool is_exception = subject.name.find(except) != std::string::npos;
-      EXPECT_EQ(differences(subject, relation) > 0, is_exception) << subject.name;
+    if (!subject.expected_to_pass) {
+      continue;
     }
+    std::size_t differing = 0;
+    for (const Relation& relation : relations) {
+      differing += differences(subject, relation);
+    }
+    const bool is_exception = subject.name.find(except) != std::string::npos;
+    EXPECT_EQ(differing > 0, is_exception) << subject.name;
   }
 }
 
 /// A solver combines numbers of A and B as x_A − x_B, whose sign changes, or as x_A + x_B, which is commutative.
-TEST(BitForBit, Swap) { expect_bit_for_bit(swap()); }
+TEST(BitForBit, Swap) { expect_bit_for_bit({swap()}); }
 
 /// A mirror changes the sign of all terms of a sum or of none, so it changes no rounding. But QR takes the sign of a
 /// reflection from an entry of the matrix, and a mirror changes this sign.
-TEST(BitForBit, MirrorsExceptByQr) {
-  for (const int axis : {0, 1, 2}) {
-    expect_bit_for_bit(mirror(axis), "-qr-");
-  }
-}
+TEST(BitForBit, MirrorsExceptByQr) { expect_bit_for_bit({mirror(0), mirror(1), mirror(2)}, "-qr-"); }
 
 /// Powers of two change only exponents, and the square root of an even power is a power of two.
-TEST(BitForBit, UnitsOfLengthTimeAndAnEvenPowerOfMass) { expect_bit_for_bit(units_changed_by(4, -3, 1)); }
+TEST(BitForBit, UnitsOfLengthTimeAndAnEvenPowerOfMass) { expect_bit_for_bit({units_changed_by(4, -3, 1)}); }
 
 /// K scales as 1/mass. Cholesky takes square roots of its pivots, and the rounded √(2x) is not √2 times the rounded √x.
 /// The other solves take no square root.
-TEST(BitForBit, AnOddPowerOfMassExceptByCholesky) { expect_bit_for_bit(units_changed_by(5, 0, 0), "llt"); }
+TEST(BitForBit, AnOddPowerOfMassExceptByCholesky) { expect_bit_for_bit({units_changed_by(5, 0, 0)}, "llt"); }
 
 /// The outcome of another collision does not pass as a related one.
 TEST(BitForBit, IsNotFoundWhereACollisionIsNotRelated) {

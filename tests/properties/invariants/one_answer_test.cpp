@@ -22,10 +22,12 @@ TEST(Finite, AsksForAnOutcomeOfNumbers) {
   EXPECT_EQ(status_of("finite", valid, Failed{"died"}), Status::violated);
 }
 
-TEST(Finite, RepeatsTheReasonOfARefusal) {
-  const Verdict verdict =
-      std::get<AboutAnswer>(invariant_named("finite")->about).check(Collision{}, Refused{"no"}, Law::any);
-  EXPECT_EQ(verdict.detail, "the subject refused a valid collision: no");
+TEST(Finite, RepeatsTheReasonOfARefusalOrAFailure) {
+  const auto detail_of = [](const ExactAnswer& answer) {
+    return std::get<AboutAnswer>(invariant_named("finite")->about).check(Collision{}, answer, Law::any).detail;
+  };
+  EXPECT_EQ(detail_of(Refused{"no"}), "the subject refused a valid collision: no");
+  EXPECT_EQ(detail_of(Failed{"died"}), "no answer: the subject died");
 }
 
 TEST(InvalidRefused, RepeatsTheReasonOfAFailure) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <carom/oracles/filters/stage.hpp>
 #include <carom/properties/trial/trial.hpp>
 
 #include "support/known_collisions.hpp"
@@ -30,7 +31,40 @@ Verdict verdict_of_swap(const Answer& answer_to_swapped) {
   return try_case(JudgedCase({c}), claim, solve).verdicts.at(0).verdict;
 }
 
-TEST(Relations, HoldForRightAnswers) { EXPECT_EQ(verdict_of_swap(answer_of_reflection).status, Status::holds); }
+/// If the subject answers the related collision with the bits of the right answer, no number is compared.
+TEST(Relations, HoldForTheSameBits) {
+  const std::uint64_t before = oracles::decided_by_stage()[oracles::Stage::same_bits];
+  EXPECT_EQ(verdict_of_swap(answer_of_reflection).status, Status::holds);
+  EXPECT_EQ(oracles::decided_by_stage()[oracles::Stage::same_bits], before + 1);
+}
+
+/// The last answer is right, or all of its velocities are wrong.
+TEST(Relations, HoldForRightAnswersOnly) {
+  for (const Invariant& invariant : all_invariants()) {
+    if (!invariant.asks()) {
+      continue;
+    }
+    Claim claim;
+    claim.law = Law::reflection;
+    claim.yardstick = oracles::Yardstick::of(Precision::binary64);
+    claim.invariants = {&invariant};
+    const auto status_if = [&](bool is_right) {
+      const JudgedCase one({unit::plain_collision()});
+      const std::size_t questions = Trial(one, claim, answer_of_reflection(one.generated().collision)).question_count();
+      std::size_t asked = 0;
+      const auto solve = [&](const Collision& c) -> ExactAnswer {
+        ReportedOutcome outcome = unit::reported_outcome(oracles::ExactCase(c), Law::reflection);
+        if (asked++ == questions && !is_right) {
+          outcome = map_outcome<long double>(outcome, [](long double x) { return x + 1; });
+        }
+        return oracles::LiftedOutcome(outcome);
+      };
+      return try_case(one, claim, solve).verdicts.at(0).verdict.status;
+    };
+    EXPECT_EQ(status_if(true), Status::holds) << invariant.name;
+    EXPECT_EQ(status_if(false), Status::violated) << invariant.name;
+  }
+}
 
 TEST(Relations, AreSkippedIfTheSubjectSkipsOrDoesNotAnswer) {
   const Verdict skipped = verdict_of_swap([](const Collision&) { return Skipped{"too heavy"}; });

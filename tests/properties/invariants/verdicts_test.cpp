@@ -69,6 +69,12 @@ TEST(Seriousness, OrdersViolations) {
   EXPECT_EQ(seriousness(verdict, c), 0.5 * 0x1p+53);
 }
 
+TEST(ViolationKind, IsFoundInTheDetailOfAViolation) {
+  for (int kind = 0; kind <= static_cast<int>(ViolationKind::subject_threw); ++kind) {
+    EXPECT_EQ(static_cast<int>(kind_of_detail(violation(static_cast<ViolationKind>(kind), ": why").detail)), kind);
+  }
+}
+
 TEST(Both, IsTheMoreSevereOfTwoViolations) {
   Verdict small{Status::violated, "small", 2, 1, {}, {}};
   Verdict large{Status::violated, "large", 9, 3, {}, {}};

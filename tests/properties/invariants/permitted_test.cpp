@@ -98,7 +98,7 @@ struct Seen {
 
 /// The share of the limit by which the quantities move. The rest covers third-order changes, and second-order changes
 /// where the first order does not vanish.
-constexpr double share = 0.95;
+constexpr double share_of_limit = 0.95;
 
 /// The claims about one outcome of a subject with this law and precision.
 Claim claims_of_one_outcome(Law law, Precision precision) {
@@ -119,7 +119,7 @@ void expect_to_pass(const Collision& collision, Law law, Precision precision, St
     return;
   }
   const double allowance = own.yardstick.allowance();
-  const Outcome<Rational> outcome = answer_to(perturbed(stream, collision, share * allowance), law);
+  const Outcome<Rational> outcome = answer_to(perturbed(stream, collision, share_of_limit * allowance), law);
   ++seen.judged;
   seen.blind += judged.exact().permitted_inputs(allowance) != nullptr ? 1 : 0;
   for (const Claim& claim : {own, claims_of_one_outcome(Law::any, precision)}) {
