@@ -7,5 +7,5 @@ int main(int argc, char** argv) {
   become_scene_program(argc, argv);
   return run_program(argc, argv,
                      {add_gate, add_domain, add_lists, add_chart, add_missing_scene, add_plan, add_compare, add_merge,
-                      add_table, add_badge, add_replay});
+                      add_replay});
 }

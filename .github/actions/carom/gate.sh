@@ -16,8 +16,5 @@ mapfile -d '' -t arguments < <(lines "$CAROM_ARGUMENTS")
 [ -z "$CAROM_WITHIN" ] || arguments+=(--within "$CAROM_WITHIN")
 [ -z "$CAROM_DIGITS" ] || arguments+=(--digits "$CAROM_DIGITS")
 [ -z "$CAROM_BASELINE" ] || arguments+=(--baseline "$CAROM_BASELINE")
-status=0
-carom gate "${subjects[@]}" --seed "$CAROM_SEED" --cases "$CAROM_CASES" --out "$CAROM_OUT" --annotations github \
-  --summary "$GITHUB_STEP_SUMMARY" "${arguments[@]}" || status=$?
-[ ! -e "$CAROM_OUT/report.json" ] || carom badge "$CAROM_OUT/report.json" --out "$CAROM_OUT/badge.json"
-exit "$status"
+exec carom gate "${subjects[@]}" --seed "$CAROM_SEED" --cases "$CAROM_CASES" --out "$CAROM_OUT" --annotations github \
+  --summary "$GITHUB_STEP_SUMMARY" "${arguments[@]}"

@@ -13,7 +13,7 @@
 #include <carom/report/model/digits.hpp>
 #include <carom/report/model/subject_status.hpp>
 
-/// A report of any version of Carom, as comparisons, tables and badges read it. Families and invariants are names,
+/// A report of any version of Carom, as comparisons read it. Families and invariants are names,
 /// because this program may not know them. Every text is a line that is safe to print.
 namespace carom::report {
 

@@ -21,9 +21,6 @@ namespace carom::report {
 /// report.html: one page that needs no script, network or other file, and is well-formed XML too.
 [[nodiscard]] std::string run_html(const Run& run, const std::string& out_directory);
 
-/// The table of the report's subjects in Markdown.
-[[nodiscard]] std::string subjects_markdown(const RecordedRun& run);
-
 /// The run as JUnit's XML: a suite for each subject, and a test for each invariant that it claims.
 [[nodiscard]] std::string junit_xml(const Run& run);
 
@@ -31,9 +28,6 @@ namespace carom::report {
 /// or a notice if the baseline knows it. A subject that could not be judged is an error. A diagnosis is a notice. The
 /// last line is a notice with the overall verdict.
 [[nodiscard]] std::string github_annotations(const Run& run, const std::string& out_directory);
-
-/// The verdict in the format of shields.io's endpoint badge (https://shields.io/badges/endpoint-badge).
-[[nodiscard]] nlohmann::json badge_record(const RecordedRun& run);
 
 /// A comparison for a terminal, for a comment on a merge request, and as a page. The last line of the text is the
 /// summary.

@@ -102,27 +102,6 @@ Row subject_row(const Run& run, std::size_t s) {
           run.counts[s] ? notes_on(result, run) : std::vector<std::string>{}};
 }
 
-/// "family (violated cases)", the family with the most violated cases first.
-std::string violated_families(const RecordedSubject& subject) {
-  std::vector<std::pair<std::uint64_t, std::string>> violated;
-  for (const RecordedFamily& family : subject.families) {
-    if (family.violated > 0) {
-      violated.emplace_back(family.violated, family.name);
-    }
-  }
-  std::stable_sort(violated.begin(), violated.end(), [](const auto& x, const auto& y) { return x.first > y.first; });
-  constexpr std::size_t most_named = 8;
-  if (!violated.empty() && (violated.size() == subject.families.size() || violated.size() > most_named)) {
-    return fmt::format("{} of {}, most in {} ({})", violated.size(), subject.families.size(), violated[0].second,
-                       violated[0].first);
-  }
-  std::vector<std::string> words;
-  for (const auto& [count, name] : violated) {
-    words.push_back(fmt::format("{} ({})", name, count));
-  }
-  return words.empty() ? no_number : listed(words);
-}
-
 }  // namespace
 
 Table subjects_table(const Run& run, Subjects which) {
@@ -187,32 +166,6 @@ Document judge_error_part(const Run& run) {
                   "judge-error",
                   "section",
                   "error"}};
-}
-
-std::string subjects_markdown(const RecordedRun& run) {
-  Table table{"",
-              {{"subject"},
-               {"precision, model"},
-               {"verdict"},
-               {"worst backward error [ulps]"},
-               {"digits p50 / p99 / worst"},
-               {"invariants violated"},
-               {"in families (violated cases)"},
-               {"ns/solve"}},
-              {}};
-  for (const RecordedSubject& subject : run.subjects) {
-    const SubjectSummary& summary = subject.summary;
-    if (summary.status == SubjectStatus::absent) {
-      table.rows.push_back({{subject.name, "absent: " + summary.error}});
-      continue;
-    }
-    const std::optional<double>& error = summary.worst_backward_error;
-    table.rows.push_back({{subject.name + ' ' + summary.version, fmt::format("{}, {}", summary.precision, summary.law),
-                           std::string(name_of(summary.status)), error ? fmt::format("{:.2g}", *error) : no_number,
-                           in_words(summary.digits), summary.violated.empty() ? no_number : listed(summary.violated),
-                           violated_families(subject), fmt::format("{:.0f}", subject.nanoseconds_per_solve)}});
-  }
-  return in_markdown({table});
 }
 
 }  // namespace carom::report

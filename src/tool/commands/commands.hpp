@@ -27,8 +27,6 @@ void add_chart(CLI::App& app, Chosen& chosen);
 void add_plan(CLI::App& app, Chosen& chosen);  // of collisions; refuses scenes
 void add_compare(CLI::App& app, Chosen& chosen);
 void add_merge(CLI::App& app, Chosen& chosen);
-void add_table(CLI::App& app, Chosen& chosen);
-void add_badge(CLI::App& app, Chosen& chosen);
 void add_replay(CLI::App& app, Chosen& chosen);
 
 /// Runs a program with these commands and returns its exit status, even if a command throws. Errors are reported on
