@@ -81,12 +81,10 @@ TEST(NotClaimed, IsWhatIsSaidOfAMatrixThatIsNotShown) {
   const RunResult result = run_carom({"gate", "frictionless-double", "reflection-double", "reflection-batch-double",
                                       "--cases", "5", "--out", out.path().string()});
   EXPECT_EQ(result.exit_status, 0) << result.errors;
-  const std::string said =
-      "not claimed, because it shows no collision matrix: definite, well_conditioned, matrix_used\n";
-  const std::size_t at = result.output.find(said);
-  ASSERT_NE(at, std::string::npos) << result.output;
-  EXPECT_NE(result.output.find(said, at + 1), std::string::npos);
-  EXPECT_EQ(result.output.find(said, result.output.find(said, at + 1) + 1), std::string::npos);
+  EXPECT_NE(result.output.find("  frictionless-double, reflection-batch-double: not claimed, because it shows no "
+                               "collision matrix: definite, well_conditioned, matrix_used\n"),
+            std::string::npos)
+      << result.output;
   const std::string html = content_of(out.path() / "report.html");
   EXPECT_NE(html.find("because it shows no collision matrix"), std::string::npos);
   const json report = json::parse(content_of(out.path() / "report.json"));

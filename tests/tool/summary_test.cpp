@@ -30,7 +30,8 @@ TEST(Summary, OfASoundSubjectIsALineOfATable) {
       {"gate", "frictionless-double", "--families", "head_on", "--deviates", few_families_judge_no, "--cases", "20"},
       0);
   expect_in(text, {"## Carom: sound\n\n1 of 1 subjects that count are sound; 20 cases of each of 1 "
-                   "families, seed 1, ", "| `frictionless-double` | sound | "});
+                   "families, seed 1, ",
+                   "| `frictionless-double` | sound | "});
   EXPECT_EQ(text.find("###"), std::string::npos) << text;
 }
 

@@ -33,6 +33,7 @@ struct Column {
   std::string name;
   bool is_number = false;   // aligned to the right
   bool is_upright = false;  // HTML turns the name upright
+  bool is_in_text = true;   // a terminal has no room for each column
 };
 
 struct Cell {
@@ -60,7 +61,7 @@ struct Facts {
 
 struct Row {
   std::vector<Cell> cells;              // the first cell names the row; the last cell spans the remaining columns
-  std::vector<std::string> notes = {};  // lines below the row, in a text
+  std::vector<std::string> notes = {};  // below the table, in a text; rows with the same note share it
   bool is_group = false;                // the only cell is the heading of the rows below
 };
 
@@ -113,7 +114,8 @@ struct Block {
 
 [[nodiscard]] Document with(Document first, Document second);
 
-/// The document for a terminal. Each column of a table is as wide as its longest cell.
+/// The document for a terminal. Each column of a table is as wide as its longest cell. Each note of the rows stands once
+/// below the table, with the first cells of its rows.
 [[nodiscard]] std::string in_text(const Document& document);
 
 /// The document as Markdown, with headings of this level.

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 #include <limits>
+#include <span>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <carom/collision/json/text.hpp>
 #include <carom/report/document/document.hpp>
@@ -54,27 +58,49 @@ struct TextWriter {
   }
 
   void operator()(const Table& table) {
+    std::vector<Column> columns;
     std::vector<std::string> names;
     std::vector<std::size_t> widths;
     for (const Column& column : table.columns) {
-      names.push_back(column.name);
-      widths.push_back(width_of(column.name));
-    }
-    for (const Row& row : table.rows) {
-      for (std::size_t i = 0; i < row.cells.size() && row.cells.size() == widths.size(); ++i) {
-        widths[i] = std::max(widths[i], width_of(cell_text(row.cells[i])));
+      if (column.is_in_text) {
+        columns.push_back(column);
+        names.push_back(column.name);
+        widths.push_back(width_of(column.name));
       }
     }
-    text += line(names, widths, table.columns);
+    std::vector<std::vector<std::string>> rows;
     for (const Row& row : table.rows) {
-      std::vector<std::string> cells;
-      for (const Cell& cell : row.cells) {
-        cells.push_back(cell_text(cell));
+      std::vector<std::string>& cells = rows.emplace_back();
+      for (std::size_t i = 0; i < row.cells.size(); ++i) {
+        if (table.columns[i].is_in_text) {
+          cells.push_back(cell_text(row.cells[i]));
+        }
       }
-      text += (row.is_group ? "\n" : "") + line(cells, widths, table.columns);
+      for (std::size_t i = 0; i < cells.size() && cells.size() == widths.size(); ++i) {
+        widths[i] = std::max(widths[i], width_of(cells[i]));
+      }
+    }
+    text += line(names, widths, columns);
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+      text += (table.rows[r].is_group ? "\n" : "") + line(rows[r], widths, columns);
+    }
+    add_notes(table);
+  }
+
+  void add_notes(const Table& table) {
+    std::vector<std::pair<std::string, std::vector<std::string>>> notes;  // and their rows
+    for (const Row& row : table.rows) {
       for (const std::string& note : row.notes) {
-        text += "    " + lines_of(note) + '\n';
+        const auto known = std::ranges::find_if(notes, [&](const auto& one) { return one.first == note; });
+        auto& of_note = known == notes.end() ? notes.emplace_back(note, std::vector<std::string>{}) : *known;
+        of_note.second.push_back(cell_text(row.cells[0]));
       }
+    }
+    constexpr std::size_t most_named = 4;
+    for (const auto& [note, rows] : notes) {
+      const std::size_t named = std::min(rows.size(), most_named);
+      const std::string more = rows.size() > named ? fmt::format(" and {} more", rows.size() - named) : "";
+      text += fmt::format("  {}{}: {}\n", fmt::join(std::span(rows).first(named), ", "), more, lines_of(note));
     }
   }
 

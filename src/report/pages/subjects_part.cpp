@@ -50,7 +50,7 @@ std::string decided_cases(const properties::SubjectResult& result, const Run& ru
   return listed(words);
 }
 
-/// The lines below a subject's row in a text.
+/// The notes on a subject, in a text.
 std::vector<std::string> notes_on(const properties::SubjectResult& result, const Run& run) {
   const SubjectStatus status = status_of(result);
   std::vector<std::string> notes;
@@ -108,13 +108,13 @@ Table subjects_table(const Run& run, Subjects which) {
   Table table{"Subjects and their verdicts",
               {{"subject"},
                {"verdict", true},
-               {"worst backward error [ulps]", true},
+               {"backward error [ulps]", true},
                {"in family"},
                {"digits p50 / p99 / worst", true},
                {"ns/solve", true},
-               {"cases", true},
-               {"model"},
-               {"precision"}},
+               {.name = "cases", .is_number = true, .is_in_text = false},
+               {.name = "model", .is_in_text = false},
+               {.name = "precision", .is_in_text = false}},
               {},
               "subjects"};
   for (const bool counts : {true, false}) {

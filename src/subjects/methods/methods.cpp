@@ -12,9 +12,9 @@ namespace carom::subjects {
 std::vector<Method> methods() {
   std::vector<Method> all;
   // Rounding the outcome of double-double to long double costs at most half an ulp of `extended`.
-  for (const auto group : {scalar_methods<float>, scalar_methods<double>, scalar_methods<long double>,
-                           law_methods<impulse::DoubleDouble>, pivoting_float_methods, pivoting_double_methods,
-                           refined_methods, guaranteed_methods, batch_methods}) {
+  for (const auto group :
+       {scalar_methods<float>, scalar_methods<double>, scalar_methods<long double>, law_methods<impulse::DoubleDouble>,
+        pivoting_float_methods, pivoting_double_methods, refined_methods, guaranteed_methods, batch_methods}) {
     std::ranges::move(group(), std::back_inserter(all));
   }
   return all;
