@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <carom/report/document/markup.hpp>
+#include <carom/report/model/words.hpp>
 #include <carom/report/pages/parts.hpp>
 
 namespace carom::report {
