@@ -297,7 +297,7 @@ test)
       fi
       echo "bootstrap: the tests Web.* will be skipped, because a tool or a library is missing" >&2
     }
-    run_tests build "${@:2}"
+    run_tests build --label-exclude '^sampled$' "${@:2}"
   fi
   install_test_programs
   build carom_default_tests
@@ -342,7 +342,7 @@ sanitize)
   install_all_test_programs
   configure sanitize
   cmake --build build-sanitize --parallel "$jobs" --target carom_all_tests >&2
-  run_tests build-sanitize "$@"
+  run_tests build-sanitize --label-exclude '^sampled$' "$@"
   ;;
 tsan)
   install_packages
@@ -371,7 +371,7 @@ coverage)
   configure coverage
   cmake --build build-coverage --parallel "$jobs" --target carom_all_tests >&2
   find build-coverage -name '*.gcda' -delete
-  ctest --test-dir build-coverage --output-on-failure --parallel "$jobs" "$@" >&2
+  ctest --test-dir build-coverage --output-on-failure --parallel "$jobs" --label-exclude '^sampled$' "$@" >&2
   gcovr --root . --object-directory build-coverage --exclude-unreachable-branches --csv \
     --filter src/ --filter oracles/ --filter properties/ -j "$jobs" |
     python3 tests/house/coverage_by_folder.py
