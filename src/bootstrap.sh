@@ -200,10 +200,8 @@ install_fuzzer() {
 
 # fuzz_one TARGET SECONDS: keeps new inputs in build-fuzz/found/TARGET and findings in build-fuzz/findings.
 fuzz_one() {
-  local target=$1 seconds=$2 directories=("build-fuzz/found/$1" "build-fuzz/tests/fuzz/seeds/$1") known options
-  for known in corpora regressions; do
-    [ -d "tests/fuzz/$known/$target" ] && directories+=("tests/fuzz/$known/$target")
-  done
+  local target=$1 seconds=$2 directories=("build-fuzz/found/$1" "build-fuzz/tests/fuzz/seeds/$1") options
+  [ -d "tests/fuzz/regressions/$target" ] && directories+=("tests/fuzz/regressions/$target")
   options=(-max_total_time="$seconds" -timeout=60 -rss_limit_mb=4096 "-artifact_prefix=build-fuzz/findings/$target-")
   case "$target" in json_* | protocol_*) options+=(-dict=tests/fuzz/carom.dict) ;; esac
   mkdir -p "${directories[0]}" build-fuzz/findings
