@@ -177,7 +177,7 @@ lint() {
   if [ $# -gt 0 ]; then
     preset=lint checks=''
   else
-    set -- '^(?!.*/replay_page\.cpp$)' # the only generated source
+    set -- '^(?!.*/replay_page\.cpp$)' # the page of replays as a generated source
   fi
   mapfile -t files < <(sources -name '*.[ch]pp')
   clang-format --dry-run --Werror "${files[@]}" || status=1
