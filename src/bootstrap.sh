@@ -177,7 +177,7 @@ lint() {
   if [ $# -gt 0 ]; then
     preset=lint checks=''
   else
-    set -- '^(?!.*/replay_page\.cpp$)' # the only generated source
+    set -- '^(?!.*/replay_page\.cpp$)' # the page of replays as a generated source
   fi
   mapfile -t files < <(sources -name '*.[ch]pp')
   clang-format --dry-run --Werror "${files[@]}" || status=1
@@ -200,10 +200,8 @@ install_fuzzer() {
 
 # fuzz_one TARGET SECONDS: keeps new inputs in build-fuzz/found/TARGET and findings in build-fuzz/findings.
 fuzz_one() {
-  local target=$1 seconds=$2 directories=("build-fuzz/found/$1" "build-fuzz/tests/fuzz/seeds/$1") known options
-  for known in corpora regressions; do
-    [ -d "tests/fuzz/$known/$target" ] && directories+=("tests/fuzz/$known/$target")
-  done
+  local target=$1 seconds=$2 directories=("build-fuzz/found/$1" "build-fuzz/tests/fuzz/seeds/$1") options
+  [ -d "tests/fuzz/regressions/$target" ] && directories+=("tests/fuzz/regressions/$target")
   options=(-max_total_time="$seconds" -timeout=60 -rss_limit_mb=4096 "-artifact_prefix=build-fuzz/findings/$target-")
   case "$target" in json_* | protocol_*) options+=(-dict=tests/fuzz/carom.dict) ;; esac
   mkdir -p "${directories[0]}" build-fuzz/findings
@@ -297,7 +295,7 @@ test)
       fi
       echo "bootstrap: the tests Web.* will be skipped, because a tool or a library is missing" >&2
     }
-    run_tests build "${@:2}"
+    run_tests build --label-exclude '^sampled$' "${@:2}"
   fi
   install_test_programs
   build carom_default_tests
@@ -342,7 +340,7 @@ sanitize)
   install_all_test_programs
   configure sanitize
   cmake --build build-sanitize --parallel "$jobs" --target carom_all_tests >&2
-  run_tests build-sanitize "$@"
+  run_tests build-sanitize --label-exclude '^sampled$' "$@"
   ;;
 tsan)
   install_packages
@@ -371,7 +369,7 @@ coverage)
   configure coverage
   cmake --build build-coverage --parallel "$jobs" --target carom_all_tests >&2
   find build-coverage -name '*.gcda' -delete
-  ctest --test-dir build-coverage --output-on-failure --parallel "$jobs" "$@" >&2
+  ctest --test-dir build-coverage --output-on-failure --parallel "$jobs" --label-exclude '^sampled$' "$@" >&2
   gcovr --root . --object-directory build-coverage --exclude-unreachable-branches --csv \
     --filter src/ --filter oracles/ --filter properties/ -j "$jobs" |
     python3 tests/house/coverage_by_folder.py

@@ -72,6 +72,7 @@ double speed(const Collision& c) { return size_of(relative_velocity(c)); }
 
 }  // namespace
 
+// NOLINTNEXTLINE(readability-function-size): a table
 std::vector<Feature> of_approach() {
   return {
       pair_relation(

@@ -133,6 +133,7 @@ bool is_whole(const Collision& c) {
 
 }  // namespace
 
+// NOLINTNEXTLINE(readability-function-size): a table
 std::vector<Feature> of_both_bodies() {
   return {
       pair_relation(

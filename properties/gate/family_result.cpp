@@ -71,8 +71,9 @@ void FamilyResult::order_violated_cases() {
     numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
   }
   std::ranges::sort(sampled_answers, {}, &SampledAnswer::index);
-  const auto repeated = std::ranges::unique(sampled_answers, {}, &SampledAnswer::index);
-  sampled_answers.erase(repeated.begin(), repeated.end());
+  const auto have_one_index = [](const SampledAnswer& x, const SampledAnswer& y) { return x.index == y.index; };
+  sampled_answers.erase(std::unique(sampled_answers.begin(), sampled_answers.end(), have_one_index),
+                        sampled_answers.end());
 }
 
 AnswerKind kind_of(const Answer& answer) {

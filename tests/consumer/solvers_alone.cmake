@@ -4,7 +4,8 @@
 
 include(${CMAKE_CURRENT_LIST_DIR}/commands.cmake)
 
-set(nothing_else -DCMAKE_CXX_COMPILER=${COMPILER})
+# The build that runs this test compiles all instruction sets.
+set(nothing_else -DCMAKE_CXX_COMPILER=${COMPILER} -DCAROM_ALL_INSTRUCTION_SETS=OFF)
 foreach(package Boost CGAL CLI11 GTest PkgConfig Threads benchmark fmt nlohmann_json pugixml rapidcheck)
   list(APPEND nothing_else -DCMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
 endforeach()

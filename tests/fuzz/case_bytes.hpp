@@ -12,7 +12,7 @@
 /// Cases as bytes, in a drawn and a plain form. The first byte selects the form:
 ///
 ///  below 120:     drawn: the family with this number (modulo the number of families) draws from the integers after it
-///  below 128:     drawn, by a family beyond the claimed domain (claimed_domain.hpp)
+///  below 128:     drawn, by a family beyond the claimed domain (law.cpp)
 ///  128 and above: plain: a byte for the immovable body (1: A, 2: B), then the numbers of a collision, valid or not
 ///
 /// Inputs in corpora and regressions use the plain form, because it does not depend on the families.

@@ -5,13 +5,13 @@
 
 #include <carom/collision/json/json.hpp>
 #include <carom/collision/validate.hpp>
+#include <carom/oracles/filters/moderate.hpp>
 #include <carom/properties/gate/witness.hpp>
 #include <carom/properties/trial/answers.hpp>
 #include <carom/properties/trial/in_words.hpp>
 #include <carom/subjects/catalogue.hpp>
 
 #include "case_bytes.hpp"
-#include "claimed_domain.hpp"
 #include "target.hpp"
 
 namespace carom::fuzz {
@@ -31,6 +31,34 @@ std::vector<Solver> solvers_of(Law law) {
     }
   }
   return solvers;
+}
+
+/// Whether Carom's binary64 solvers of the law claim to be sound on a collision that no family drew. The collision's
+/// numbers must be moderate (moderate.hpp). No body may be more slender than those of the family `physical`. Laws that
+/// invert the collision matrix K also require K ⪯ 16 λI, with λ = 1/m_A + 1/m_B. This bound holds for bodies of uniform
+/// density that are star-shaped from the contact point, such as convex bodies. Precondition: the collision is valid.
+bool is_in_claimed_domain(const Collision& collision, Law law) {
+  constexpr double largest_ratio_of_moments = 1e8;
+  // The collision matrix is K = λI + T, with λ = 1/m_A + 1/m_B and the response to torque T = Σ [r]ᵀ J⁻¹ [r]. So K ⪯ 16
+  // λI means T ⪯ 15 λI. This function requires T ⪯ 14.5 λI, so that its rounding errors do not matter.
+  constexpr double largest_response_to_torque = 14.5;
+  if (!oracles::is_moderate(collision)) {
+    return false;
+  }
+  double inverse_mass = 0;
+  double response_to_torque = 0;  // an upper bound of ‖T‖
+  for (const Body* body : {&collision.a, &collision.b}) {
+    if (body->immovable) {
+      continue;
+    }
+    const double least_moment = body->principal_inertia.minCoeff();
+    if (body->principal_inertia.maxCoeff() > largest_ratio_of_moments * least_moment) {
+      return false;
+    }
+    inverse_mass += 1 / body->mass;
+    response_to_torque += (collision.point - body->position).squaredNorm() / least_moment;
+  }
+  return law == Law::frictionless || response_to_torque <= largest_response_to_torque * inverse_mass;
 }
 
 [[noreturn]] void fail_on(const Solver& solver, const Collision& collision, const properties::Invariant& invariant,

@@ -23,9 +23,7 @@ for seeds in "$WORK"/carom/tests/fuzz/seeds/*; do
   cp "$WORK/carom/tests/fuzz/$target" "$OUT/"
   cp "$fuzz/carom.dict" "$OUT/$target.dict"
   known=("$seeds")
-  for folder in corpora regressions; do
-    [ -d "$fuzz/$folder/$target" ] && known+=("$fuzz/$folder/$target")
-  done
+  [ -d "$fuzz/regressions/$target" ] && known+=("$fuzz/regressions/$target")
   rm -f "$OUT/${target}_seed_corpus.zip"
   zip -q -j -r "$OUT/${target}_seed_corpus.zip" "${known[@]}"
   ldd "$WORK/carom/tests/fuzz/$target" | awk '$1 ~ /^lib(stdc\+\+|gcc_s|fmt|gmp|mpfr|ode|Bullet|LinearMath|ccd)/ { print $3 }' |

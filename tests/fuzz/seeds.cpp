@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
-// seeds DIRECTORY: writes a few inputs for each target, made from the families, as DIRECTORY/TARGET/NAME.
+// seeds DIRECTORY CORPUS…: writes inputs as DIRECTORY/TARGET/NAME. For each target, it makes a few from the families. A
+// file TARGET.txt of corpora has one input a line, in which %41 is the byte 0x41.
 #include <cstdint>
 #include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -103,16 +105,39 @@ void write_all(const fs::path& directory) {
   write(directory, "printed_text", "words", "\x40program --name 'one two' \"three \\\" $four\" five\\ six");
 }
 
+void unpack(const fs::path& corpus, const fs::path& directory) {
+  std::ifstream lines(corpus);
+  int number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    std::string bytes;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      if (line[i] == '%') {
+        bytes += static_cast<char>(std::stoi(line.substr(i + 1, 2), nullptr, 16));
+        i += 2;
+      } else {
+        bytes += line[i];
+      }
+    }
+    write(directory, corpus.stem().string(), "corpus-" + std::to_string(++number), bytes);
+  }
+  if (number == 0) {
+    throw std::runtime_error(corpus.string() + " has no input");
+  }
+}
+
 }  // namespace
 }  // namespace carom::fuzz
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::cerr << "usage: seeds DIRECTORY\n";
+  if (argc < 2) {
+    std::cerr << "usage: seeds DIRECTORY CORPUS…\n";
     return 2;
   }
   try {
     carom::fuzz::write_all(argv[1]);
+    for (int i = 2; i < argc; ++i) {
+      carom::fuzz::unpack(argv[i], argv[1]);
+    }
     return 0;
   } catch (const std::exception& error) {
     std::cerr << "seeds: " << error.what() << '\n';
