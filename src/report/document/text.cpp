@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 #include <limits>
-#include <span>
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <carom/collision/json/text.hpp>
 #include <carom/report/document/document.hpp>
@@ -98,9 +94,11 @@ struct TextWriter {
     }
     constexpr std::size_t most_named = 4;
     for (const auto& [note, rows] : notes) {
-      const std::size_t named = std::min(rows.size(), most_named);
-      const std::string more = rows.size() > named ? fmt::format(" and {} more", rows.size() - named) : "";
-      text += fmt::format("  {}{}: {}\n", fmt::join(std::span(rows).first(named), ", "), more, lines_of(note));
+      for (std::size_t i = 0; i < std::min(rows.size(), most_named); ++i) {
+        text += (i == 0 ? "  " : ", ") + rows[i];
+      }
+      text += rows.size() > most_named ? " and " + std::to_string(rows.size() - most_named) + " more" : "";
+      text += ": " + lines_of(note) + '\n';
     }
   }
 
