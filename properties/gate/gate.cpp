@@ -142,6 +142,23 @@ std::deque<Restarts> restarts_of(std::size_t subjects) {
   return restarts;
 }
 
+/// Room for the sampled cases of each family.
+std::vector<std::vector<SampledCase>> room_for_samples(const GateOptions& options) {
+  std::vector<std::vector<SampledCase>> sampled;
+  for (const Family* family : options.families) {
+    const std::uint64_t cases = cases_of(options, *family);
+    const std::uint64_t end = options.budget || cases == 0 ? cases : options.shard.case_number(cases - 1) + 1;
+    sampled.emplace_back(std::min(end, sampled_of(*family)));
+  }
+  return sampled;
+}
+
+/// Removes the places after the last valid case, which belong to cases that were not drawn.
+void end_at_last_case(std::vector<SampledCase>& sampled) {
+  const auto last = std::find_if(sampled.rbegin(), sampled.rend(), [](const SampledCase& one) { return one.is_valid; });
+  sampled.erase(last.base(), sampled.end());
+}
+
 /// The state that the threads of a run share.
 struct Run {
   const std::vector<Subject>& subjects;
@@ -153,12 +170,8 @@ struct Run {
   Finds finds{subjects.size()};
   JudgeFault judge_fault = {};
   std::deque<Restarts> restarts = restarts_of(subjects.size());  // of each subject
-};
-
-struct Sampled {
-  std::size_t family;
-  std::uint64_t index;
-  SampledCase one;
+  /// By family and case number. Each case is drawn once, so workers write different elements.
+  std::vector<std::vector<SampledCase>> sampled = room_for_samples(options);
 };
 
 class Worker {
@@ -191,7 +204,6 @@ class Worker {
   [[nodiscard]] const std::vector<SubjectTally>& tallies() const { return tallies_; }
   [[nodiscard]] const std::vector<Coverage>& coverage() const { return coverage_; }
   [[nodiscard]] const FeatureCoverage& features() const { return features_; }
-  [[nodiscard]] const std::vector<Sampled>& sampled() const { return sampled_; }
   [[nodiscard]] const std::optional<FirstViolation>& first_violation(std::size_t subject) const {
     return examinees_[subject].first_violation;
   }
@@ -299,7 +311,7 @@ class Worker {
       features_.add(present);
     }
     if (is_sampled) {
-      sampled_.push_back({family, index, sampled_case(one, std::move(present))});
+      run_->sampled[family][index] = sampled_case(one, std::move(present));
     }
   }
 
@@ -338,7 +350,6 @@ class Worker {
   std::vector<Coverage> coverage_;
   std::vector<SubjectTally> tallies_;
   FeatureCoverage features_;
-  std::vector<Sampled> sampled_;
 };
 
 std::vector<Worker> workers_of(Run& run) {
@@ -410,9 +421,14 @@ GateReport run_gate(const std::vector<Subject>& subjects, const GateOptions& opt
   std::vector<Worker> workers = workers_of(run);
   options.workers.run(workers.size(), [&](std::size_t worker) { workers[worker].run(); });
 
-  GateReport report{
-      options, std::vector<Coverage>(options.families.size()), {}, {}, {}, false, run.judge_fault.first()};
-  report.sampled.resize(options.families.size());
+  GateReport report{options,
+                    std::vector<Coverage>(options.families.size()),
+                    {},
+                    std::move(run.sampled),
+                    {},
+                    false,
+                    run.judge_fault.first()};
+  std::ranges::for_each(report.sampled, end_at_last_case);
   for (std::size_t s = 0; s < subjects.size(); ++s) {
     const SubjectTally tally = tally_of(workers, s, claims[s]);
     SubjectResult result{subjects[s], tally.error, tally.families, tally.digits, 0, {}, {}, {}, {}};
@@ -424,11 +440,6 @@ GateReport run_gate(const std::vector<Subject>& subjects, const GateOptions& opt
   }
   for (const Worker& worker : workers) {
     report.features += worker.features();
-    for (const Sampled& sampled : worker.sampled()) {
-      std::vector<SampledCase>& of_family = report.sampled[sampled.family];
-      of_family.resize(std::max<std::size_t>(of_family.size(), sampled.index + 1));
-      of_family[sampled.index] = sampled.one;
-    }
     for (std::size_t f = 0; f < report.coverage.size(); ++f) {
       report.coverage[f] += worker.coverage()[f];
     }
