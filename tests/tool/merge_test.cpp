@@ -260,5 +260,28 @@ TEST(Shard, IsOneOfSoManyAndOfAWholeRun) {
   EXPECT_EQ(run_carom({"gate", "frictionless-double", "--shard", "1/3", "--fail-fast"}).exit_status, 2);
 }
 
+TEST(Shard, OfABatchSystemHasAFolderOfItsOwn) {
+  const TemporaryDirectory out;
+  std::vector<std::string> arguments{"OMPI_COMM_WORLD_RANK=1",
+                                     "OMPI_COMM_WORLD_SIZE=3",
+                                     carom_program(),
+                                     "gate",
+                                     "frictionless-double",
+                                     "--families",
+                                     "head_on",
+                                     "--cases",
+                                     "30",
+                                     "--shard",
+                                     "auto",
+                                     "--out",
+                                     out.path().string()};
+  const RunResult result = run_program("/usr/bin/env", arguments);
+  EXPECT_EQ(result.exit_status, 0) << result.errors;
+  const json shard = json::parse(content_of(out.path() / "shard-2-of-3" / "report.json")).at("shard");
+  EXPECT_EQ(shard.at("number"), 2);
+  EXPECT_EQ(shard.at("of"), 3);
+  EXPECT_FALSE(fs::exists(out.path() / "report.json"));
+}
+
 }  // namespace
 }  // namespace carom::tests

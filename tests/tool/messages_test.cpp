@@ -63,8 +63,6 @@ TEST(Messages, OfTheCommandLineSayWhatWhereAndWhatToDo) {
       {"bad shard", {"gate", "--shard", "3/2"}, {"--shard", "expected I/N with I from 1 to N"}},
       {"too many shards", {"gate", "--cases", "2", "--shard", "1/5"}, {"--shard", "2 cases", "use fewer shards"}},
       {"no batch system", {"gate", "--shard", "auto"}, {"--shard auto", "SLURM_ARRAY_TASK_ID", "use --shard I/N"}},
-      {"a journal without a shard", {"gate", "--journal", "--out", "/dev/null/x"}, {"--journal requires --shard"}},
-      {"a journal without a folder", {"gate", "--journal", "--shard", "1/2"}, {"--journal requires --out"}},
       {"bad budget", {"gate", "--budget", "10"}, {"--budget", "expected a number and a unit, for example 500ms"}},
       {"bad timeout", {"gate", "--timeout", "0"}, {"--timeout", "expected a number from 0.001"}},
       {"annotations in JSON",

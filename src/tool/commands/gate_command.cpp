@@ -11,19 +11,16 @@
 #include <carom/properties/gate/gate.hpp>
 #include <carom/properties/gate/posed_families.hpp>
 #include <carom/report/model/duration.hpp>
-#include <carom/report/model/run_facts.hpp>
 #include <carom/report/model/words.hpp>
 #include <carom/subjects/catalogue.hpp>
 #include <carom/subjects/protocol/exec.hpp>
 
 #include "commands/commands.hpp"
-#include "commands/journaled_gate.hpp"
 #include "commands/options.hpp"
 #include "io/deviations.hpp"
 #include "io/domain_argument.hpp"
 #include "io/interrupt.hpp"
 #include "io/job_shard.hpp"
-#include "io/journal.hpp"
 #include "io/orphans.hpp"
 #include "io/output_file.hpp"
 #include "io/present_run.hpp"
@@ -60,7 +57,6 @@ struct GateArguments {
   std::string baseline;               // a report.json, or the directory that holds it; empty for none
   std::vector<std::string> deviates;  // "invariant" or "invariant@family"
   std::string shard;                  // "I/N" or automatic_shard; empty for the whole
-  bool has_journal = false;
 };
 
 namespace fs = std::filesystem;
@@ -164,19 +160,6 @@ properties::GateOptions options_of(const GateArguments& arguments, const propert
   return options;
 }
 
-/// `as_run` makes the run of a report.
-Journal journal_of(const std::vector<Subject>& subjects, const properties::GateOptions& options, const std::string& out,
-                   const std::function<report::Run(properties::GateReport)>& as_run) {
-  properties::GateReport part;
-  part.options = options;
-  part.options.shard = options.shard.part(1, parts_of(options));
-  for (const Subject& subject : subjects) {
-    part.results.emplace_back().subject = subject;
-  }
-  const std::uint64_t shards = part.options.shard.of;
-  return {fs::path(out) / "journal", report::run_facts(as_run(std::move(part))), shards};
-}
-
 int gate(const GateArguments& arguments) {
   const std::vector<std::string> deviates = known_deviations(arguments.deviates);
   const std::optional<properties::Shard> shard = shard_of(arguments);
@@ -208,25 +191,12 @@ int gate(const GateArguments& arguments) {
     make_directories(fs::path(out) / "witnesses");
     staged.emplace(out);
   }
-  const auto as_run = [&, environment = this_environment()](properties::GateReport report) {
-    return report::diagnosed({std::move(report), environment, deviates, posed.without_case, selection.counts,
-                              selection.absent, shard.has_value()});
-  };
-  std::optional<Journal> journal;
-  if (arguments.has_journal) {
-    journal = journal_of(selection.subjects, options, out, as_run);
-  }
-  report::Run run = as_run(journal ? journaled_gate(selection.subjects, options, *journal, as_run)
-                                   : properties::run_gate(selection.subjects, options));
-  const bool is_finished = !run.interrupted && !run.judge_error;
-  const int status = present_run(
+  report::Run run = report::diagnosed({properties::run_gate(selection.subjects, options), this_environment(), deviates,
+                                       posed.without_case, selection.counts, selection.absent, shard.has_value()});
+  return present_run(
       std::move(run), baseline,
       {out, arguments.format, !arguments.annotations.empty(), arguments.summary, [&] { commands_stopped.reset(); }},
       staged);
-  if (journal && is_finished) {
-    journal->remove();
-  }
-  return status;
 }
 
 std::string is_duration(const std::string& text) {
@@ -280,23 +250,16 @@ void add_gate(CLI::App& app, Chosen& chosen) {
                    "An earlier report.json, or its directory. Its violations count as known. The exit status is 0 if "
                    "there are no new violations")
       ->excludes("--fail-fast");  // the first violation may be a known one, and would hide a new one
-  CLI::Option* shard =
-      command
-          ->add_option("--shard", arguments->shard,
-                       "Judge one part of a run: every Nth case of each family, starting with the Ith. `carom merge` "
-                       "combines all N parts into one report. With auto, the variables of a batch system decide I and "
-                       "N (Slurm, Open MPI, Kubernetes, GitHub, GitLab), and the reports go to --out/shard-I-of-N")
-          ->check(is_shard)
-          ->type_name("I/N|auto")
-          ->excludes("--budget")
-          ->excludes("--fail-fast")
-          ->excludes("--baseline");
   command
-      ->add_flag("--journal", arguments->has_journal,
-                 "Keep each finished part of the shard in the folder journal of its reports. If the shard is killed, "
-                 "the same command goes on after the last finished part")
-      ->needs(shard)
-      ->needs("--out");
+      ->add_option("--shard", arguments->shard,
+                   "Judge one part of a run: every Nth case of each family, starting with the Ith. `carom merge` "
+                   "combines all N parts into one report. With auto, the variables of a batch system decide I and "
+                   "N (Slurm, Open MPI, Kubernetes, GitHub, GitLab), and the reports go to --out/shard-I-of-N")
+      ->check(is_shard)
+      ->type_name("I/N|auto")
+      ->excludes("--budget")
+      ->excludes("--fail-fast")
+      ->excludes("--baseline");
   add_deviates(*command, arguments->deviates, "The report lists them as not claimed");
   command
       ->add_option("--annotations", arguments->annotations,
