@@ -65,7 +65,6 @@ const std::vector<Rule>& rules() {
        {"carom/collision/", "carom/oracles/", "carom/report/document/", "carom/report/drawing/", "carom/report/model/",
         "carom/report/chart/", "fmt/", "nlohmann/"}},
       {"src/report/", "", true, {}},  // every file belongs to one of the folders above
-      {"src/tool/io/", "memory_reserve.cpp", true, {"carom/report/", "gmp.h", "sys/", "unistd.h"}},
       {"src/tool/",
        "",
        true,

@@ -114,8 +114,8 @@ TEST(LayoutChecker, FindsQuotesThatLeaveTheFolders) {
 
 TEST(LayoutChecker, FindsARoomOfTheProgramThatNamesOneAboveIt) {
   for (const auto& [path, name] :
-       std::vector<std::pair<std::string, std::string>>{{"src/tool/io/progress.cpp", "commands/commands.hpp"},
-                                                        {"src/tool/io/progress.cpp", "plan/clock.hpp"},
+       std::vector<std::pair<std::string, std::string>>{{"src/tool/io/output.cpp", "commands/commands.hpp"},
+                                                        {"src/tool/io/output.cpp", "plan/clock.hpp"},
                                                         {"src/tool/chart/timing.cpp", "scene/scene_file.hpp"},
                                                         {"src/tool/scene/scene_file.cpp", "plan/clock.hpp"},
                                                         {"src/tool/plan/clock.cpp", "commands/options.hpp"},
@@ -123,7 +123,7 @@ TEST(LayoutChecker, FindsARoomOfTheProgramThatNamesOneAboveIt) {
     EXPECT_EQ(offence_of(path, "#include \"" + name + '"'), path + ": includes \"" + name + "\"\n");
   }
   EXPECT_EQ(offence_of("src/tool/commands/plan_command.cpp", "#include \"plan/clock.hpp\""), "");
-  EXPECT_EQ(offence_of("src/tool/plan/clock.cpp", "#include \"io/progress.hpp\""), "");
+  EXPECT_EQ(offence_of("src/tool/plan/clock.cpp", "#include \"io/output.hpp\""), "");
 }
 
 TEST(LayoutChecker, AcceptsWhatTheArrowsPermit) {

@@ -7,7 +7,7 @@
 #include <carom/report/pages/pages.hpp>
 
 #include "commands/commands.hpp"
-#include "io/output_file.hpp"
+#include "io/output.hpp"
 #include "io/report_file.hpp"
 
 namespace carom::tool {

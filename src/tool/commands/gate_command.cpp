@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <random>
 #include <set>
 #include <utility>
 
@@ -17,22 +19,15 @@
 
 #include "commands/commands.hpp"
 #include "commands/options.hpp"
-#include "io/deviations.hpp"
-#include "io/domain_argument.hpp"
+#include "io/arguments.hpp"
 #include "io/interrupt.hpp"
 #include "io/job_shard.hpp"
-#include "io/orphans.hpp"
-#include "io/output_file.hpp"
+#include "io/output.hpp"
 #include "io/present_run.hpp"
-#include "io/progress.hpp"
 #include "io/report_file.hpp"
-#include "io/shard_argument.hpp"
-#include "io/staged_output.hpp"
-#include "io/subject_argument.hpp"
 #include "io/this_environment.hpp"
 #include "io/threads.hpp"
 #include "io/usage_error.hpp"
-#include "io/workflow_commands.hpp"
 
 namespace carom::tool {
 namespace {
@@ -160,6 +155,29 @@ properties::GateOptions options_of(const GateArguments& arguments, const propert
   return options;
 }
 
+/// GitHub reads workflow commands from everything that a job prints. While an object of this class exists, GitHub reads
+/// none.
+class WorkflowCommandsStopped {
+ public:
+  WorkflowCommandsStopped() {
+    std::random_device random;
+    for (int word = 0; word < 4; ++word) {
+      token_ += fmt::format("{:08x}", random());
+    }
+    std::fputs(("::stop-commands::" + token_ + '\n').c_str(), stdout);
+    std::fflush(stdout);
+  }
+  ~WorkflowCommandsStopped() {
+    std::fputs(("\n::" + token_ + "::\n").c_str(), stdout);
+    std::fflush(stdout);
+  }
+  WorkflowCommandsStopped(const WorkflowCommandsStopped&) = delete;
+  WorkflowCommandsStopped& operator=(const WorkflowCommandsStopped&) = delete;
+
+ private:
+  std::string token_;  // lets commands be read again; it is random, so no program can print it
+};
+
 int gate(const GateArguments& arguments) {
   const std::vector<std::string> deviates = known_deviations(arguments.deviates);
   const std::optional<properties::Shard> shard = shard_of(arguments);
@@ -177,7 +195,6 @@ int gate(const GateArguments& arguments) {
     commands_stopped.emplace();
   }
   const std::stop_token stop = stop_on_interrupt();
-  const Orphanage orphanage;
   Selection selection = select(arguments, stop);
   for (Subject& subject : selection.subjects) {
     let_deviate(subject, deviates);

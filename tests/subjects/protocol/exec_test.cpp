@@ -109,17 +109,6 @@ TEST(Exec, NeedNotRefuseWhatItsLawDoesNotRead) {
             500U);
 }
 
-TEST(Exec, IsNotSoundWhereItClaimsNothing) {
-  Subject subject = *subject_named("frictionless-double");
-  for (const properties::Invariant& invariant : properties::all_invariants()) {
-    subject.deviates.emplace_back(invariant.name);
-  }
-  properties::GateOptions options;
-  options.cases = 10;
-  options.families = {properties::family_named("generic")};
-  EXPECT_FALSE(properties::run_gate({subject}, options).results[0].is_sound());
-}
-
 TEST(Exec, AnswersManyAtOnceAndNone) {
   for (const char* numbers : {"", " hex"}) {
     const Subject subject =

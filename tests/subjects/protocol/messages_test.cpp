@@ -39,26 +39,18 @@ TEST(Introduction, IsReadAsTheProtocolHasIt) {
   EXPECT_EQ(introduction_from(introduction_reply(read)), read);
 }
 
-TEST(Introduction, MaySayThatAMatrixIsShown) {
-  EXPECT_FALSE(introduction_from(sound).matrix);
-  EXPECT_FALSE(introduction_from(with(sound, "}", R"(,"matrix":false})")).matrix);
-  const Introduction shown = introduction_from(with(sound, "}", R"(,"matrix":true})"));
-  EXPECT_TRUE(shown.matrix);
-  EXPECT_EQ(introduction_from(introduction_reply(shown)), shown);
-}
-
-TEST(Introduction, MayDeclareADomain) {
-  EXPECT_EQ(introduction_from(sound).domain, "");
+TEST(Introduction, MayShowAMatrixAndDeclareADomainAndEffects) {
+  const Introduction plain = introduction_from(with(sound, "}", R"(,"matrix":false})"));
+  EXPECT_FALSE(plain.matrix);
+  EXPECT_EQ(plain.domain, "");
+  EXPECT_EQ(plain.effects, DeclaredEffects{});
+  EXPECT_EQ(introduction_from(sound), plain);
   const Introduction declared =
-      introduction_from(with(sound, "}", R"(,"domain":{"size":[0.125,1e6],"mass_ratio":[null,100]}})"));
+      introduction_from(with(sound, "}",
+                             R"(,"matrix":true,"domain":{"size":[0.125,1e6],"mass_ratio":[null,100]},)"
+                             R"("claims":{"restitution_threshold":0.5,"max_speed":100}})"));
+  EXPECT_TRUE(declared.matrix);
   EXPECT_EQ(declared.domain, "mass_ratio=:100,size=0.125:1000000.0");
-  EXPECT_EQ(introduction_from(introduction_reply(declared)), declared);
-}
-
-TEST(Introduction, MayDeclareEffects) {
-  EXPECT_EQ(introduction_from(sound).effects, DeclaredEffects{});
-  const Introduction declared =
-      introduction_from(with(sound, "}", R"(,"claims":{"restitution_threshold":0.5,"max_speed":100}})"));
   EXPECT_EQ(declared.effects, (DeclaredEffects{{{0.5, 0, 0, 0, 100, 0}}}));
   EXPECT_EQ(introduction_from(introduction_reply(declared)), declared);
 }
@@ -78,12 +70,10 @@ TEST(Introduction, MayAskForHexadecimalNumbers) {
   }
 }
 
-TEST(Introduction, MayClaimEveryLawOfTheProtocol) {
-  EXPECT_EQ(introduction_from(with(sound, "frictionless", "reflection")).law, Law::reflection);
-  EXPECT_EQ(introduction_from(with(sound, "frictionless", "any")).law, Law::any);
-  EXPECT_EQ(introduction_from(with(sound, "frictionless", "sticking")).law, Law::sticking);
-  EXPECT_EQ(introduction_from(with(sound, "frictionless", "rough")).law, Law::rough);
-  EXPECT_EQ(introduction_from(with(sound, "frictionless", "coulomb")).law, Law::coulomb);
+TEST(Introduction, MayClaimEveryLaw) {
+  for (const Law law : all_laws) {
+    EXPECT_EQ(introduction_from(with(sound, "frictionless", std::string(name_of(law)))).law, law);
+  }
 }
 
 TEST(Introduction, IsRefusedWithThePlaceWhereItIsWrong) {
@@ -216,15 +206,12 @@ TEST(Reply, HasItsMatrixByRows) {
   EXPECT_FALSE(std::get<ReportedOutcome>(answer_from(reply, 5, Precision::binary64, true)).collision_matrix);
   EXPECT_FALSE(std::get<ReportedOutcome>(answer_from(matrix_reply, 5, Precision::binary64)).collision_matrix)
       << "who does not say that it shows one may write what it likes";
-}
-
-TEST(Reply, WithAMatrixSurvivesBeingWritten) {
-  ReportedOutcome outcome;
-  outcome.collision_matrix = Matrix3<long double>::Identity() / 3;
-  (*outcome.collision_matrix)(0, 1) = 2;
-  const std::string text = answer_reply(5, outcome, Precision::extended);
+  ReportedOutcome written;
+  written.collision_matrix = Matrix3<long double>::Identity() / 3;
+  (*written.collision_matrix)(0, 1) = 2;
+  const std::string text = answer_reply(5, written, Precision::extended);
   const auto read = std::get<ReportedOutcome>(answer_from(text, 5, Precision::extended, true));
-  EXPECT_EQ(read.collision_matrix, outcome.collision_matrix);
+  EXPECT_EQ(read.collision_matrix, written.collision_matrix);
 }
 
 TEST(Reply, IsRefusedWithThePlaceWhereItsMatrixIsWrong) {

@@ -64,24 +64,10 @@ const std::map<std::string, Fault>& faults() {
          hang();
        }},
       {"not-json", [](auto, auto) { return std::string("velocity = 3\n"); }},
-      {"wrong-shape",
-       [](auto id, auto) {
-         return json{{"id", id}, {"a", 1}, {"b", 2}}.dump() + '\n';
-       }},
-      {"no-outcome",
-       [](auto id, auto) {
-         return json{{"id", id}}.dump() + '\n';
-       }},
       {"missing-component",
        [](auto, auto reply) {
          json outcome = json::parse(reply);
          outcome["a"]["velocity"].erase(2);
-         return outcome.dump() + '\n';
-       }},
-      {"not-a-number",
-       [](auto, auto reply) {
-         json outcome = json::parse(reply);
-         outcome["b"]["velocity"][1] = "fast";
          return outcome.dump() + '\n';
        }},
       {"nan-as-text",
@@ -89,10 +75,6 @@ const std::map<std::string, Fault>& faults() {
          json outcome = json::parse(reply);
          outcome["a"]["velocity"] = {"nan", "inf", "-inf"};
          return outcome.dump() + '\n';
-       }},
-      {"bare-nan",
-       [](auto id, auto) {
-         return "{\"id\":" + std::to_string(id) + ",\"a\":{\"velocity\":[NaN,0,0],\"angular_velocity\":[0,0,0]}}\n";
        }},
       {"leave-group",
        [](auto, auto) -> std::string {
@@ -124,14 +106,6 @@ const std::map<std::string, Fault>& faults() {
          close(STDOUT_FILENO);
          hang();
        }},
-      {"daemon",
-       [](auto, auto reply) {
-         if (fork() == 0) {
-           setsid();
-           hang();
-         }
-         return reply;
-       }},
       {"grandchild",
        [](auto, auto) -> std::string {
          if (fork() == 0) {
@@ -147,8 +121,6 @@ const std::map<std::string, std::function<void(json& reply)>>& matrix_faults() {
   static const std::map<std::string, std::function<void(json & reply)>> all{
       {"matrix", [](json&) {}},
       {"matrix-missing", [](json& reply) { reply.erase("C"); }},
-      {"matrix-of-two-rows", [](json& reply) { reply["C"].erase(2); }},
-      {"matrix-not-a-number", [](json& reply) { reply["C"][1][2] = "much"; }},
       {"matrix-nan", [](json& reply) { reply["C"][0][0] = "nan"; }},
   };
   return all;
@@ -156,13 +128,8 @@ const std::map<std::string, std::function<void(json& reply)>>& matrix_faults() {
 
 /// Faults of a program that exchanges hexadecimal numbers.
 const std::map<std::string, std::function<std::string(std::string reply)>>& hex_faults() {
-  constexpr std::size_t width = 17;  // of a space and a number
   static const std::map<std::string, std::function<std::string(std::string)>> all{
       {"hex", [](auto reply) { return reply; }},
-      {"hex-one-less", [](auto reply) { return reply.substr(0, reply.size() - 1 - width) + '\n'; }},
-      {"hex-no-digit", [](auto reply) { return reply.replace(reply.size() - 2, 1, "x"); }},
-      {"hex-decimal", [](auto reply) { return reply.replace(1, width, " 0.5"); }},
-      {"hex-json", [](auto) { return std::string("{\"id\":3}\n"); }},
       {"hex-wrong-id", [](auto reply) { return '4' + reply.substr(1); }},
   };
   return all;
@@ -206,12 +173,12 @@ int run(int argc, char** argv) {
     if (request.at("cmd") == "start") {
       std::string reply = subjects::protocol::introduction_reply(introduction);
       json changed = json::parse(reply);
-      if (fault == "unknown-model") {
-        changed["model"] = "sticky";
-      } else if (fault == "protocol-2") {
+      if (fault == "protocol-2") {
         changed["protocol"] = 2;
       } else if (fault.starts_with("domain=")) {
         changed["domain"] = json::parse(fault.substr(fault.find('=') + 1));
+      } else if (fault.starts_with("deviates=")) {
+        changed["deviates"] = json::parse(fault.substr(fault.find('=') + 1));
       } else if (fault.starts_with("claims=") || fault.starts_with("idle=")) {
         changed["claims"] = json::parse(fault.substr(fault.find('=') + 1));
       } else if (fault == "hang-at-start") {
