@@ -324,38 +324,10 @@ TEST_P(Interrupted, GateReportsAndLeavesNoProcessBehind) {
 INSTANTIATE_TEST_SUITE_P(By, Interrupted, testing::Values(SIGTERM, SIGKILL),
                          [](const auto& each) { return "signal_" + std::to_string(each.param); });
 
-TEST(Faults, AWitnessDoesNotRunItsProgramUnasked) {
-  const TemporaryDirectory directory;
-  const RunResult run = run_carom({"gate", misbehaving("nan-as-text"), "--families", "structured", "--cases", "1",
-                                   "--out", directory.path().string()});
-  ASSERT_EQ(run.exit_status, 1);
-  const std::string witness = (directory.path() / "witnesses" / "faulty.finite.json").string();
-  const RunResult unasked = run_carom({"replay", witness});
-  EXPECT_EQ(unasked.exit_status, 0) << unasked.errors;
-  EXPECT_NE(unasked.output.find("the subject of the witness is a program"), std::string::npos) << unasked.output;
-  const RunResult asked = run_carom({"replay", witness, "--subject", misbehaving("none")});
-  EXPECT_EQ(asked.exit_status, 0) << asked.errors;
-  const RunResult failing = run_carom({"replay", witness, "--subject", misbehaving("exit-at-once")});
-  EXPECT_EQ(failing.exit_status, 2);
-  EXPECT_NE(failing.errors.find("ended with status 7"), std::string::npos) << failing.errors;
-}
-
-std::string two_collisions() {
-  std::string lines;
-  for (const int mass : {1, 2}) {
-    const json a{{"mass", mass},          {"principal_inertia", {1, 1, 1}}, {"orientation", {1, 0, 0, 0}},
-                 {"position", {1, 0, 0}}, {"velocity", {-1, 0, 0}},         {"angular_velocity", {0, 0, 0}}};
-    json b = a;
-    b["position"] = {-1, 0, 0};
-    const json collision{{"a", a}, {"b", b}, {"point", {0, 0, 0}}, {"normal", {1, 0, 0}}, {"restitution", 0.5}};
-    lines += collision.dump() + '\n';
-  }
-  return lines;
-}
-
 TEST(Replay, StartsAProgramOnceForEachSpelling) {
   const TemporaryDirectory directory;
-  const std::string collisions = directory.write("two.jsonl", two_collisions());
+  const json collision = json::parse(content_of(std::string(CAROM_SOURCE_DIR) + "/docs/examples/head_on.json"));
+  const std::string collisions = directory.write("two.json", json::array({collision, collision}).dump());
   const std::string starts = (directory.path() / "starts").string();
   const RunResult run = run_carom({"replay", collisions, "--subject",
                                    "exec:sh -c 'echo started >> \"$1\"; shift; exec \"$@\"' sh '" + starts + "' " +
@@ -365,11 +337,9 @@ TEST(Replay, StartsAProgramOnceForEachSpelling) {
 }
 
 TEST(Replay, EndsOnCtrlC) {
-  const TemporaryDirectory directory;
-  const std::string collisions = directory.write("two.jsonl", two_collisions());
   const std::string mark = "mark-of-" + std::to_string(getpid());
-  const pid_t replay =
-      start_carom({"replay", collisions, "--subject", misbehaving("hang-at-start", mark), "--timeout", "1000"});
+  const pid_t replay = start_carom({"replay", "--family", "head_on", "--case", "0", "--subject",
+                                    misbehaving("hang-at-start", mark), "--timeout", "1000"});
   for (int tries = 0; tries < 500 && processes_with(mark).empty(); ++tries) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }

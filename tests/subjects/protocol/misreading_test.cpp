@@ -13,7 +13,9 @@ namespace {
 
 using nlohmann::json;
 
-std::string misreading(const std::string& what) { return std::string("exec:") + CAROM_MISREADING + ' ' + what; }
+std::string misreading(const std::string& what) {
+  return std::string("exec:") + CAROM_MISBEHAVING + ' ' + what + " misreading";
+}
 
 class Misreading : public testing::TestWithParam<const char*> {};
 
