@@ -29,7 +29,7 @@ TEST(GateCommand, DefaultDoesNotCountWhatIsExpectedToFail) {
   EXPECT_TRUE(saw_violated) << "the subjects that are kept because they fail are shown";
 }
 
-TEST(GateCommand, NoteMethodViolatesRestitutionNearHeadOnAndItsWitnessReplays) {
+TEST(GateCommand, NoteMethodViolatesRestitutionNearHeadOnAndItsWitnessReplaysShrunkAndDrawn) {
   const TemporaryDirectory out;
   const RunResult result = run_carom({"gate", "reflection-in-basis-double", "--families", "near_head_on", "--cases",
                                       "200", "--out", out.path().string()});
@@ -54,6 +54,14 @@ TEST(GateCommand, NoteMethodViolatesRestitutionNearHeadOnAndItsWitnessReplays) {
   EXPECT_EQ(json::parse(replayed.output).at("verdicts").at("restitution"), witness.at("verdict"));
   const RunResult other = run_carom({"replay", file.string(), "--subject", "reflection-double"});
   EXPECT_EQ(other.exit_status, 0) << other.output;
+  const json drawn = json::parse(run_carom({"replay", file.string(), "--drawn", "--format", "json"}).output);
+  EXPECT_EQ(drawn.at("collision"), witness.at("drawn"));
+  EXPECT_EQ(drawn.at("verdicts").at("restitution"), witness.at("drawn_verdict"));
+  const RunResult numbered =
+      run_carom({"replay", "--family", "near_head_on", "--case", std::to_string(witness.at("case").get<int>()),
+                 "--subject", "reflection-in-basis-double", "--format", "json"});
+  EXPECT_EQ(numbered.exit_status, 1) << numbered.errors;
+  EXPECT_EQ(json::parse(numbered.output).at("collision"), witness.at("drawn"));
 }
 
 TEST(GateCommand, SameSeedGivesTheSameReportOnAnyNumberOfThreads) {

@@ -274,23 +274,5 @@ TEST(Replay, StartsNoEngineThatAFileNames) {
   EXPECT_FALSE(std::filesystem::exists(started));
 }
 
-TEST(Replay, ShowsTheDrawnCaseOfAWitnessAndAnyCaseByItsNumber) {
-  const TemporaryDirectory out;
-  const RunResult gate = run_carom({"gate", "reflection-in-basis-double", "--families", "near_head_on", "--cases",
-                                    "100", "--seed", "5", "--out", out.path().string()});
-  ASSERT_EQ(gate.exit_status, 1) << gate.errors;
-  const std::string file = (out.path() / "witnesses" / "reflection-in-basis-double.restitution.json").string();
-  const json witness = json::parse(content_of(file));
-  const RunResult drawn = run_carom({"replay", file, "--drawn", "--format", "json"});
-  EXPECT_EQ(drawn.exit_status, 1) << drawn.errors;
-  EXPECT_EQ(json::parse(drawn.output).at("collision"), witness.at("drawn"));
-  EXPECT_EQ(json::parse(drawn.output).at("verdicts").at("restitution"), witness.at("drawn_verdict"));
-  const RunResult numbered = run_carom({"replay", "--family", witness.at("family").get<std::string>(), "--case",
-                                        std::to_string(witness.at("case").get<int>()), "--seed", "5", "--subject",
-                                        "reflection-in-basis-double", "--format", "json"});
-  EXPECT_EQ(numbered.exit_status, 1) << numbered.errors;
-  EXPECT_EQ(json::parse(numbered.output).at("collision"), witness.at("drawn"));
-}
-
 }  // namespace
 }  // namespace carom::tests

@@ -83,32 +83,6 @@ TEST(Exec, IsAskedAboutRelatedCollisionsOnEveryFourthCase) {
   EXPECT_EQ(report.results[1].count(*properties::invariant_named("swap")).holds, 80U);
 }
 
-/// If a law does not read the friction coefficient, a subject of this law may accept an invalid coefficient.
-TEST(Exec, NeedNotRefuseWhatItsLawDoesNotRead) {
-  Subject careless = *subject_named("frictionless-double");
-  careless.open = [] {
-    return Session(
-        [inner = subject_named("frictionless-double")->open()](std::span<const Collision> collisions) mutable {
-          std::vector<Collision> without(collisions.begin(), collisions.end());
-          for (Collision& collision : without) {
-            collision.friction = 0;
-            collision.tangential_restitution = 0;
-          }
-          return inner(without);
-        });
-  };
-  properties::GateOptions options;
-  options.cases = 500;
-  options.families = {properties::family_named("invalid")};
-  options.is_part = true;
-  const properties::GateReport report = properties::run_gate({careless}, options);
-  EXPECT_TRUE(report.results[0].is_sound());
-  EXPECT_GT(report.results[0].count(*properties::invariant_named("invalid_refused")).skipped, 10U);
-  EXPECT_EQ(report.results[0].count(*properties::invariant_named("invalid_refused")).holds +
-                report.results[0].count(*properties::invariant_named("invalid_refused")).skipped,
-            500U);
-}
-
 TEST(Exec, AnswersManyAtOnceAndNone) {
   for (const char* numbers : {"", " hex"}) {
     const Subject subject =

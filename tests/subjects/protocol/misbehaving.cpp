@@ -59,19 +59,7 @@ const std::map<std::string, Fault>& faults() {
          return std::string(reply).replace(reply.find(number), number.size(), std::to_string(id + 1));
        }},
       {"twice", [](auto, auto reply) { return reply + reply; }},
-      {"unknown-id", [](auto, auto reply) { return reply.replace(reply.find("3"), 1, "1000000"); }},
-      {"half-a-line",
-       [](auto, auto reply) -> std::string {
-         std::cout << reply.substr(0, reply.size() / 2);
-         hang();
-       }},
       {"not-json", [](auto, auto) { return std::string("velocity = 3\n"); }},
-      {"missing-component",
-       [](auto, auto reply) {
-         json outcome = json::parse(reply);
-         outcome["a"]["velocity"].erase(2);
-         return outcome.dump() + '\n';
-       }},
       {"nan-as-text",
        [](auto, auto reply) {
          json outcome = json::parse(reply);

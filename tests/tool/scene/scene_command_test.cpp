@@ -3,6 +3,7 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -36,16 +37,10 @@ json record_of(const std::string& name, std::vector<std::string> more = {}) {
 
 std::vector<std::string> split(const std::string& text, char mark) {
   std::vector<std::string> parts;
-  std::string part;
-  for (const char c : text) {
-    if (c == mark) {
-      parts.push_back(part);
-      part.clear();
-    } else {
-      part += c;
-    }
+  std::istringstream stream(text + mark);
+  for (std::string part; std::getline(stream, part, mark);) {
+    parts.push_back(part);
   }
-  parts.push_back(part);
   return parts;
 }
 
