@@ -16,7 +16,8 @@ namespace {
 
 using nlohmann::json;
 
-const std::vector<std::string> methods{"frictionless-double", "reflection-double", "reflection-in-basis-double"};
+const std::vector<std::string> methods{"frictionless-double", "reflection-double", "reflection-in-basis-double",
+                                       "coulomb-double"};
 
 class Chart : public testing::Test {
  protected:
@@ -106,8 +107,9 @@ TEST_F(Chart, EveryPictureIsSvgWithoutScriptsAndReadableAtTheWidthOfAReadme) {
       EXPECT_GE(contrast_with_white(style.attribute("fill").value()), 4.5) << where;
     }
   }
-  // Each of the two laws has two pictures of time against accuracy, one of deadlines, and one for each sweep.
-  EXPECT_EQ(pictures, 2 * (3 + record().at("sweeps").size()));
+  // Each of the three laws has two pictures of time against accuracy, and one of deadlines. Each law that determines
+  // one outcome has one for each sweep.
+  EXPECT_EQ(pictures, 3 * 3 + 2 * record().at("sweeps").size());
 }
 
 TEST_F(Chart, NamesEveryMethodInTheSummaryAndLinesAtTheirEnds) {
@@ -148,7 +150,7 @@ TEST_F(Chart, ShowsWhereTheNotesMethodFails) {
 TEST_F(Chart, TablesHaveALineForEachMeasurement) {
   const auto lines = [](const std::string& text) { return std::count(text.begin(), text.end(), '\n'); };
   const auto families = static_cast<long>(method("reflection-double").at("families").size());
-  EXPECT_EQ(lines(content_of(out() / "work-precision.csv")), 1 + 3 * families);
+  EXPECT_EQ(lines(content_of(out() / "work-precision.csv")), 1 + 4 * families);
   long points = 0;
   const json all = record();
   for (const json& sweep : all.at("sweeps")) {
@@ -164,19 +166,15 @@ TEST_F(Chart, TablesHaveALineForEachMeasurement) {
   EXPECT_TRUE(std::getline(steps, line));
 }
 
-TEST(ChartOfCoulomb, MeasuresTheNearestOfItsAnswers) {
-  const TemporaryDirectory directory;
-  const std::string out = directory.path().string();
-  ASSERT_EQ(run_carom({"chart", "coulomb-double", "--cases", "2", "--repetitions", "1", "--out", out}).exit_status, 0);
-  const json record = json::parse(content_of(directory.path() / "chart.json"));
-  for (const auto& [family, measured] : record.at("methods").at(0).at("families").items()) {
+TEST_F(Chart, MeasuresTheNearestOfTheAnswersOfCoulomb) {
+  const json families = method("coulomb-double").at("families");
+  EXPECT_FALSE(families.empty());
+  for (const auto& [family, measured] : families.items()) {
     EXPECT_EQ(measured.at("failures"), 0) << family;
-    EXPECT_GT(measured.at("digits").at("median"), 2) << family;
+    // At a grazing contact, rounding decides most of the small change.
+    EXPECT_TRUE(family == "grazing" || measured.at("digits").at("median") > 2) << family;
     EXPECT_TRUE(measured.at("backward_error_ulps").is_null());
   }
-  EXPECT_TRUE(std::filesystem::exists(directory.path() / "work-precision-coulomb.svg"));
-  EXPECT_FALSE(std::filesystem::exists(directory.path() / "stability-coulomb-slenderness.svg"))
-      << "it shows backward errors";
 }
 
 /// A program that ignores contacts. Its name has characters that CSV and gnuplot would misread.
@@ -239,30 +237,24 @@ TEST(ChartUsage, ASubjectThatCannotBeChartedIsNamed) {
   EXPECT_NE(errors_of("exec:/no/such/program").find("No such file"), std::string::npos);
 }
 
-TEST(ChartUsage, IfGnuplotWritesNoPictureTheDataAreThere) {
+TEST(ChartUsage, WritesTheDataIfGnuplotIsMissingOrWritesNoPicture) {
   const TemporaryDirectory directory;
   // carom runs: gnuplot -e "cd 'DIRECTORY'" gnuplot/NAME.gp
   const std::string gnuplot =
       directory.write("gnuplot", "#!/bin/sh\neval \"$2\"\necho '<svg/>' > $(basename $3 .gp).svg\n");
   std::filesystem::permissions(gnuplot, std::filesystem::perms::owner_all);
-  const std::string out = (directory.path() / "out").string();
-  const RunResult run =
-      run_program("/usr/bin/env", {"PATH=" + directory.path().string() + ":/usr/bin:/bin", carom_program(), "chart",
-                                   "frictionless-double", "--cases", "2", "--repetitions", "1", "--out", out});
-  EXPECT_EQ(run.exit_status, 2);
-  EXPECT_NE(run.errors.find("gnuplot wrote no picture"), std::string::npos) << run.errors;
-  EXPECT_TRUE(std::filesystem::exists(out + "/chart.json"));
-}
-
-TEST(ChartUsage, WithoutGnuplotTheDataAreThereAndTheErrorSaysWhatIsMissing) {
-  const TemporaryDirectory directory;
-  const RunResult run =
-      run_program("/usr/bin/env", {"PATH=/no/such", carom_program(), "chart", "frictionless-double", "--cases", "2",
-                                   "--repetitions", "1", "--out", directory.path().string()});
-  EXPECT_EQ(run.exit_status, 2);
-  EXPECT_NE(run.errors.find("gnuplot"), std::string::npos) << run.errors;
-  EXPECT_TRUE(std::filesystem::exists(directory.path() / "chart.json"));
-  EXPECT_TRUE(std::filesystem::exists(directory.path() / "gnuplot" / "work-precision-frictionless.gp"));
+  const std::filesystem::path out = directory.path() / "out";
+  for (const auto& [path, says] :
+       {std::pair{std::string("/no/such"), "install gnuplot"},
+        std::pair{directory.path().string() + ":/usr/bin:/bin", "gnuplot wrote no picture"}}) {
+    std::filesystem::remove_all(out);
+    const RunResult run = run_program("/usr/bin/env", {"PATH=" + path, carom_program(), "chart", "frictionless-double",
+                                                       "--cases", "2", "--repetitions", "1", "--out", out.string()});
+    EXPECT_EQ(run.exit_status, 2);
+    EXPECT_NE(run.errors.find(says), std::string::npos) << run.errors;
+    EXPECT_TRUE(std::filesystem::exists(out / "chart.json"));
+    EXPECT_TRUE(std::filesystem::exists(out / "gnuplot" / "work-precision-frictionless.gp"));
+  }
 }
 
 }  // namespace
