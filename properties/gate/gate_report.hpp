@@ -28,9 +28,6 @@ struct Shard {
 
   /// The number, in its family, of the shard's `place`-th case. Both count from 0.
   [[nodiscard]] std::uint64_t case_number(std::uint64_t place) const { return place * of + number - 1; }
-
-  /// The `i`-th of `parts` shards that together contain the cases of this shard, each once. `i` counts from 1.
-  [[nodiscard]] Shard part(std::uint64_t i, std::uint64_t parts) const { return {number + (i - 1) * of, of * parts}; }
 };
 
 inline constexpr std::uint64_t default_cases = 1000;

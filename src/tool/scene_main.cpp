@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "commands/commands.hpp"
-#include "commands/scene_command.hpp"
 
 /// carom-scene: the commands of `carom` that know scenes.
 int main(int argc, char** argv) {

@@ -40,7 +40,6 @@ src/tool/chart/             {TOOL} tool/io/ tool/chart/
 src/tool/scene/             {TOOL} tool/io/ tool/scene/
 src/tool/plan/              {TOOL} tool/io/ tool/chart/ tool/scene/ tool/plan/
 src/tool/commands/          {TOOL} tool/
-src/tool/io/memory_reserve.cpp  carom/report/ gmp.h sys/ unistd.h tool/io/
 oracles/
 oracles/laws/               carom/collision/ carom/oracles/laws/ Eigen/
 oracles/exact/              {EXACT} Eigen/

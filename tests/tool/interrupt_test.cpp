@@ -4,7 +4,6 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
-#include <filesystem>
 #include <iostream>
 #include <stop_token>
 #include <system_error>
@@ -12,12 +11,9 @@
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <carom/subjects/protocol/shortage.hpp>
-
-#include "support/program.hpp"
 
 namespace carom::tool {
 namespace {
@@ -100,24 +96,6 @@ TEST(InterruptDeathTest, ASignalThatTheParentLeftIgnoredIsIgnored) {
   for (const int signal : {SIGHUP, SIGINT}) {
     EXPECT_EXIT(be_signalled_where_that_is_ignored(signal), testing::ExitedWithCode(0), "") << signal;
   }
-}
-
-/// The lock of --out appears after the gate has set up its signals.
-TEST(Interrupt, AGateUnderNohupOutlivesItsTerminal) {
-  const tests::TemporaryDirectory out;
-  const auto previous = std::signal(SIGHUP, SIG_IGN);
-  const pid_t gate = tests::start_carom(
-      {"gate", "frictionless-double", "--families", "generic", "--cases", "1000000000", "--out", out.path().string()});
-  std::signal(SIGHUP, previous);
-  for (int tries = 0; tries < 500 && !std::filesystem::exists(out.path() / ".carom-lock"); ++tries) {
-    std::this_thread::sleep_for(10ms);
-  }
-  kill(gate, SIGHUP);
-  std::this_thread::sleep_for(300ms);
-  EXPECT_EQ(waitpid(gate, nullptr, WNOHANG), 0) << "SIGHUP ended the gate";
-  kill(gate, SIGTERM);
-  EXPECT_EQ(tests::wait_for(gate), 2);
-  EXPECT_TRUE(std::filesystem::exists(out.path() / "report.json"));
 }
 
 TEST(InterruptDeathTest, TellsThatThreadsAreShort) {

@@ -58,6 +58,15 @@ Variables both(Variables first, const Variables& second) {
 
 using Pair = std::pair<std::uint64_t, std::uint64_t>;
 
+TEST(ShardArgument, IsOneOfSoMany) {
+  EXPECT_EQ(shard_from("2/3")->number, 2U);
+  EXPECT_EQ(shard_from("1/1000000")->of, 1'000'000U);
+  for (const char* bad :
+       {"0/3", "4/3", "1", "/3", "1/", "1/0", "-1/3", "1/3/3", "1/3x", "1/1000001", "1/9999999999999999999999"}) {
+    EXPECT_FALSE(shard_from(bad)) << bad;
+  }
+}
+
 TEST(JobShard, IsThePlaceAmongTheJobs) {
   EXPECT_EQ(shard_in(array_task("1", "1", "10", "10")), Pair(1, 10));
   EXPECT_EQ(shard_in(array_task("9", "0", "9", "10")), Pair(10, 10));

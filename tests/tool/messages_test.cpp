@@ -49,6 +49,9 @@ TEST(Messages, OfTheCommandLineSayWhatWhereAndWhatToDo) {
       {"unknown invariant",
        {"gate", "frictionless-double", "--deviates", "restitutoin"},
        {"--deviates", "\"restitutoin\"", "`carom invariants` lists them", "did you mean 'restitution'?"}},
+      {"unknown family of a deviation",
+       {"gate", "frictionless-double", "--deviates", "energy@hed_on"},
+       {"--deviates", "did you mean 'head_on'?"}},
       {"unknown law of a plan", {"plan", "x", "--law", "smooth"}, {"--law", "smooth not in", "frictionless"}},
       {"unknown law of a scene",
        {"scene", scene, "--laws", "any"},
@@ -62,10 +65,13 @@ TEST(Messages, OfTheCommandLineSayWhatWhereAndWhatToDo) {
       {"bad limit", {"gate", "--limit-ulps", "nan"}, {"--limit-ulps", "expected a number from 0.001"}},
       {"bad shard", {"gate", "--shard", "3/2"}, {"--shard", "expected I/N with I from 1 to N"}},
       {"too many shards", {"gate", "--cases", "2", "--shard", "1/5"}, {"--shard", "2 cases", "use fewer shards"}},
+      {"a shard and a budget", {"gate", "--shard", "1/3", "--budget", "1s"}, {"--budget excludes --shard"}},
+      {"a shard and a first violation", {"gate", "--shard", "1/3", "--fail-fast"}, {"--fail-fast excludes --shard"}},
       {"no batch system", {"gate", "--shard", "auto"}, {"--shard auto", "SLURM_ARRAY_TASK_ID", "use --shard I/N"}},
-      {"a journal without a shard", {"gate", "--journal", "--out", "/dev/null/x"}, {"--journal requires --shard"}},
-      {"a journal without a folder", {"gate", "--journal", "--shard", "1/2"}, {"--journal requires --out"}},
       {"bad budget", {"gate", "--budget", "10"}, {"--budget", "expected a number and a unit, for example 500ms"}},
+      {"a budget and a number of cases", {"gate", "--budget", "1s", "--cases", "5"}, {"--cases excludes --budget"}},
+      {"a limit and digits", {"gate", "--digits", "3", "--limit-ulps", "32"}, {"--limit-ulps excludes --digits"}},
+      {"bad format", {"gate", "--format", "xml"}, {"--format", "xml not in"}},
       {"bad timeout", {"gate", "--timeout", "0"}, {"--timeout", "expected a number from 0.001"}},
       {"annotations in JSON",
        {"gate", "frictionless-double", "--annotations", "github", "--format", "json"},
@@ -82,7 +88,14 @@ TEST(Messages, OfTheCommandLineSayWhatWhereAndWhatToDo) {
        {"gate", "--within", "restitution=0.5", "--families", "elastic"},
        {"--families", "no case of elastic lies within restitution=0.5:0.5"}},
       {"a domain without a family", {"replay", "x.json", "--within", "games"}, {"--within requires --family"}},
+      {"a program of a replay",
+       {"replay", "--family", "head_on", "--case", "0", "--subject", "exec:/no/such/program"},
+       {"exec:/no/such/program", "cannot be run: No such file", "check the path"}},
       {"nothing to replay", {"replay"}, {"FILE, or --family and --case", "required"}},
+      {"a file and a family", {"replay", "x.json", "--family", "head_on", "--case", "1"}, {"FILE excludes --family"}},
+      {"an unknown family of a case",
+       {"replay", "--family", "haed_on", "--case", "1"},
+       {"--family", "did you mean 'head_on'?"}},
       {"a family without a number", {"replay", "--family", "head_on"}, {"--family requires --case"}},
       {"an empty --out",
        {"gate", "frictionless-double", "--cases", "1", "--out", ""},
@@ -90,22 +103,22 @@ TEST(Messages, OfTheCommandLineSayWhatWhereAndWhatToDo) {
       {"an --out that ends in =",
        {"gate", "--cases", "1", "--out=", "frictionless-double"},
        {"--out: expected a value, found an empty text"}},
-      {"an empty baseline",
-       {"gate", "frictionless-double", "--cases", "1", "--baseline", ""},
-       {"--baseline: expected a"}},
-      {"an empty summary", {"gate", "frictionless-double", "--cases", "1", "--summary", ""}, {"--summary: expected a"}},
-      {"an empty deviation", {"gate", "--deviates", ""}, {"--deviates: expected a value"}},
       {"an empty subject", {"gate", ""}, {"SUBJECT: expected a value"}},
-      {"an empty --out of a chart", {"chart", "--out", ""}, {"--out: expected a value"}},
-      {"an empty --out of a domain", {"domain", "frictionless-double", "--out", ""}, {"--out: expected a value"}},
-      {"an empty picture", {"domain", "frictionless-double", "--picture", ""}, {"--picture: expected a value"}},
-      {"an empty --out of a scene", {"scene", scene, "--events", "1", "--out", ""}, {"--out: expected a value"}},
-      {"an empty --out of a merge", {"merge", "x", "--out", ""}, {"--out: expected a value"}},
-      {"an empty subject of a replay", {"replay", "x", "--subject", ""}, {"--subject: expected a value"}},
       {"an empty file", {"compare", "", "x"}, {"OLD: expected a value"}},
       {"unwritable --out",
        {"gate", "frictionless-double", "--cases", "1", "--out", "/dev/null/out"},
        {"--out", "/dev/null/out", "cannot be created", "choose another directory"}},
+      {"unwritable file of a domain",
+       {"domain", "frictionless-double", "--out", "/no/such/folder/domain.json"},
+       {"--out: the file /no/such/folder/domain.json cannot be written"}},
+      {"unwritable picture of a domain",
+       {"domain", "frictionless-double", "--picture", "/no/such/folder/domain.svg"},
+       {"--picture: the file /no/such/folder/domain.svg cannot be written"}},
+      {"a program of a domain", {"domain", "exec:/no/such/program"}, {"/no/such/program", "cannot be run"}},
+      {"a core without cases",
+       {"domain", "frictionless-double", "--core", "size=1:2,size_ratio=3:"},
+       {"--core: no case of generic lies within size=1:2,size_ratio=3:"}},
+      {"nothing beside", {"domain", "frictionless-double", "--beside", "nowhere"}, {"--beside: "}},
       {"unwritable summary",
        {"gate", "frictionless-double", "--summary", "/dev/null/x"},
        {"--summary", "/dev/null/x cannot be written", "check the path"}},
@@ -173,48 +186,31 @@ TEST(Messages, OfASceneNameTheFileThePlaceAndTheExpectedValue) {
   scene = valid;
   scene["spheres"] = json::array();
   const std::string alone = directory.write("alone.json", scene.dump());
+  scene = valid;
+  scene["spheres"][1]["radius"] = -1;
+  const std::string radius = directory.write("radius.json", scene.dump());
+  scene = valid;
+  scene["spheres"][1]["position"] = scene["spheres"][0]["position"];
+  const std::string overlap = directory.write("overlap.json", scene.dump());
+  const std::string polyhedra = directory.write("polyhedra.json", R"({"duration": 1, "polyhedra": [
+      {"vertices": [[0,0,0],[1,0,0],[0,1,0],[0,0,1]], "density": 1, "position": [0,0,0]},
+      {"vertices": [[0,0,0],[1,0,0],[0,1,0],[0,0,1]], "density": 1, "position": [0.125,0,0]}]})");
   expect_messages({
       {"missing field", {"scene", no_duration}, {"no_duration.json", "/duration", "is missing", "add this field"}},
       {"unknown law", {"scene", law}, {"law.json", "/law", "expected frictionless, reflection", "found \"smooth\""}},
+      {"bad radius", {"scene", radius}, {"radius.json", "/spheres/1/radius"}},
+      {"overlap", {"scene", overlap}, {"overlap.json", "overlap"}},
+      {"polyhedra that overlap",
+       {"scene", polyhedra},
+       {"/polyhedra/1: polyhedron 1 (polyhedron 1) may overlap polyhedron 0 (polyhedron 0)"}},
       {"no scene", {"scene", directory.path().string() + "/no.json"}, {"/no.json", "does not exist"}},
       {"no collision", {"plan", alone}, {"alone.json", "has no collisions", "needs at least one"}},
-  });
-}
-
-TEST(Messages, OfAProgramSayWhatItDid) {
-  const auto judged = [](const std::string& program) {
-    return std::vector<std::string>{"gate", "exec:" + program, "--families", "head_on", "--cases",
-                                    "1",    "--timeout",       "1"};
-  };
-  expect_messages({
-      {"does not exist", judged("/no/such/program"), {"'/no/such/program' cannot be run: No such file", "check the"}},
-      {"is not on PATH", judged("no-such-program-on-path"), {"'no-such-program-on-path'", "not found on PATH"}},
-      {"ends", judged("false"), {"start: ended with status 1", R"(request: {"cmd":"start")"}},
-      {"prints garbage", judged("echo hello"), {"start: not JSON", "last read: 'h'", R"(request: {"cmd":"start")"}},
-      {"hangs", judged("sleep 60"), {"start: wrote no line within 1 s", "flush it", R"(request: {"cmd":"start")"}},
-      {"is not named", judged(""), {"no program is given after exec:"}},
-      {"has an open quote", judged("'my solver"), {"a quote is not closed; add '"}},
-      {"of a replay",
-       {"replay", "--family", "head_on", "--case", "0", "--subject", "exec:/no/such/program"},
-       {"exec:/no/such/program", "cannot be run: No such file", "check the path"}},
   });
 }
 
 TEST(Messages, OfAReportNameTheFileAndTheReason) {
   const TemporaryDirectory directory;
   const auto path = [&](const std::string& name) { return (directory.path() / name).string(); };
-  const auto gate = [&](const std::string& name, const std::vector<std::string>& more) {
-    std::vector<std::string> arguments{"gate",       "frictionless-double",
-                                       "--families", "head_on",
-                                       "--deviates", few_families_judge_no,
-                                       "--cases",    "4",
-                                       "--out",      path(name)};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    EXPECT_EQ(run_carom(arguments).exit_status, 0);
-  };
-  gate("whole", {});
-  gate("first", {"--shard", "1/2"});
-  gate("other", {"--shard", "2/2", "--seed", "2"});
   const std::string collision = directory.write("collision.json", collision_with([](json&) {}));
   const std::vector<std::string> no_report{"this is not a report.json of `carom gate --out`", "/carom", "is missing"};
   expect_messages({
@@ -222,21 +218,6 @@ TEST(Messages, OfAReportNameTheFileAndTheReason) {
       {"baseline of nothing",
        {"gate", "frictionless-double", "--baseline", path("no.json")},
        {"no.json", "does not exist", "check the path"}},
-      {"shards of two runs",
-       {"merge", path("first"), path("other"), "--out", path("merged")},
-       {"do not belong to one run", "seed: 1 in ", "but 2 in ", "merge only shards of the same run"}},
-      {"a missing shard",
-       {"merge", path("first"), "--out", path("merged")},
-       {"shard 2 of 2 is missing", "give the directories of all shards"}},
-      {"a shard twice",
-       {"merge", path("first"), path("first"), "--out", path("merged")},
-       {"shard 1 of 2 occurs twice", "give each shard once"}},
-      {"no shard",
-       {"merge", path("whole"), "--out", path("merged")},
-       {"report.json", "/shard", "this report is not of a shard", "carom gate --shard I/N --out"}},
-      {"--out is a shard",
-       {"merge", path("first"), path("other"), "--out", path("first")},
-       {"--out", "is the directory of a shard", "choose another directory"}},
   });
 }
 

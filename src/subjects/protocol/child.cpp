@@ -18,8 +18,6 @@
 #include <boost/process/args.hpp>
 #include <boost/process/async_pipe.hpp>
 #include <boost/process/child.hpp>
-#include <boost/process/env.hpp>
-#include <boost/process/environment.hpp>
 #include <boost/process/exe.hpp>
 #include <boost/process/extend.hpp>
 #include <boost/process/io.hpp>
@@ -33,7 +31,6 @@
 
 #include <carom/collision/expects.hpp>
 #include <carom/subjects/protocol/child.hpp>
-#include <carom/subjects/protocol/mark.hpp>
 #include <carom/subjects/protocol/shortage.hpp>
 
 namespace carom::subjects::protocol {
@@ -180,9 +177,7 @@ class ChildProcess::State {
     }
     std::error_code failure;
     const std::vector<std::string> arguments(words.begin() + 1, words.end());
-    process::environment environment = boost::this_process::environment();
-    environment.set(mark_of_children(), "1");  // operator[] of Boost 1.74 reads past the end of shorter entries
-    process::child started(process::exe = program_path(words[0]), process::args = arguments, environment,
+    process::child started(process::exe = program_path(words[0]), process::args = arguments,
                            process::std_in<*input_, process::std_out> * output_, process::std_err > *errors_,
                            AsProgramsExpect(), failure);
     if (failure) {

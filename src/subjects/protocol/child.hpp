@@ -25,10 +25,10 @@ class ChildError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A program that reads and writes lines, started without a shell in its own process group. It inherits this process's
-/// environment and the mark of mark.hpp. The destructor ends the program and its group. Nothing else in this process
+/// A program that reads and writes lines, started without a shell in its own process group. The destructor ends this
+/// group: the program, and the processes that it started and that did not leave the group. Nothing else in this process
 /// may wait for the program, and no handling of a signal changes. Use the object only on the thread that made it. On
-/// Linux, the program always ends with this process.
+/// Linux, the program also ends if this process is killed.
 class ChildProcess {
  public:
   /// Precondition: `words` is not empty. Throws ChildError if the program cannot be run.

@@ -18,13 +18,10 @@
 #include "chart/timing.hpp"
 #include "commands/commands.hpp"
 #include "commands/options.hpp"
+#include "io/arguments.hpp"
 #include "io/gnuplot.hpp"
 #include "io/interrupt.hpp"
-#include "io/orphans.hpp"
-#include "io/output_file.hpp"
-#include "io/progress.hpp"
-#include "io/staged_output.hpp"
-#include "io/subject_argument.hpp"
+#include "io/output.hpp"
 #include "io/this_environment.hpp"
 #include "io/threads.hpp"
 #include "io/usage_error.hpp"
@@ -207,7 +204,6 @@ std::vector<report::Plot> pictures_of(const report::Measurements& measurements) 
 }
 
 int chart_subjects(const ChartArguments& arguments) {
-  const Orphanage orphanage;
   const Charted charted = charted_by(arguments);
   StagedOutput staged(arguments.out);
   const properties::Workers workers = threads(arguments.jobs);
@@ -229,7 +225,6 @@ int chart_subjects(const ChartArguments& arguments) {
   // If gnuplot fails, the numbers are still written.
   const std::exception_ptr undrawn = try_to_draw(pictures_of(measurements), stage);
   staged.put_in_place("chart.json");
-  staged.remove_abandoned_stages();
   fmt::print("{}", tables);
   if (undrawn) {
     std::fflush(stdout);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -12,6 +13,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <carom/collision/json/text.hpp>
 #include <carom/properties/trial/in_words.hpp>
@@ -20,8 +22,7 @@
 #include <carom/subjects/protocol/shortage.hpp>
 
 #include "commands/commands.hpp"
-#include "io/memory_reserve.hpp"
-#include "io/standard_output.hpp"
+#include "io/output.hpp"
 #include "io/usage_error.hpp"
 
 namespace carom::tool {
@@ -108,10 +109,6 @@ int run_command(int argc, char** argv, const std::vector<void (*)(CLI::App&, Cho
     return exit_usage;
   }
   const int status = chosen();
-  if (has_run_out_of_memory()) {
-    print_out_of_memory();
-    return exit_usage;
-  }
   flush_output();
   return status;
 }
@@ -119,12 +116,28 @@ int run_command(int argc, char** argv, const std::vector<void (*)(CLI::App&, Cho
 /// Prints an error message, without the control characters of foreign text in it. If the message cannot be written, the
 /// exit status still reports the error.
 void complain(const std::string& what) {
-  if (has_run_out_of_memory()) {
-    print_out_of_memory();  // the cause of any error that followed
-    return;
-  }
   constexpr std::size_t longest = 20'000;
   std::fputs(fmt::format("carom: {}\n", carom::printable(what, longest)).c_str(), stderr);
+}
+
+/// Lets a failed allocation end the program with a message. An exception would pass for a failure of a subject.
+void end_when_memory_ends() {
+  static const std::string message =
+      fmt::format("carom: {}\n", subjects::protocol::shortage(std::make_error_code(std::errc::not_enough_memory)));
+  std::set_new_handler([] {
+    std::fputs(message.c_str(), stderr);
+    _exit(exit_usage);
+  });
+}
+
+/// Ends the process by SIGPIPE, as if the process did not ignore this signal. A shell with `pipefail` then reports an
+/// error, because nobody read the verdict.
+[[noreturn]] void end_by_closed_pipe() {
+  std::signal(SIGPIPE, SIG_DFL);
+  std::raise(SIGPIPE);
+  // A parent may have left the signal blocked.
+  constexpr int as_killed_by_a_signal = 128;
+  std::_Exit(as_killed_by_a_signal + SIGPIPE);
 }
 
 }  // namespace
@@ -134,10 +147,8 @@ int run_program(int argc, char** argv, const std::vector<void (*)(CLI::App&, Cho
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   try {
-    require_stack();
+    end_when_memory_ends();
     return run_command(argc, argv, commands);
-  } catch (const std::bad_alloc&) {
-    print_out_of_memory();
   } catch (const std::system_error& error) {
     if (std::ferror(stdout) != 0 && error.code() == std::errc::broken_pipe) {
       end_by_closed_pipe();

@@ -16,12 +16,9 @@
 
 #include "commands/commands.hpp"
 #include "commands/options.hpp"
-#include "io/deviations.hpp"
-#include "io/domain_argument.hpp"
+#include "io/arguments.hpp"
 #include "io/interrupt.hpp"
-#include "io/orphans.hpp"
-#include "io/output_file.hpp"
-#include "io/subject_argument.hpp"
+#include "io/output.hpp"
 #include "io/threads.hpp"
 #include "io/usage_error.hpp"
 
@@ -75,7 +72,6 @@ int measure_domain(const DomainArguments& arguments) {
   const std::vector<std::string> deviates = known_deviations(arguments.deviates);
   const properties::Domain beside = domain_from_argument("--beside", arguments.beside);
   const std::stop_token stop = stop_on_interrupt();
-  const Orphanage orphanage;
   Subject subject = subject_from_argument(arguments.subject, arguments.timeout, stop);
   if (!subject.absent.empty()) {
     throw UsageError(report::shown(fmt::format("{}: {}", subject.name, subject.absent)));

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <random>
 #include <set>
 #include <utility>
 
@@ -11,31 +13,21 @@
 #include <carom/properties/gate/gate.hpp>
 #include <carom/properties/gate/posed_families.hpp>
 #include <carom/report/model/duration.hpp>
-#include <carom/report/model/run_facts.hpp>
 #include <carom/report/model/words.hpp>
 #include <carom/subjects/catalogue.hpp>
 #include <carom/subjects/protocol/exec.hpp>
 
 #include "commands/commands.hpp"
-#include "commands/journaled_gate.hpp"
 #include "commands/options.hpp"
-#include "io/deviations.hpp"
-#include "io/domain_argument.hpp"
+#include "io/arguments.hpp"
 #include "io/interrupt.hpp"
 #include "io/job_shard.hpp"
-#include "io/journal.hpp"
-#include "io/orphans.hpp"
-#include "io/output_file.hpp"
+#include "io/output.hpp"
 #include "io/present_run.hpp"
-#include "io/progress.hpp"
 #include "io/report_file.hpp"
-#include "io/shard_argument.hpp"
-#include "io/staged_output.hpp"
-#include "io/subject_argument.hpp"
 #include "io/this_environment.hpp"
 #include "io/threads.hpp"
 #include "io/usage_error.hpp"
-#include "io/workflow_commands.hpp"
 
 namespace carom::tool {
 namespace {
@@ -61,7 +53,6 @@ struct GateArguments {
   std::string baseline;               // a report.json, or the directory that holds it; empty for none
   std::vector<std::string> deviates;  // "invariant" or "invariant@family"
   std::string shard;                  // "I/N" or automatic_shard; empty for the whole
-  bool has_journal = false;
 };
 
 namespace fs = std::filesystem;
@@ -173,18 +164,28 @@ properties::GateOptions options_of(const GateArguments& arguments, const propert
   return options;
 }
 
-/// `as_run` makes the run of a report.
-Journal journal_of(const std::vector<Subject>& subjects, const properties::GateOptions& options, const std::string& out,
-                   const std::function<report::Run(properties::GateReport)>& as_run) {
-  properties::GateReport part;
-  part.options = options;
-  part.options.shard = options.shard.part(1, parts_of(options));
-  for (const Subject& subject : subjects) {
-    part.results.emplace_back().subject = subject;
+/// GitHub reads workflow commands from everything that a job prints. While an object of this class exists, GitHub reads
+/// none.
+class WorkflowCommandsStopped {
+ public:
+  WorkflowCommandsStopped() {
+    std::random_device random;
+    for (int word = 0; word < 4; ++word) {
+      token_ += fmt::format("{:08x}", random());
+    }
+    std::fputs(("::stop-commands::" + token_ + '\n').c_str(), stdout);
+    std::fflush(stdout);
   }
-  const std::uint64_t shards = part.options.shard.of;
-  return {fs::path(out) / "journal", report::run_facts(as_run(std::move(part))), shards};
-}
+  ~WorkflowCommandsStopped() {
+    std::fputs(("\n::" + token_ + "::\n").c_str(), stdout);
+    std::fflush(stdout);
+  }
+  WorkflowCommandsStopped(const WorkflowCommandsStopped&) = delete;
+  WorkflowCommandsStopped& operator=(const WorkflowCommandsStopped&) = delete;
+
+ private:
+  std::string token_;  // lets commands be read again; it is random, so no program can print it
+};
 
 int gate(const GateArguments& arguments) {
   const std::vector<std::string> deviates = known_deviations(arguments.deviates);
@@ -203,7 +204,6 @@ int gate(const GateArguments& arguments) {
     commands_stopped.emplace();
   }
   const std::stop_token stop = stop_on_interrupt();
-  const Orphanage orphanage;
   Selection selection = select(arguments, stop);
   for (Subject& subject : selection.subjects) {
     let_deviate(subject, deviates);
@@ -217,25 +217,12 @@ int gate(const GateArguments& arguments) {
     make_directories(fs::path(out) / "witnesses");
     staged.emplace(out);
   }
-  const auto as_run = [&, environment = this_environment()](properties::GateReport report) {
-    return report::diagnosed({std::move(report), environment, deviates, posed.without_case, selection.counts,
-                              selection.absent, shard.has_value()});
-  };
-  std::optional<Journal> journal;
-  if (arguments.has_journal) {
-    journal = journal_of(selection.subjects, options, out, as_run);
-  }
-  report::Run run = as_run(journal ? journaled_gate(selection.subjects, options, *journal, as_run)
-                                   : properties::run_gate(selection.subjects, options));
-  const bool is_finished = !run.interrupted && !run.judge_error;
-  const int status = present_run(
+  report::Run run = report::diagnosed({properties::run_gate(selection.subjects, options), this_environment(), deviates,
+                                       posed.without_case, selection.counts, selection.absent, shard.has_value()});
+  return present_run(
       std::move(run), baseline,
       {out, arguments.format, !arguments.annotations.empty(), arguments.summary, [&] { commands_stopped.reset(); }},
       staged);
-  if (journal && is_finished) {
-    journal->remove();
-  }
-  return status;
 }
 
 std::string is_duration(const std::string& text) {
@@ -291,23 +278,16 @@ void add_gate(CLI::App& app, Chosen& chosen) {
                    "An earlier report.json, or its directory. Its violations count as known. The exit status is 0 if "
                    "there are no new violations")
       ->excludes("--fail-fast");  // the first violation may be a known one, and would hide a new one
-  CLI::Option* shard =
-      command
-          ->add_option("--shard", arguments->shard,
-                       "Judge one part of a run: every Nth case of each family, starting with the Ith. `carom merge` "
-                       "combines all N parts into one report. With auto, the variables of a batch system decide I and "
-                       "N (Slurm, Open MPI, Kubernetes, GitHub, GitLab), and the reports go to --out/shard-I-of-N")
-          ->check(is_shard)
-          ->type_name("I/N|auto")
-          ->excludes("--budget")
-          ->excludes("--fail-fast")
-          ->excludes("--baseline");
   command
-      ->add_flag("--journal", arguments->has_journal,
-                 "Keep each finished part of the shard in the folder journal of its reports. If the shard is killed, "
-                 "the same command goes on after the last finished part")
-      ->needs(shard)
-      ->needs("--out");
+      ->add_option("--shard", arguments->shard,
+                   "Judge one part of a run: every Nth case of each family, starting with the Ith. `carom merge` "
+                   "combines all N parts into one report. With auto, the variables of a batch system decide I and "
+                   "N (Slurm, Open MPI, Kubernetes, GitHub, GitLab), and the reports go to --out/shard-I-of-N")
+      ->check(is_shard)
+      ->type_name("I/N|auto")
+      ->excludes("--budget")
+      ->excludes("--fail-fast")
+      ->excludes("--baseline");
   add_deviates(*command, arguments->deviates, "The report lists them as not claimed");
   command
       ->add_option("--annotations", arguments->annotations,

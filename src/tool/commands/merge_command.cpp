@@ -12,8 +12,7 @@
 
 #include "commands/commands.hpp"
 #include "commands/options.hpp"
-#include "io/old_witnesses.hpp"
-#include "io/output_file.hpp"
+#include "io/output.hpp"
 #include "io/present_run.hpp"
 #include "io/report_file.hpp"
 #include "io/usage_error.hpp"

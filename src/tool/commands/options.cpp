@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "io/domain_argument.hpp"
+#include "io/arguments.hpp"
 
 namespace carom::tool {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "commands/options.hpp"
 #include "io/interrupt.hpp"
-#include "io/progress.hpp"
+#include "io/output.hpp"
 #include "io/threads.hpp"
 #include "plan/clock.hpp"
 #include "plan/cpp_call.hpp"

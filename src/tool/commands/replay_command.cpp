@@ -1,24 +1,142 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
+#include <cstddef>
+#include <deque>
+#include <map>
 #include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include <carom/collision/json/text.hpp>
 #include <carom/properties/domains/draw_within.hpp>
 #include <carom/properties/gate/posed_families.hpp>
+#include <carom/properties/gate/witness.hpp>
+#include <carom/properties/trial/restarts.hpp>
+#include <carom/properties/trial/trial.hpp>
 #include <carom/report/pages/shown_case.hpp>
+#include <carom/subjects/protocol/spelling.hpp>
 
 #include "commands/commands.hpp"
 #include "commands/options.hpp"
+#include "io/arguments.hpp"
 #include "io/input_file.hpp"
 #include "io/interrupt.hpp"
 #include "io/json_file.hpp"
-#include "io/orphans.hpp"
-#include "io/replay_subjects.hpp"
 #include "io/usage_error.hpp"
 
 namespace carom::tool {
 namespace {
+
+using report::ReplayedCase;
+using subjects::protocol::spelling_count;
+
+/// Runs the task. An exception becomes a UsageError that names the subject, unless it is a fault of the judge.
+template <class Task>
+auto in_its_name(const Subject& subject, const Task& task) {
+  try {
+    return task();
+  } catch (const oracles::JudgeError&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw UsageError(fmt::format("{}: {}", subject.name, error.what()));
+  }
+}
+
+/// Limits the restarts of a failing program. Each failure is a finding, and a program that hangs takes the full
+/// timeout.
+constexpr unsigned most_failures = 100;
+
+bool names_subject(const ReadCollision& read) { return read.witness && !read.witness->subject.empty(); }
+
+/// The verdicts of the claimed invariants that compare all answers with the first answer.
+std::vector<properties::NamedVerdict> session_verdicts(const properties::Claim& claim, properties::Sameness sameness,
+                                                       const std::vector<ReplayedCase>& cases) {
+  std::vector<properties::NamedVerdict> verdicts;
+  for (const properties::Invariant* invariant : claim.invariants) {
+    if (const auto* about = std::get_if<properties::AboutSession>(&invariant->about)) {
+      properties::NamedVerdict& named = verdicts.emplace_back(properties::NamedVerdict{invariant, {}});
+      for (const ReplayedCase& other : cases) {
+        if (named.verdict.status == properties::Status::holds) {
+          named.verdict = about->check(cases.front().answer, other.answer, sameness);
+        }
+      }
+    }
+  }
+  return verdicts;
+}
+
+/// A subject with its sessions. A program has one session for each spelling (a way to write a request in JSON,
+/// subjects/protocol/spelling.hpp), because a fault of its JSON reader may show in one spelling alone. A program that
+/// reads hexadecimal numbers has as many sessions, so that `memoryless` is judged.
+class ReplaySubject {
+ public:
+  /// Throws UsageError if the subject cannot be run.
+  ReplaySubject(const std::string& name, double timeout_seconds, const oracles::Limits& limits,
+                const properties::Domain& within, const std::stop_token& stop) {
+    const unsigned spellings = runs_in_this_process(name) ? 1 : spelling_count;
+    for (unsigned spelling = 0; spelling < spellings; ++spelling) {
+      Subject subject = subject_from_argument(name, timeout_seconds, stop, spelling);
+      if (!subject.absent.empty()) {
+        throw UsageError(fmt::format("{} is absent: {}", name, subject.absent));
+      }
+      sessions_.push_back(in_its_name(
+          subject, [&] { return properties::open_restarting(subject, restarts_->emplace_back(most_failures), stop); }));
+      subject_ = std::move(subject);
+    }
+    claim_ = properties::claim_of(subject_, limits);
+    claim_.within = within;
+  }
+
+  [[nodiscard]] const Subject& subject() const { return subject_; }
+  [[nodiscard]] const properties::Claim& claim() const { return claim_; }
+
+  /// Judges the case in every spelling. Returns the result of the first spelling with a violation, otherwise of the
+  /// first spelling. For a program, the invariant `memoryless` holds if the answers in all spellings are the same.
+  /// Throws UsageError.
+  [[nodiscard]] ReplayedCase judge(const properties::Case& one) {
+    std::vector<ReplayedCase> cases;
+    for (Session& session : sessions_) {
+      auto [answer, judgement] =
+          in_its_name(subject_, [&] { return properties::judge_in_session(claim_, session, one); });
+      cases.push_back({std::move(answer), std::move(judgement)});
+    }
+    const auto shows = [](const ReplayedCase& replayed) { return report::is_violated(replayed.judgement); };
+    const auto found = std::find_if(cases.begin(), cases.end(), shows);
+    const auto chosen = static_cast<std::size_t>((found == cases.end() ? cases.begin() : found) - cases.begin());
+    ReplayedCase result = cases[chosen];
+    if (cases.size() > 1) {
+      const std::vector<properties::NamedVerdict> verdicts =
+          session_verdicts(claim_, properties::sameness_of_answers(subject_), cases);
+      result.judgement.verdicts.insert(result.judgement.verdicts.end(), verdicts.begin(), verdicts.end());
+    }
+    if (subject_.spellings > 1) {
+      result.spellings = cases.size();
+      result.violated_spellings = static_cast<std::size_t>(std::count_if(cases.begin(), cases.end(), shows));
+      result.spelt = subjects::protocol::spelt(one.collision, static_cast<unsigned>(chosen));
+    }
+    return result;
+  }
+
+  /// Throws UsageError if a session does not end properly.
+  void close() {
+    for (Session& session : sessions_) {
+      in_its_name(subject_, [&session] { session.close(); });
+    }
+  }
+
+ private:
+  Subject subject_;
+  properties::Claim claim_;
+  // On the heap, because sessions refer to the elements and this object may be moved.
+  std::unique_ptr<std::deque<properties::Restarts>> restarts_ = std::make_unique<std::deque<properties::Restarts>>();
+  std::vector<Session> sessions_;  // one for each spelling of a program, otherwise one
+};
 
 struct ReplayArguments {
   std::string file;               // empty if a case of a family is replayed
@@ -32,6 +150,54 @@ struct ReplayArguments {
   LimitArguments judged;
   bool shows_all_laws = false;  // whether to show laws that the subject does not claim
   std::string format = "text";
+};
+
+/// The subjects of a replay, each started once.
+class ReplaySubjects {
+ public:
+  ReplaySubjects(const ReplayArguments& arguments, std::stop_token stop)
+      : arguments_(arguments), stop_(std::move(stop)) {}
+
+  /// The subject that judges this collision: the one of the command line, otherwise the one that the file names;
+  /// nullptr if there is none. Throws UsageError.
+  [[nodiscard]] ReplaySubject* subject_for(const ReadCollision& read) {
+    if (!arguments_.subject.empty()) {
+      return &named(arguments_.subject);
+    }
+    const bool may_be_judged = names_subject(read) && runs_in_this_process(read.witness->subject);
+    return may_be_judged ? &named(read.witness->subject) : nullptr;
+  }
+
+  /// The reason why no subject judges the collision although the file names one: a file cannot start programs.
+  /// Otherwise empty.
+  [[nodiscard]] std::string why_none(const ReadCollision& read) const {
+    if (!arguments_.subject.empty() || !names_subject(read) || runs_in_this_process(read.witness->subject)) {
+      return {};
+    }
+    return fmt::format("not judged: the subject of the witness is a program; to run it, use --subject {}",
+                       printable_line(quoted(read.witness->subject), 4000));
+  }
+
+  void close() {
+    for (auto& [name, open] : open_) {
+      open.close();
+    }
+  }
+
+ private:
+  ReplaySubject& named(const std::string& name) {
+    const auto found = open_.find(name);
+    if (found != open_.end()) {
+      return found->second;
+    }
+    ReplaySubject subject(name, arguments_.timeout, arguments_.judged.limits(),
+                          arguments_.within.value_or(properties::Domain()), stop_);
+    return open_.emplace(name, std::move(subject)).first->second;
+  }
+
+  const ReplayArguments& arguments_;
+  std::stop_token stop_;
+  std::map<std::string, ReplaySubject> open_;
 };
 
 using nlohmann::json;
@@ -75,9 +241,7 @@ bool replay_one(const ReadCollision& read, const ReplayArguments& arguments, Rep
 
 int replay(const ReplayArguments& arguments) {
   const std::stop_token stop = stop_on_interrupt();
-  const Orphanage orphanage;
-  ReplaySubjects subjects(arguments.subject, arguments.timeout, arguments.judged.limits(),
-                          arguments.within.value_or(properties::Domain()), stop);
+  ReplaySubjects subjects(arguments, stop);
   bool violated = false;
   const auto visit = [&](const ReadCollision& read) {
     if (stop.stop_requested()) {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSL-1.0
-#include "commands/scene_command.hpp"
-
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -19,14 +17,13 @@
 #include <carom/collision/json/text.hpp>
 #include <carom/properties/trial/nearest_name.hpp>
 
+#include "commands/commands.hpp"
 #include "commands/options.hpp"
 #include "commands/plan_command.hpp"
 #include "io/gnuplot.hpp"
 #include "io/interrupt.hpp"
 #include "io/json_file.hpp"
-#include "io/output_file.hpp"
-#include "io/progress.hpp"
-#include "io/staged_output.hpp"
+#include "io/output.hpp"
 #include "io/threads.hpp"
 #include "io/usage_error.hpp"
 #include "plan/contacts_of_scene.hpp"
@@ -222,7 +219,6 @@ void put_in_place(StagedOutput& staged, std::vector<Written>& all) {
     all.front().undrawn = all.front().undrawn ? all.front().undrawn : undrawn;
   }
   staged.put_in_place("scene.json");
-  staged.remove_abandoned_stages();
 }
 
 void print_laws(const SceneArguments& arguments, const std::vector<Written>& all) {

@@ -7,7 +7,7 @@
 #include <carom/subjects/protocol/child.hpp>
 
 #include "io/json_file.hpp"
-#include "io/output_file.hpp"
+#include "io/output.hpp"
 #include "io/usage_error.hpp"
 
 namespace carom::tool {

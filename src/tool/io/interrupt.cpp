@@ -8,8 +8,6 @@
 
 #include <unistd.h>
 
-#include "io/memory_reserve.hpp"
-
 namespace carom::tool {
 namespace {
 
@@ -49,7 +47,6 @@ std::stop_token stop_on_interrupt() {
     return source.get_token();
   }
   is_waiting = true;
-  keep_memory_for_the_report(source);
   const sigset_t signals = awaited_signals();
   // All later threads block the signals. One thread waits for the signals, so no code runs in a handler.
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);

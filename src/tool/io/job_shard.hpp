@@ -4,10 +4,23 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include <carom/properties/gate/gate_report.hpp>
 
 namespace carom::tool {
+
+/// The argument of --shard that takes the shard from the batch system.
+inline constexpr std::string_view automatic_shard = "auto";
+
+/// Parses "2/3". None if the text is not I/N with 1 ≤ I ≤ N ≤ 1,000,000.
+[[nodiscard]] std::optional<properties::Shard> shard_from(std::string_view text);
+
+/// The error message if the text is neither automatic_shard nor I/N; empty if it is one of them.
+[[nodiscard]] std::string is_shard(const std::string& text);
+
+/// "shard-2-of-3", the folder of a shard's reports.
+[[nodiscard]] std::string folder_of(const properties::Shard& shard);
 
 /// The value of an environment variable; none if it is not set.
 using VariableLookup = std::function<std::optional<std::string>(const std::string& variable)>;

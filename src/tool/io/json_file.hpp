@@ -3,19 +3,16 @@
 
 #include <cstddef>
 #include <deque>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
 
 #include <carom/collision/expects.hpp>
 
-#include "io/bounded_input.hpp"
-
 namespace carom::tool {
 
-/// The longest line of JSON Lines, and the largest file that is read as a whole [bytes].
-inline constexpr std::size_t longest_line = std::size_t{16} << 20;
-inline constexpr std::size_t largest_whole = std::size_t{256} << 20;
+class BoundedInput;
 
 /// A JSON file. It is JSON Lines, of any length, if its first non-blank line is a complete JSON text and another
 /// non-blank line follows. Otherwise it is one JSON text. Errors are UsageErrors that name the file and, for JSON
@@ -24,6 +21,9 @@ class JsonFile {
  public:
   /// Reads until the form is known. Throws if the file cannot be read, or is a single text that is too large.
   explicit JsonFile(const std::string& file, const std::stop_token& stop = {});
+  ~JsonFile();
+  JsonFile(const JsonFile&) = delete;
+  JsonFile& operator=(const JsonFile&) = delete;
 
   [[nodiscard]] const std::string& file() const { return file_; }
   [[nodiscard]] bool is_lines() const { return is_lines_; }
@@ -46,7 +46,7 @@ class JsonFile {
   [[nodiscard]] std::optional<Line> next_line_of_input();
 
   std::string file_;
-  BoundedInput input_;
+  std::unique_ptr<BoundedInput> input_;
   bool is_lines_ = false;
   std::deque<Line> read_;  // lines that were read ahead
   std::size_t number_ = 0;

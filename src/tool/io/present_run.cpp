@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "io/present_run.hpp"
 
+#include <algorithm>
 #include <exception>
 #include <filesystem>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <carom/properties/invariants/invariant.hpp>
 #include <carom/report/pages/pages.hpp>
 
-#include "io/old_witnesses.hpp"
-#include "io/output_file.hpp"
-#include "io/standard_output.hpp"
+#include "io/usage_error.hpp"
 
 namespace carom::tool {
 namespace {
@@ -20,6 +21,35 @@ namespace fs = std::filesystem;
 
 std::string in_json(const nlohmann::json& record, int indent) {
   return record.dump(indent, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+}
+
+fs::file_type type_of(const fs::path& path) {
+  std::error_code ignored;
+  return fs::symlink_status(path, ignored).type();
+}
+
+/// The witnesses of the report in the directory. None if there is no report of this program. A path is made of names,
+/// because a text of the report could lead to any file.
+std::vector<fs::path> witnesses_in(const fs::path& directory) {
+  std::vector<fs::path> witnesses;
+  const fs::path folder = directory / "witnesses";
+  const fs::path report_file = directory / "report.json";
+  if (type_of(report_file) != fs::file_type::regular || type_of(folder) != fs::file_type::directory) {
+    return witnesses;
+  }
+  try {
+    for (const report::RecordedSubject& subject : read_report(report_file.string()).subjects) {
+      for (const std::string& invariant : subject.summary.violated) {
+        const fs::path file = folder / fmt::format("{}.{}.json", report::file_name_of(subject.name), invariant);
+        if (properties::invariant_named(invariant) != nullptr && type_of(file) == fs::file_type::regular) {
+          witnesses.push_back(file);
+        }
+      }
+    }
+  } catch (const UsageError&) {
+    witnesses.clear();
+  }
+  return witnesses;
 }
 
 /// Puts all reports in place, or none. At every moment, the directory contains the witnesses that its report lists.
@@ -36,10 +66,16 @@ void write_reports(const report::Run& run, const std::string& out, StagedOutput&
   write_file(stage / "junit.xml", report::junit_xml(run));
   write_file(stage / "report.html", report::run_html(run, out));
   write_file(stage / "report.json", in_json(report::report_record(run), 2));
-  const std::vector<fs::path> old = old_witnesses(out, staged);
+  std::vector<fs::path> old = witnesses_in(out);
+  std::erase_if(old, [&](const fs::path& file) { return fs::exists(stage / "witnesses" / file.filename()); });
   staged.put_in_place("report.json");
-  remove_old_witnesses(out, old);
-  staged.remove_abandoned_stages();
+  for (const fs::path& file : old) {
+    std::error_code error;
+    fs::remove(file, error);
+    if (error) {
+      throw UsageError(fmt::format("--out: {} cannot be removed: {}", file.string(), error.message()));
+    }
+  }
 }
 
 void print_run(const report::Run& run, const Presentation& presentation) {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "io/output.hpp"
 #include "io/report_file.hpp"
-#include "io/staged_output.hpp"
 
 namespace carom::tool {
 

@@ -45,12 +45,10 @@ report::RecordedRun read_report(const std::string& file_or_directory) {
   });
 }
 
-report::ReadShard read_shard_report(const std::string& file) {
-  return read_from(file, "", [&](const nlohmann::json& record) { return report::shard_from(record, file); });
-}
-
 report::ReadShard read_shard(const std::string& directory) {
-  report::ReadShard shard = read_shard_report((fs::path(directory) / "report.json").string());
+  const std::string file = (fs::path(directory) / "report.json").string();
+  report::ReadShard shard =
+      read_from(file, "", [&](const nlohmann::json& record) { return report::shard_from(record, file); });
   for (properties::SubjectResult& result : shard.run.results) {
     for (properties::Witness& witness : result.witnesses) {
       // The path in the report is not used, because it could lead to any file.

@@ -10,9 +10,6 @@ namespace carom::tool {
 /// Reads a report.json, or the one in a directory. Throws UsageError that names the file and the place.
 [[nodiscard]] report::RecordedRun read_report(const std::string& file_or_directory);
 
-/// Reads a report of a shard, without its witnesses. Throws as read_shard does.
-[[nodiscard]] report::ReadShard read_shard_report(const std::string& file);
-
 /// Reads report.json, and the witnesses that it lists, from the directory of a gate with --shard. Throws UsageError
 /// that names the file and the place. Also throws if the report is no shard, is of another version of Carom, or was
 /// interrupted.

@@ -8,7 +8,7 @@
 #include <carom/subjects/methods.hpp>
 
 #include "chart/timing.hpp"
-#include "io/progress.hpp"
+#include "io/output.hpp"
 
 namespace carom::tool::plan {
 namespace {

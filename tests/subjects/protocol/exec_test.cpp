@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <array>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include <carom/collision/doubles.hpp>
+#include <carom/collision/json/text.hpp>
 #include <carom/properties/gate/gate.hpp>
 #include <carom/subjects/catalogue.hpp>
+#include <carom/subjects/protocol/command_line.hpp>
 #include <carom/subjects/protocol/exec.hpp>
 #include <carom/subjects/protocol/spelling.hpp>
 
@@ -83,43 +86,6 @@ TEST(Exec, IsAskedAboutRelatedCollisionsOnEveryFourthCase) {
   EXPECT_EQ(report.results[1].count(*properties::invariant_named("swap")).holds, 80U);
 }
 
-/// If a law does not read the friction coefficient, a subject of this law may accept an invalid coefficient.
-TEST(Exec, NeedNotRefuseWhatItsLawDoesNotRead) {
-  Subject careless = *subject_named("frictionless-double");
-  careless.open = [] {
-    return Session(
-        [inner = subject_named("frictionless-double")->open()](std::span<const Collision> collisions) mutable {
-          std::vector<Collision> without(collisions.begin(), collisions.end());
-          for (Collision& collision : without) {
-            collision.friction = 0;
-            collision.tangential_restitution = 0;
-          }
-          return inner(without);
-        });
-  };
-  properties::GateOptions options;
-  options.cases = 500;
-  options.families = {properties::family_named("invalid")};
-  options.is_part = true;
-  const properties::GateReport report = properties::run_gate({careless}, options);
-  EXPECT_TRUE(report.results[0].is_sound());
-  EXPECT_GT(report.results[0].count(*properties::invariant_named("invalid_refused")).skipped, 10U);
-  EXPECT_EQ(report.results[0].count(*properties::invariant_named("invalid_refused")).holds +
-                report.results[0].count(*properties::invariant_named("invalid_refused")).skipped,
-            500U);
-}
-
-TEST(Exec, IsNotSoundWhereItClaimsNothing) {
-  Subject subject = *subject_named("frictionless-double");
-  for (const properties::Invariant& invariant : properties::all_invariants()) {
-    subject.deviates.emplace_back(invariant.name);
-  }
-  properties::GateOptions options;
-  options.cases = 10;
-  options.families = {properties::family_named("generic")};
-  EXPECT_FALSE(properties::run_gate({subject}, options).results[0].is_sound());
-}
-
 TEST(Exec, AnswersManyAtOnceAndNone) {
   for (const char* numbers : {"", " hex"}) {
     const Subject subject =
@@ -143,6 +109,39 @@ TEST(Exec, RefusesHexadecimalNumbersOfExtendedPrecision) {
   } catch (const std::exception& error) {
     EXPECT_NE(std::string(error.what()).find("/numbers: hex has the bits of binary64"), std::string::npos)
         << error.what();
+  }
+}
+
+using Words = std::vector<std::string>;
+
+TEST(Words, AreSplitAndUnquotedAsAShellDoes) {
+  EXPECT_EQ(split_words(""), Words{});
+  EXPECT_EQ(split_words("  \t\n "), Words{});
+  EXPECT_EQ(split_words("python3 solver.py"), (Words{"python3", "solver.py"}));
+  EXPECT_EQ(split_words(" a  b\tc "), (Words{"a", "b", "c"}));
+  EXPECT_EQ(split_words("'a b' \"c d\""), (Words{"a b", "c d"}));
+  EXPECT_EQ(split_words("a'b'\"c\"d"), (Words{"abcd"}));
+  EXPECT_EQ(split_words("'' \"\""), (Words{"", ""}));
+  EXPECT_EQ(split_words(R"(a\ b \'c \\)"), (Words{"a b", "'c", R"(\)"}));
+  EXPECT_EQ(split_words(R"("\"\\\$\`\n")"), (Words{R"("\$`\n)"}));
+  EXPECT_EQ(split_words(R"('\n')"), (Words{R"(\n)"}));
+  EXPECT_EQ(split_words("a\\\nb"), (Words{"ab"}));
+}
+
+TEST(Words, KeepWhatOnlyAShellWouldCarryOut) {
+  EXPECT_EQ(split_words("a; rm -r $HOME | b > c & `d` $(e) *?[f] #g ~"),
+            (Words{"a;", "rm", "-r", "$HOME", "|", "b", ">", "c", "&", "`d`", "$(e)", "*?[f]", "#g", "~"}));
+}
+
+TEST(Words, RefuseAQuotationThatIsNotClosed) {
+  for (const char* text : {"'a", "\"a", "a\\", "\"a\\\""}) {
+    EXPECT_THROW((void)split_words(text), std::invalid_argument) << text;
+  }
+}
+
+TEST(Words, AreReadBackAsTheyWereQuoted) {
+  for (const char* word : {"", "plain", "two words", "it's", "'", "\\", "\"$HOME\"", "a\nb", "ü"}) {
+    EXPECT_EQ(split_words(quoted(word)), Words{word});
   }
 }
 

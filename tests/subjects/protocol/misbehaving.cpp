@@ -6,6 +6,7 @@
 #include <functional>
 #include <iostream>
 #include <map>
+#include <regex>
 #include <string>
 
 #include <unistd.h>
@@ -20,6 +21,7 @@ namespace carom {
 namespace {
 
 using nlohmann::json;
+using nlohmann::ordered_json;
 
 constexpr std::uint64_t faulty_solve = 3;
 
@@ -58,42 +60,12 @@ const std::map<std::string, Fault>& faults() {
          return std::string(reply).replace(reply.find(number), number.size(), std::to_string(id + 1));
        }},
       {"twice", [](auto, auto reply) { return reply + reply; }},
-      {"unknown-id", [](auto, auto reply) { return reply.replace(reply.find("3"), 1, "1000000"); }},
-      {"half-a-line",
-       [](auto, auto reply) -> std::string {
-         std::cout << reply.substr(0, reply.size() / 2);
-         hang();
-       }},
       {"not-json", [](auto, auto) { return std::string("velocity = 3\n"); }},
-      {"wrong-shape",
-       [](auto id, auto) {
-         return json{{"id", id}, {"a", 1}, {"b", 2}}.dump() + '\n';
-       }},
-      {"no-outcome",
-       [](auto id, auto) {
-         return json{{"id", id}}.dump() + '\n';
-       }},
-      {"missing-component",
-       [](auto, auto reply) {
-         json outcome = json::parse(reply);
-         outcome["a"]["velocity"].erase(2);
-         return outcome.dump() + '\n';
-       }},
-      {"not-a-number",
-       [](auto, auto reply) {
-         json outcome = json::parse(reply);
-         outcome["b"]["velocity"][1] = "fast";
-         return outcome.dump() + '\n';
-       }},
       {"nan-as-text",
        [](auto, auto reply) {
          json outcome = json::parse(reply);
          outcome["a"]["velocity"] = {"nan", "inf", "-inf"};
          return outcome.dump() + '\n';
-       }},
-      {"bare-nan",
-       [](auto id, auto) {
-         return "{\"id\":" + std::to_string(id) + ",\"a\":{\"velocity\":[NaN,0,0],\"angular_velocity\":[0,0,0]}}\n";
        }},
       {"leave-group",
        [](auto, auto) -> std::string {
@@ -125,14 +97,6 @@ const std::map<std::string, Fault>& faults() {
          close(STDOUT_FILENO);
          hang();
        }},
-      {"daemon",
-       [](auto, auto reply) {
-         if (fork() == 0) {
-           setsid();
-           hang();
-         }
-         return reply;
-       }},
       {"grandchild",
        [](auto, auto) -> std::string {
          if (fork() == 0) {
@@ -148,8 +112,6 @@ const std::map<std::string, std::function<void(json& reply)>>& matrix_faults() {
   static const std::map<std::string, std::function<void(json & reply)>> all{
       {"matrix", [](json&) {}},
       {"matrix-missing", [](json& reply) { reply.erase("C"); }},
-      {"matrix-of-two-rows", [](json& reply) { reply["C"].erase(2); }},
-      {"matrix-not-a-number", [](json& reply) { reply["C"][1][2] = "much"; }},
       {"matrix-nan", [](json& reply) { reply["C"][0][0] = "nan"; }},
   };
   return all;
@@ -157,13 +119,8 @@ const std::map<std::string, std::function<void(json& reply)>>& matrix_faults() {
 
 /// Faults of a program that exchanges hexadecimal numbers.
 const std::map<std::string, std::function<std::string(std::string reply)>>& hex_faults() {
-  constexpr std::size_t width = 17;  // of a space and a number
   static const std::map<std::string, std::function<std::string(std::string)>> all{
       {"hex", [](auto reply) { return reply; }},
-      {"hex-one-less", [](auto reply) { return reply.substr(0, reply.size() - 1 - width) + '\n'; }},
-      {"hex-no-digit", [](auto reply) { return reply.replace(reply.size() - 2, 1, "x"); }},
-      {"hex-decimal", [](auto reply) { return reply.replace(1, width, " 0.5"); }},
-      {"hex-json", [](auto) { return std::string("{\"id\":3}\n"); }},
       {"hex-wrong-id", [](auto reply) { return '4' + reply.substr(1); }},
   };
   return all;
@@ -175,6 +132,98 @@ std::string hex_reply(const std::string& line, const std::string& fault, Session
   std::string reply;
   subjects::protocol::add_hex_reply(reply, request.id, session(std::span(&request.collision, 1)).at(0));
   return request.id == faulty_solve ? hex_faults().at(fault)(reply) : reply;
+}
+
+using Reader = std::function<ordered_json(const std::string& text)>;
+
+ordered_json with_text(const std::string& text, const char* pattern, const char* replacement) {
+  return ordered_json::parse(std::regex_replace(text, std::regex(pattern), replacement));
+}
+
+template <class Change>
+Reader with_bodies(Change change) {
+  return [change](const std::string& text) {
+    ordered_json request = ordered_json::parse(text);
+    for (const char* name : {"a", "b"}) {
+      change(request.at("collision").at(name));
+    }
+    return request;
+  };
+}
+
+void make_immovable(ordered_json& body) {
+  for (const char* field : {"mass", "principal_inertia", "orientation"}) {
+    body.erase(field);
+  }
+  body["immovable"] = true;
+}
+
+/// Readers that misread one spelling that the protocol permits.
+const std::map<std::string, Reader>& readers() {
+  static const std::map<std::string, Reader> all{
+      {"exponent-dropped", [](const auto& text) { return with_text(text, "([0-9])e-?[0-9]+", "$1"); }},
+      {"capital-exponent-dropped", [](const auto& text) { return with_text(text, R"(([0-9])E[-+][0-9]+)", "$1"); }},
+      {"integer-by-ten",
+       [](const auto& text) { return with_text(text, R"(([\[,:]\s*-?[0-9]+)(?=\s*[,\]}]))", "$1e-1"); }},
+      {"left-out-is-immovable", with_bodies([](ordered_json& body) {
+         if (!body.contains("immovable")) {
+           make_immovable(body);
+         }
+       })},
+      {"written-is-immovable", with_bodies([](ordered_json& body) {
+         if (body.contains("immovable")) {
+           make_immovable(body);
+         }
+       })},
+      {"left-out-orientation", with_bodies([](ordered_json& body) {
+         if (body.contains("mass") && !body.contains("orientation")) {
+           body["orientation"] = {0.6, 0.8, 0.0, 0.0};
+         }
+       })},
+      {"left-out-friction",
+       [](const auto& text) {
+         ordered_json request = ordered_json::parse(text);
+         (void)request.at("collision").at("friction");
+         return request;
+       }},
+      {"first-is-a",
+       [](const auto& text) {
+         ordered_json request = ordered_json::parse(text);
+         ordered_json& collision = request.at("collision");
+         if (text.find("\"b\"") < text.find("\"a\"")) {
+           std::swap(collision.at("a"), collision.at("b"));
+         }
+         return request;
+       }},
+      {"no-tabs", [](const auto& text) {
+         return ordered_json::parse(text.find('\t') == std::string::npos ? text : std::string());
+       }}};
+  return all;
+}
+
+Answer answer_to_misread(const std::string& line, const Reader& reader, Session& session) {
+  try {
+    const Collision collision = collision_from_json(json(reader(line).at("collision")));
+    return session(std::span(&collision, 1)).at(0);
+  } catch (const std::exception& error) {
+    return Refused{error.what()};
+  }
+}
+
+/// The reply to `start`. A fault "FIELD=VALUE" sets a field of it, and "idle=VALUE" sets `claims`.
+std::string introduction_line(const subjects::protocol::Introduction& introduction, const std::string& fault) {
+  json reply = json::parse(subjects::protocol::introduction_reply(introduction));
+  if (const std::size_t sign = fault.find('='); sign != std::string::npos) {
+    reply[fault.starts_with("idle=") ? "claims" : fault.substr(0, sign)] = json::parse(fault.substr(sign + 1));
+  } else if (fault == "protocol-2") {
+    reply["protocol"] = 2;
+  } else if (fault == "hang-at-start") {
+    hang();
+  } else if (fault == "markup") {
+    reply["name"] = "<script>alert(1)</script>&\"'\x1b[31m";
+    std::cerr << "<img src=x onerror=alert(2)>\n";
+  }
+  return reply.dump();
 }
 
 int run(int argc, char** argv) {
@@ -205,30 +254,18 @@ int run(int argc, char** argv) {
     }
     const json request = json::parse(line);
     if (request.at("cmd") == "start") {
-      std::string reply = subjects::protocol::introduction_reply(introduction);
-      json changed = json::parse(reply);
-      if (fault == "unknown-model") {
-        changed["model"] = "sticky";
-      } else if (fault == "protocol-2") {
-        changed["protocol"] = 2;
-      } else if (fault.starts_with("domain=")) {
-        changed["domain"] = json::parse(fault.substr(fault.find('=') + 1));
-      } else if (fault.starts_with("claims=") || fault.starts_with("idle=")) {
-        changed["claims"] = json::parse(fault.substr(fault.find('=') + 1));
-      } else if (fault == "hang-at-start") {
-        hang();
-      } else if (fault == "markup") {
-        changed["name"] = "<script>alert(1)</script>&\"'\x1b[31m";
-        std::cerr << "<img src=x onerror=alert(2)>\n";
-      }
-      std::cout << changed.dump() << std::endl;
+      std::cout << introduction_line(introduction, fault) << std::endl;
     } else if (request.at("cmd") == "solve") {
       const auto id = request.at("id").get<std::uint64_t>();
       const Collision collision = collision_from_json(request.at("collision"));
       const bool is_idle = fault.starts_with("idle=") && validate(collision).empty();
-      std::string reply = subjects::protocol::answer_reply(
-          id, is_idle ? Answer(reported(unchanged(collision))) : session(std::span(&collision, 1)).at(0),
-          introduction.precision);
+      Answer answer;
+      if (const auto reader = readers().find(fault); reader != readers().end()) {
+        answer = answer_to_misread(line, reader->second, session);
+      } else {
+        answer = is_idle ? Answer(reported(unchanged(collision))) : session(std::span(&collision, 1)).at(0);
+      }
+      std::string reply = subjects::protocol::answer_reply(id, answer, introduction.precision);
       if (fault == "crash-where-bouncy" && collision.restitution > 0.7 && collision.restitution < 0.8) {
         std::cerr << "assertion failed: restitution <= 0.7" << std::endl;
         std::abort();

@@ -59,14 +59,15 @@ TEST(ReplayHtmlWithoutItsPage, SaysSo) {
   EXPECT_THROW(static_cast<void>(replay_html("title", replay())), std::logic_error);
 }
 
-TEST_F(ReplayHtml, HoldsTheReplayToTheLastDigit) { EXPECT_EQ(embedded(replay_html("title", replay())), replay()); }
-
-TEST_F(ReplayHtml, IsOnePageWithTheTitle) {
+TEST_F(ReplayHtml, IsOnePageWithTheReplayTheTitleAndTheNoticeOfThreeJs) {
   const std::string page = replay_html("Balls & walls", replay());
   EXPECT_TRUE(page.starts_with("<!DOCTYPE html>"));
   EXPECT_TRUE(page.ends_with("</html>\n"));
   EXPECT_EQ(between(page, "<title>", "</title>"), "Balls &amp; walls");
   EXPECT_EQ(page.find("{{"), std::string::npos) << "a mark that nothing stands for";
+  EXPECT_EQ(embedded(page), replay()) << "every digit is kept";
+  EXPECT_NE(page.find("Three.js Authors"), std::string::npos);
+  EXPECT_NE(page.find("SPDX-License-Identifier: MIT"), std::string::npos);
 }
 
 TEST_F(ReplayHtml, IsBrokenOutOfByNoName) {
@@ -101,12 +102,6 @@ TEST_F(ReplayHtml, LoadsNothingAndRunsWhatItContainsAlone) {
   }
   EXPECT_EQ(count(markup, "<link"), 0U);
   EXPECT_EQ(count(page, "</script>"), 2U);
-}
-
-TEST_F(ReplayHtml, KeepsTheNoticeOfThreeJs) {
-  const std::string page = replay_html("title", replay());
-  EXPECT_NE(page.find("Three.js Authors"), std::string::npos);
-  EXPECT_NE(page.find("SPDX-License-Identifier: MIT"), std::string::npos);
 }
 
 }  // namespace

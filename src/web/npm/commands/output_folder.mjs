@@ -61,14 +61,6 @@ function bury(lock, text) {
   }
 }
 
-/**
- * Whether a run of the native program may write to the folder. Its lock names its process, as the lock of this program
- * does. The system releases the native lock, so the file of a killed run locks nothing.
- */
-function is_locked_natively(lock) {
-  return existsSync(lock) && !(is_regular(lock) && is_dead(text_of(lock)));
-}
-
 function refusal(folder, lock) {
   return new UsageError(`--out: another run writes to the directory ${folder}; wait until it ends, or choose another `
     + `directory. If there is no such run, remove ${lock}`);
@@ -90,7 +82,7 @@ function lock_folder(folder) {
         }
       });
       const native_lock = join(folder, native_lock_name);
-      if (is_locked_natively(native_lock)) {
+      if (existsSync(native_lock)) {  // a run of the native program
         throw refusal(folder, native_lock);
       }
       return;

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSL-1.0
-#include "io/staged_output.hpp"
+#include "io/output.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
-#include <csignal>
+#include <cstdio>
+#include <fstream>
 #include <random>
-#include <regex>
 #include <string_view>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -19,10 +19,59 @@
 
 #include <carom/subjects/protocol/shortage.hpp>
 
-#include "io/output_file.hpp"
 #include "io/usage_error.hpp"
 
 namespace carom::tool {
+
+void fail_to_write(const std::filesystem::path& path, int error) {
+  throw UsageError(fmt::format("--out: {} cannot be written: {}", path.string(),
+                               subjects::protocol::message_of({error, std::generic_category()})));
+}
+
+void write_file(const std::filesystem::path& path, const std::string& text) {
+  errno = 0;
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  file.close();
+  if (!file) {
+    fail_to_write(path, errno);
+  }
+}
+
+void append_to_file(const std::string& option, const std::filesystem::path& path, const std::string& text) {
+  std::ofstream file(path, std::ios::binary | std::ios::app);
+  file << text;
+  file.close();
+  if (!file) {
+    throw UsageError(
+        fmt::format("{}: the file {} cannot be written; check the path and its permissions", option, path.string()));
+  }
+}
+
+void require_writable(const std::string& option, const std::filesystem::path& path) {
+  const bool existed = std::filesystem::exists(std::filesystem::symlink_status(path));
+  append_to_file(option, path, "");
+  if (!existed) {
+    std::filesystem::remove(path);
+  }
+}
+
+void make_directories(const std::filesystem::path& directory) {
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error) {
+    std::error_code gone;
+    (void)std::filesystem::current_path(gone);
+    if (gone && directory.is_relative()) {
+      throw UsageError(
+          fmt::format("--out: the directory {} cannot be created: the working directory does not exist any more",
+                      directory.string()));
+    }
+    throw UsageError(fmt::format("--out: the directory {} cannot be created: {}; choose another directory",
+                                 directory.string(), subjects::protocol::message_of(error)));
+  }
+}
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -42,6 +91,21 @@ bool is_stage_name(const std::string& name) {
          name.find_first_not_of("0123456789abcdef", stage_prefix.size()) == std::string::npos;
 }
 
+bool is_own_directory(const fs::path& path) {
+  struct stat facts {};
+  return lstat(path.c_str(), &facts) == 0 && S_ISDIR(facts.st_mode) && facts.st_uid == geteuid();
+}
+
+/// Precondition: this process has the lock of the directory, so no stage in it is in use.
+void remove_abandoned_stages(const fs::path& directory) {
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(directory, ignored)) {
+    if (is_stage_name(entry.path().filename().string()) && is_own_directory(entry.path())) {
+      fs::remove_all(entry.path(), ignored);
+    }
+  }
+}
+
 /// Whether the path still names the open file.
 bool stands_at(int descriptor, const fs::path& path) {
   struct stat opened {};
@@ -50,66 +114,14 @@ bool stands_at(int descriptor, const fs::path& path) {
          opened.st_ino == named.st_ino;
 }
 
-/// The text of the open file; empty if the file is too long for a lock, or cannot be read.
-std::string short_text_of(int file) {
-  std::array<char, 1024> text{};
-  const ssize_t length = pread(file, text.data(), text.size(), 0);
-  return length < 0 || length == ssize_t{text.size()} ? std::string() : std::string(text.data(), length);
-}
-
-std::string this_host() {
-  std::array<char, 256> name{};
-  return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
-}
-
-/// The text of a lock: the process that holds it, a mark of its own, and its machine.
-const std::regex& lock_text() {
-  static const std::regex text(R"((\d{1,9}) \S+ (.*)\n)");
-  return text;
-}
-
-/// Whether the run that wrote the text of a lock was killed. The answer is no if it ran on another machine.
-bool is_dead(const std::string& text) {
-  std::smatch parts;
-  return std::regex_match(text, parts, lock_text()) && parts[2] == this_host() && kill(std::stoi(parts[1]), 0) != 0 &&
-         errno == ESRCH;
-}
-
-/// Whether the open file may be a lock of this program: it is empty, or names a run.
-bool may_be_lock(int descriptor) {
-  struct stat facts {};
-  return fstat(descriptor, &facts) == 0 && S_ISREG(facts.st_mode) &&
-         (facts.st_size == 0 || std::regex_match(short_text_of(descriptor), lock_text()));
-}
-
-/// Writes this process into the lock, where the npm package finds it. On a full disk, the lock stays empty, and the npm
-/// package takes it for that of a living run.
-bool name_this_process(int lock) {
-  const std::string text = fmt::format("{} native {}\n", getpid(), this_host());
-  return ftruncate(lock, 0) == 0 &&
-         (pwrite(lock, text.data(), text.size(), 0) == static_cast<ssize_t>(text.size()) || ftruncate(lock, 0) == 0);
-}
-
-/// Whether a run of the npm package may write to the directory. Each of the two programs makes its own lock before it
-/// looks for the other's, so one of two runs at once sees the other.
-bool is_locked_by_npm(const fs::path& directory) {
-  const int lock = open((directory / npm_lock_name).c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-  if (lock < 0) {
-    return errno != ENOENT;
-  }
-  const std::string text = short_text_of(lock);
-  close(lock);
-  return !is_dead(text);
-}
-
 [[noreturn]] void fail_as_locked(const fs::path& directory, const std::string& advice = "") {
   throw UsageError(
       fmt::format("--out: another run writes to the directory {}; wait until it ends, or choose another directory{}",
                   directory.string(), advice));
 }
 
-/// The lock file of the directory, open and locked; -1 if the file system has no locks. Throws UsageError if another
-/// run holds the lock.
+/// The lock file of the directory, open and locked; -1 if the file system has no locks. The file is empty. Throws
+/// UsageError if another run holds the lock, or if the file is not empty and so not Carom's.
 int locked_file(const fs::path& directory) {
   const fs::path path = directory / lock_name;
   constexpr mode_t as_umask_permits = 0666;
@@ -118,7 +130,8 @@ int locked_file(const fs::path& directory) {
     if (file < 0) {
       fail_to_write(path, errno);
     }
-    if (!may_be_lock(file)) {
+    struct stat facts {};
+    if (fstat(file, &facts) != 0 || !S_ISREG(facts.st_mode) || facts.st_size != 0) {
       close(file);
       throw UsageError(
           fmt::format("--out: {} is not Carom's; move it away, or choose another directory", path.string()));
@@ -133,11 +146,6 @@ int locked_file(const fs::path& directory) {
       return -1;
     }
     if (stands_at(file, path)) {
-      if (!name_this_process(file)) {
-        const int error = errno;
-        close(file);
-        fail_to_write(path, error);
-      }
       return file;
     }
     close(file);  // the run that ended removed the file before it was locked here
@@ -196,20 +204,18 @@ void move_file(const fs::path& from, const fs::path& to, const fs::path& stage_n
   }
 }
 
-bool is_own_directory(const fs::path& path) {
-  struct stat facts {};
-  return lstat(path.c_str(), &facts) == 0 && S_ISDIR(facts.st_mode) && facts.st_uid == geteuid();
-}
-
 }  // namespace
 
 StagedOutput::StagedOutput(fs::path directory) : directory_(std::move(directory)) {
   make_directories(directory_);
   lock_ = locked_file(directory_);
-  if (is_locked_by_npm(directory_)) {
+  // The npm package, too, makes its own lock before it looks for this one. So one of two runs at once sees the other.
+  if (const fs::path lock = directory_ / npm_lock_name; fs::exists(fs::symlink_status(lock))) {
     release_lock();
-    fail_as_locked(directory_,
-                   fmt::format(". If there is no such run, remove {}", (directory_ / npm_lock_name).string()));
+    fail_as_locked(directory_, fmt::format(". If there is no such run, remove {}", lock.string()));
+  }
+  if (lock_ >= 0) {
+    remove_abandoned_stages(directory_);
   }
   stage_ = directory_ / new_stage_name();
   if (mkdir(stage_.c_str(), S_IRWXU) != 0) {
@@ -257,26 +263,30 @@ void StagedOutput::put_in_place(const std::string& last) {
   bring_to_disk(directory_);
 }
 
-std::vector<fs::path> StagedOutput::abandoned_stages() const {
-  std::vector<fs::path> stages;
-  if (lock_ < 0) {
-    return stages;  // other runs may be alive
+void flush_output() {
+  if (std::fflush(stdout) == 0) {
+    return;
   }
-  std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::directory_iterator(directory_, ignored)) {
-    const fs::path& path = entry.path();
-    if (is_stage_name(path.filename().string()) && path.filename() != stage_.filename() && is_own_directory(path)) {
-      stages.push_back(path);
-    }
+  const std::error_code code(errno, std::generic_category());
+  if (code == std::errc::broken_pipe) {
+    throw std::system_error(code);
   }
-  return stages;
+  throw UsageError(fmt::format("standard output cannot be written: {}", code.message()));
 }
 
-void StagedOutput::remove_abandoned_stages() const {
-  for (const fs::path& stage : abandoned_stages()) {
-    std::error_code ignored;
-    fs::remove_all(stage, ignored);
+std::function<void(std::uint64_t, std::uint64_t)> progress_line(std::string what) {
+  if (isatty(STDERR_FILENO) == 0) {
+    return {};
   }
+  return [what = std::move(what), shown = std::uint64_t{101}](std::uint64_t done, std::uint64_t all) mutable {
+    const std::uint64_t percent = 100 * done / all;
+    if (percent != shown) {
+      shown = percent;
+      std::fputs(fmt::format("\r{} of {} {}, {} %{}", done, all, what, percent, done == all ? "\n" : "").c_str(),
+                 stderr);
+      std::fflush(stderr);
+    }
+  };
 }
 
 }  // namespace carom::tool
