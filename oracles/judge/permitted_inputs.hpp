@@ -94,8 +94,8 @@ class PermittedInputs {
   ScalarBall normal_velocity_;
   ScalarBall restitution_;
   ScalarBall friction_;
-  ScalarBall whole_share_;         // 1 + e_t
-  double least_inverse_mass_ = 0;  // lower bound of λ
+  ScalarBall whole_share_;       // 1 + e_t
+  double least_inverse_mass_{};  // lower bound of λ
 };
 
 }  // namespace carom::oracles

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <carom/oracles/judge/exact_case.hpp>
+#include <carom/oracles/judge/second_order.hpp>
 #include <carom/properties/draws/stream.hpp>
 
 #include "support/exact.hpp"
@@ -100,6 +101,62 @@ TEST(PermittedInputs, MoveTheVelocitiesOfBothBodies) {
   c.b.velocity = {0, 3, 0};
   const oracles::PermittedInputs permitted(ExactCase(c), allowance);
   EXPECT_NEAR(permitted.relative_velocity().radius / allowance, 1 + 3, 0x1p-40) << "‖v_A‖ + ‖v_B‖";
+}
+
+/// The ball and the wall move together, and the relative velocity is (0, 0, −1). Rounding of the two velocities changes
+/// its tangential part by 2 α U. The tangential impulse is half of that, as K = 2 there, and turns the ball by α U.
+TEST(PermittedInputs, TurnABallByTheRoundingOfACommonVelocity) {
+  constexpr double allowance = 0x1p-40;
+  constexpr double common = 0x1p+20;
+  Collision c = against_a_wall({0, 0, -1}, 1);
+  c.restitution = 0;
+  c.a.velocity[0] = c.b.velocity[0] = common;
+  const ExactCase exact_case(c);
+  const auto distance = oracles::PermittedInputs(exact_case, allowance)
+                            .distance_of_answers(exact_case, {0, 0, 1}, Law::sticking, oracles::Branch::only, false);
+  EXPECT_GE(distance[OutcomeVector::angular_velocity_of_a], 0.999 * allowance * common);
+}
+
+/// The answer inside of the cone changes by a few α, as the inputs do.
+TEST(PermittedInputs, MoveARoughAnswerByRoundingOnly) {
+  constexpr double allowance = 0x1p-40;
+  Collision c = against_a_wall({0, 0, -1}, 0.4);
+  c.restitution = 0;
+  c.friction = 10;
+  c.tangential_restitution = 0;
+  c.a.velocity = {-3, 0, -4};  // K is 1 along the normal, and 3.5 across it
+  const ExactCase exact_case(c);
+  const auto distance =
+      oracles::PermittedInputs(exact_case, allowance)
+          .distance_of_answers(exact_case, {3 / 3.5, 0, 4}, Law::rough, oracles::Branch::inside_cone, false);
+  EXPECT_LE(distance[OutcomeVector::velocity_of_a], 1000 * allowance);
+}
+
+/// For an impulse along x, a torque of the lever arm's rounding turns the body about y and z. The extent is √(J₃ / 2).
+TEST(SecondOrder, OfArmsIsByTheMomentsAcrossTheImpulse) {
+  Collision c = against_a_wall({0, 0, 0}, 1);
+  c.a.principal_inertia = {0x1p+10, 0x1p+10, 0x1p-10};
+  c.a.position = c.point = {3, 4, 0};
+  const double length = 5 + 5 + std::sqrt(0x1p-10 / 2);
+  EXPECT_NEAR(oracles::second_order_of_arms(c, {{1, 0, 0}})[OutcomeVector::velocity_of_a] / (0x1p+10 * length * length),
+              1, 1e-5)
+      << "1/J₂ is 2⁻²⁰ of 1/J₃";
+}
+
+/// The wall turns about a distant centre, so that its point at the contact rests. The impulse grows with all terms of
+/// the relative velocity: 5 for the ball, and 8 + 1 · 8 for the wall.
+TEST(GrowthOfRoundings, IsOfAllTermsOfTheRelativeVelocity) {
+  Collision c = against_a_wall({0, 0, -1}, 0.4);
+  c.friction = 0.1;
+  c.a.velocity = {-3, 0, -4};
+  const auto growth = [&] {
+    return oracles::growth_of_roundings(c, ExactCase(c).enclosed(), Law::rough, oracles::Branch::on_cone);
+  };
+  const double at_rest = growth();
+  c.b.position = {8, 0, 0};
+  c.b.angular_velocity = {0, 0, 1};
+  c.b.velocity = {0, 8, 0};
+  EXPECT_NEAR(growth() / at_rest, (5 + 8 + 8) / 5.0, 1e-10);
 }
 
 }  // namespace
