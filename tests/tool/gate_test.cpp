@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
 #include <filesystem>
 
 #include <gtest/gtest.h>
@@ -27,6 +28,22 @@ TEST(GateCommand, DefaultDoesNotCountWhatIsExpectedToFail) {
     saw_violated = saw_violated || (subject.at("status") == "violated" && !subject.at("counts").get<bool>());
   }
   EXPECT_TRUE(saw_violated) << "the subjects that are kept because they fail are shown";
+}
+
+TEST(GateCommand, JudgesOneSolverOfEachLawUnlessAllAreAskedFor) {
+  const auto judges = [](std::vector<std::string> arguments, const std::string& name) {
+    arguments.insert(arguments.end(), {"--cases", "1", "--families", "head_on", "--format", "json"});
+    const json report = json::parse(run_carom(arguments).output);
+    return std::ranges::any_of(report.at("subjects"), [&](const json& one) { return one.at("name") == name; });
+  };
+  for (const char* name : {"frictionless-double", "reflection-double", "sticking-double", "rough-double",
+                           "coulomb-double", "reflection-in-basis-double"}) {
+    EXPECT_TRUE(judges({"gate"}, name)) << name;
+  }
+  EXPECT_FALSE(judges({"gate"}, "reflection-llt-float"));
+  EXPECT_TRUE(judges({"gate", "--all"}, "reflection-llt-float"));
+  EXPECT_FALSE(judges({"gate", "rough-float"}, "rough-double"));
+  EXPECT_TRUE(judges({"gate", "rough-float", "--all"}, "rough-double"));
 }
 
 TEST(GateCommand, NoteMethodViolatesRestitutionNearHeadOnAndItsWitnessReplaysShrunkAndDrawn) {
