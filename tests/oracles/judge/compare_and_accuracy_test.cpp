@@ -114,8 +114,8 @@ TEST(NormAtMost, IsExactAtTheBound) {
   EXPECT_EQ(norm_at_most(std::vector<Enclosure>{3, 4}, 5.001), true);
   EXPECT_EQ(norm_at_most(std::vector<Enclosure>{3, 4}, 4.999), false);
   EXPECT_EQ(norm_at_most(std::vector<Enclosure>{3, 4}, 5), std::nullopt);
-  EXPECT_EQ(norm_at_most(std::vector<Enclosure>{1 + 0.75 * norm_bounds::rounding}, 1), std::nullopt);
-  EXPECT_EQ(norm_at_most(std::vector<Enclosure>{1 + 2 * norm_bounds::rounding}, 1), false);
+  EXPECT_EQ(norm_at_most(std::vector<Enclosure>{Enclosure(1 + 0.75 * norm_bounds::rounding)}, 1), std::nullopt);
+  EXPECT_EQ(norm_at_most(std::vector<Enclosure>{Enclosure(1 + 2 * norm_bounds::rounding)}, 1), false);
 }
 
 /// The velocity changes by 2 m/s, so an outcome that is wrong by 2 · 10⁻³ m/s has a relative error of exactly 10⁻³, the
