@@ -428,7 +428,9 @@ GateReport run_gate(const std::vector<Subject>& subjects, const GateOptions& opt
                     {},
                     false,
                     run.judge_fault.first()};
-  std::ranges::for_each(report.sampled, end_at_last_case);
+  for (std::vector<SampledCase>& of_family : report.sampled) {
+    end_at_last_case(of_family);
+  }
   for (std::size_t s = 0; s < subjects.size(); ++s) {
     const SubjectTally tally = tally_of(workers, s, claims[s]);
     SubjectResult result{subjects[s], tally.error, tally.families, tally.digits, 0, {}, {}, {}, {}};

@@ -87,7 +87,7 @@ struct TextWriter {
     std::vector<std::pair<std::string, std::vector<std::string>>> notes;  // and their rows
     for (const Row& row : table.rows) {
       for (const std::string& note : row.notes) {
-        const auto known = std::ranges::find_if(notes, [&](const auto& one) { return one.first == note; });
+        const auto known = std::find_if(notes.begin(), notes.end(), [&](const auto& one) { return one.first == note; });
         auto& of_note = known == notes.end() ? notes.emplace_back(note, std::vector<std::string>{}) : *known;
         of_note.second.push_back(cell_text(row.cells[0]));
       }
