@@ -164,14 +164,14 @@ struct Run {
   const std::vector<Subject>& subjects;
   const std::vector<Claim>& claims;
   const GateOptions& options;
+  /// By family and case number. Each case is drawn once, so workers write different elements.
+  std::vector<std::vector<SampledCase>> sampled = room_for_samples(options);
   Schedule schedule{options};
   Budget budget{options};
   Progress progress{options, budget};
   Finds finds{subjects.size()};
   JudgeFault judge_fault = {};
   std::deque<Restarts> restarts = restarts_of(subjects.size());  // of each subject
-  /// By family and case number. Each case is drawn once, so workers write different elements.
-  std::vector<std::vector<SampledCase>> sampled = room_for_samples(options);
 };
 
 class Worker {
