@@ -22,9 +22,11 @@ Document everything() {
       "anchor"}};
 }
 
-TEST(Document, AlignsATableInText) {
-  const Table table{"", {{"name"}, {"count", true}}, {{{"a", "1"}}, {{"größer", "100"}, {"below"}}}};
-  EXPECT_EQ(in_text({table}), "name    count\na           1\ngrößer    100\n    below\n");
+TEST(Document, AlignsATableInTextWithItsNotesBelow) {
+  const Table table{"",
+                    {{"name"}, {.name = "law", .is_in_text = false}, {"count", true}},
+                    {{{"a", "any", "1"}, {"below"}}, {{"größer", "any", "100"}, {"below", "alone"}}}};
+  EXPECT_EQ(in_text({table}), "name    count\na           1\ngrößer    100\n  a, größer: below\n  größer: alone\n");
 }
 
 TEST(Document, HasNoControlCharactersInText) {
