@@ -16,7 +16,7 @@ namespace carom::subjects {
 /// The built-in solvers and the linked engines, including absent engines.
 [[nodiscard]] std::vector<Subject> all_subjects();
 
-/// What the gate judges if no subject is named: the recommended solver of each law in binary64, the note's own method,
+/// The gate judges these if no subject is named: the recommended solver of each law in binary64, the note's own method,
 /// and the linked engines, including absent ones.
 [[nodiscard]] std::vector<Subject> default_subjects();
 

@@ -57,7 +57,6 @@ struct RecordedSubject {
   std::string effects;  // the declared effects in words
   /// The invariants that it does not claim because it shows no collision matrix. None if the report does not list them.
   std::optional<std::vector<std::string>> not_claimed;
-  double nanoseconds_per_solve = 0;
   std::vector<RecordedFamily> families;  // empty for an absent subject
 };
 

@@ -639,7 +639,6 @@ RecordedSubject recorded_subject(const Field& record, const std::vector<std::str
     summary.worst_family = worst.at("family").line();
   }
   summary.digits = Json<Digits>::read(record.at("digits"));
-  subject.nanoseconds_per_solve = record.at("nanoseconds_per_solve").number();
   return subject;
 }
 
