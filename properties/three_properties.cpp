@@ -10,9 +10,9 @@
 #include <carom/properties/diagnosis/without_effects.hpp>
 #include <carom/properties/diagnosis/without_outcome.hpp>
 #include <carom/properties/draws/stream.hpp>
+#include <carom/properties/gate/in_words.hpp>
+#include <carom/properties/gate/trial.hpp>
 #include <carom/properties/three_properties.hpp>
-#include <carom/properties/trial/in_words.hpp>
-#include <carom/properties/trial/trial.hpp>
 
 namespace carom::properties {
 

@@ -361,7 +361,7 @@ fuzz)
   ;;
 same-cases)
   install_packages "${compilers[@]}"
-  exec bash tests/properties/families/same_cases.sh . build-same-cases "$@"
+  exec bash tests/properties/cases/same_cases.sh . build-same-cases "$@"
   ;;
 coverage)
   install_all_test_programs

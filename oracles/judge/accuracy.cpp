@@ -6,11 +6,11 @@
 #include <optional>
 #include <type_traits>
 
-#include <carom/oracles/filters/stage.hpp>
+#include <carom/oracles/bounds/norm.hpp>
+#include <carom/oracles/bounds/stage.hpp>
 #include <carom/oracles/judge/accuracy.hpp>
 #include <carom/oracles/judge/norm_at_most.hpp>
 #include <carom/oracles/judge/permitted_noise.hpp>
-#include <carom/oracles/numbers/norm.hpp>
 
 namespace carom::oracles {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include <carom/oracles/filters/lifted_outcome.hpp>
+#include <carom/oracles/bounds/lifted_outcome.hpp>
 #include <carom/oracles/judge/exact_case.hpp>
 #include <carom/oracles/judge/yardstick.hpp>
 

@@ -4,15 +4,15 @@
 #include <type_traits>
 
 #include <carom/collision/expects.hpp>
-#include <carom/oracles/filters/moderate.hpp>
-#include <carom/oracles/filters/slopes.hpp>
-#include <carom/oracles/filters/stage.hpp>
+#include <carom/oracles/bounds/moderate.hpp>
+#include <carom/oracles/bounds/norm.hpp>
+#include <carom/oracles/bounds/quantities.hpp>
+#include <carom/oracles/bounds/slopes.hpp>
+#include <carom/oracles/bounds/stage.hpp>
 #include <carom/oracles/judge/compare.hpp>
 #include <carom/oracles/judge/norm_at_most.hpp>
 #include <carom/oracles/judge/permitted_noise.hpp>
 #include <carom/oracles/judge/permitted_residual.hpp>
-#include <carom/oracles/numbers/norm.hpp>
-#include <carom/oracles/numbers/quantities.hpp>
 
 namespace carom::oracles {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include <carom/oracles/filters/lifted_outcome.hpp>
+#include <carom/oracles/bounds/lifted_outcome.hpp>
 #include <carom/oracles/judge/exact_case.hpp>
 #include <carom/oracles/judge/yardstick.hpp>
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <carom/oracles/judge/exact_case.hpp>
-#include <carom/oracles/models/coulomb.hpp>
+#include <carom/oracles/truths/coulomb.hpp>
 
 namespace carom::oracles {
 

@@ -8,15 +8,15 @@
 
 #include <carom/collision/expects.hpp>
 #include <carom/collision/validate.hpp>
-#include <carom/oracles/filters/definiteness_bounds.hpp>
-#include <carom/oracles/filters/moderate.hpp>
+#include <carom/oracles/bounds/definiteness_bounds.hpp>
+#include <carom/oracles/bounds/moderate.hpp>
 #include <carom/oracles/judge/exact_case.hpp>
 #include <carom/oracles/judge/exact_case_bounds.hpp>
 #include <carom/oracles/judge/permitted_noise.hpp>
 #include <carom/oracles/judge/second_order.hpp>
 #include <carom/oracles/laws/certify.hpp>
 #include <carom/oracles/laws/rough.hpp>
-#include <carom/oracles/models/models.hpp>
+#include <carom/oracles/truths/models.hpp>
 
 namespace carom::oracles {
 namespace {

@@ -4,14 +4,14 @@
 #include <memory>
 #include <utility>
 
-#include <carom/oracles/filters/lazy.hpp>
+#include <carom/oracles/bounds/inputs.hpp>
+#include <carom/oracles/bounds/lazy.hpp>
 #include <carom/oracles/judge/permitted_inputs.hpp>
 #include <carom/oracles/judge/yardstick.hpp>
 #include <carom/oracles/laws/branch.hpp>
 #include <carom/oracles/laws/equations.hpp>
 #include <carom/oracles/laws/truth.hpp>
-#include <carom/oracles/models/sensitivity.hpp>
-#include <carom/oracles/numbers/inputs.hpp>
+#include <carom/oracles/truths/sensitivity.hpp>
 
 namespace carom::oracles {
 

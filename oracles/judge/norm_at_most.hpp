@@ -4,10 +4,10 @@
 #include <optional>
 #include <span>
 
+#include <carom/oracles/bounds/components.hpp>
+#include <carom/oracles/bounds/enclosure.hpp>
+#include <carom/oracles/bounds/norm.hpp>
 #include <carom/oracles/exact/radical.hpp>
-#include <carom/oracles/numbers/components.hpp>
-#include <carom/oracles/numbers/enclosure.hpp>
-#include <carom/oracles/numbers/norm.hpp>
 
 namespace carom::oracles {
 

@@ -5,7 +5,7 @@
 
 #include <carom/collision/expects.hpp>
 #include <carom/oracles/judge/exact_case.hpp>
-#include <carom/oracles/models/models.hpp>
+#include <carom/oracles/truths/models.hpp>
 
 namespace carom::oracles {
 namespace {

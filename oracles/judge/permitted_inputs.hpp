@@ -2,8 +2,8 @@
 #pragma once
 
 #include <carom/collision/law.hpp>
+#include <carom/oracles/bounds/ball.hpp>
 #include <carom/oracles/laws/branch.hpp>
-#include <carom/oracles/numbers/ball.hpp>
 
 namespace carom::oracles {
 

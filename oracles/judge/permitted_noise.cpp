@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <carom/oracles/bounds/norm.hpp>
 #include <carom/oracles/judge/permitted_noise.hpp>
-#include <carom/oracles/numbers/norm.hpp>
 
 namespace carom::oracles {
 

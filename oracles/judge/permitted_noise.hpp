@@ -2,7 +2,7 @@
 #pragma once
 
 #include <carom/oracles/judge/yardstick.hpp>
-#include <carom/oracles/models/sensitivity.hpp>
+#include <carom/oracles/truths/sensitivity.hpp>
 
 namespace carom::oracles {
 

@@ -3,7 +3,7 @@
 
 #include <initializer_list>
 
-#include <carom/oracles/models/sensitivity.hpp>
+#include <carom/oracles/truths/sensitivity.hpp>
 
 /// The parts of a sensitivity of second order (ExactCase::sensitivity). A part beyond the range of numbers is 0.
 namespace carom::oracles {

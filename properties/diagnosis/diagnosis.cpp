@@ -5,7 +5,7 @@
 
 #include <carom/properties/diagnosis/diagnosis.hpp>
 #include <carom/properties/diagnosis/faults.hpp>
-#include <carom/properties/trial/in_words.hpp>
+#include <carom/properties/gate/in_words.hpp>
 
 namespace carom::properties::diagnosis {
 namespace {

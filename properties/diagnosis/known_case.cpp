@@ -6,8 +6,8 @@
 #include <carom/collision/expects.hpp>
 #include <carom/collision/validate.hpp>
 #include <carom/oracles/laws/kinematics.hpp>
-#include <carom/oracles/models/models.hpp>
-#include <carom/oracles/models/sensitivity.hpp>
+#include <carom/oracles/truths/models.hpp>
+#include <carom/oracles/truths/sensitivity.hpp>
 #include <carom/properties/diagnosis/known_case.hpp>
 #include <carom/properties/draws/moment_ratio.hpp>
 

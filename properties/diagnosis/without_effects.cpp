@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <carom/collision/validate.hpp>
 #include <carom/properties/diagnosis/without_effects.hpp>
-#include <carom/properties/trial/declared_effects.hpp>
+#include <carom/properties/gate/declared_effects.hpp>
 
 namespace carom::properties::diagnosis {
 

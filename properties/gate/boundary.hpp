@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <optional>
 
-#include <carom/properties/families/family.hpp>
-#include <carom/properties/trial/trial.hpp>
+#include <carom/properties/cases/family.hpp>
+#include <carom/properties/gate/trial.hpp>
 
 namespace carom::properties {
 

@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include <carom/properties/domains/draw_within.hpp>
+#include <carom/properties/cases/draw_within.hpp>
 #include <carom/properties/gate/decided_by_effects.hpp>
-#include <carom/properties/trial/in_words.hpp>
+#include <carom/properties/gate/in_words.hpp>
 
 namespace carom::properties {
 namespace {

@@ -9,7 +9,7 @@
 
 #include <carom/collision/enum_array.hpp>
 #include <carom/properties/gate/boundary.hpp>
-#include <carom/properties/trial/trial.hpp>
+#include <carom/properties/gate/trial.hpp>
 
 namespace carom::properties {
 

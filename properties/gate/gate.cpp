@@ -11,14 +11,14 @@
 #include <string>
 
 #include <carom/collision/expects.hpp>
-#include <carom/properties/domains/draw_within.hpp>
+#include <carom/properties/cases/draw_within.hpp>
+#include <carom/properties/gate/answers.hpp>
 #include <carom/properties/gate/gate.hpp>
+#include <carom/properties/gate/restarts.hpp>
 #include <carom/properties/gate/schedule.hpp>
 #include <carom/properties/gate/subject_tally.hpp>
 #include <carom/properties/gate/task.hpp>
 #include <carom/properties/gate/witness.hpp>
-#include <carom/properties/trial/answers.hpp>
-#include <carom/properties/trial/restarts.hpp>
 
 namespace carom::properties {
 namespace {

@@ -10,13 +10,13 @@
 #include <vector>
 
 #include <carom/oracles/laws/judge_error.hpp>
-#include <carom/properties/domains/domain.hpp>
+#include <carom/properties/cases/domain.hpp>
 #include <carom/properties/features/coverage.hpp>
 #include <carom/properties/gate/family_result.hpp>
 #include <carom/properties/gate/sample.hpp>
 #include <carom/properties/gate/scales.hpp>
+#include <carom/properties/gate/trial.hpp>
 #include <carom/properties/gate/workers.hpp>
-#include <carom/properties/trial/trial.hpp>
 
 namespace carom::properties {
 

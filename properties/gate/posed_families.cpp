@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include <carom/properties/domains/draw_within.hpp>
+#include <carom/properties/cases/draw_within.hpp>
+#include <carom/properties/gate/nearest_name.hpp>
 #include <carom/properties/gate/posed_families.hpp>
-#include <carom/properties/trial/nearest_name.hpp>
 
 namespace carom::properties {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include <carom/properties/domains/domain.hpp>
-#include <carom/properties/families/family.hpp>
+#include <carom/properties/cases/domain.hpp>
+#include <carom/properties/cases/family.hpp>
 
 namespace carom::properties {
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <utility>
 
-#include <carom/properties/domains/draw_within.hpp>
+#include <carom/properties/cases/draw_within.hpp>
 #include <carom/properties/features/coverage.hpp>
 #include <carom/properties/features/quantities.hpp>
 #include <carom/properties/gate/sample.hpp>

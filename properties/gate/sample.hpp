@@ -5,9 +5,9 @@
 #include <vector>
 
 #include <carom/oracles/judge/exact_case.hpp>
-#include <carom/properties/domains/domain.hpp>
-#include <carom/properties/families/family.hpp>
-#include <carom/properties/trial/trial.hpp>
+#include <carom/properties/cases/domain.hpp>
+#include <carom/properties/cases/family.hpp>
+#include <carom/properties/gate/trial.hpp>
 
 /// Sampled cases, with the properties that a diagnosis compares.
 namespace carom::properties {

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include <carom/collision/validate.hpp>
+#include <carom/properties/gate/answers.hpp>
 #include <carom/properties/gate/task.hpp>
-#include <carom/properties/trial/answers.hpp>
 
 namespace carom::properties {
 namespace {

@@ -2,12 +2,12 @@
 #include <algorithm>
 #include <chrono>
 
-#include <carom/properties/families/beyond_domain.hpp>
+#include <carom/properties/cases/beyond_domain.hpp>
+#include <carom/properties/gate/answers.hpp>
+#include <carom/properties/gate/in_words.hpp>
+#include <carom/properties/gate/restarts.hpp>
+#include <carom/properties/gate/shrink.hpp>
 #include <carom/properties/gate/witness.hpp>
-#include <carom/properties/search/shrink.hpp>
-#include <carom/properties/trial/answers.hpp>
-#include <carom/properties/trial/in_words.hpp>
-#include <carom/properties/trial/restarts.hpp>
 
 namespace carom::properties {
 namespace {

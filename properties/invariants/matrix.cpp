@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include <carom/oracles/filters/definiteness_bounds.hpp>
-#include <carom/oracles/filters/stage.hpp>
+#include <carom/oracles/bounds/definiteness_bounds.hpp>
+#include <carom/oracles/bounds/stage.hpp>
 #include <carom/properties/invariants/invariant_groups.hpp>
 #include <carom/properties/invariants/verdicts.hpp>
 

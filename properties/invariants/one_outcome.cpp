@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <carom/oracles/filters/stage.hpp>
+#include <carom/oracles/bounds/stage.hpp>
 #include <carom/oracles/judge/permitted_noise.hpp>
 #include <carom/properties/invariants/invariant_groups.hpp>
 #include <carom/properties/invariants/untouched.hpp>

@@ -4,7 +4,7 @@
 #include <type_traits>
 #include <utility>
 
-#include <carom/oracles/filters/stage.hpp>
+#include <carom/oracles/bounds/stage.hpp>
 #include <carom/properties/draws/relative_velocity.hpp>
 #include <carom/properties/draws/rounded_to_bits.hpp>
 #include <carom/properties/draws/vectors.hpp>

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include <carom/oracles/filters/stage.hpp>
+#include <carom/oracles/bounds/stage.hpp>
 #include <carom/oracles/judge/compare.hpp>
 #include <carom/oracles/judge/norm_at_most.hpp>
 #include <carom/properties/invariants/invariant.hpp>

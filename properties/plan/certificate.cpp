@@ -8,8 +8,8 @@
 
 #include <carom/collision/expects.hpp>
 #include <carom/collision/validate.hpp>
+#include <carom/properties/gate/unjudged.hpp>
 #include <carom/properties/plan/certificate.hpp>
-#include <carom/properties/trial/unjudged.hpp>
 
 namespace carom::properties::plan {
 namespace {

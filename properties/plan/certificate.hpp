@@ -8,8 +8,8 @@
 
 #include <carom/oracles/judge/coulomb_answers.hpp>
 #include <carom/oracles/judge/yardstick.hpp>
+#include <carom/properties/gate/trial.hpp>
 #include <carom/properties/plan/candidate.hpp>
-#include <carom/properties/trial/trial.hpp>
 
 namespace carom::properties::plan {
 

@@ -10,8 +10,8 @@
 #include <carom/oracles/judge/exact_case.hpp>
 #include <carom/oracles/laws/kinematics.hpp>
 #include <carom/oracles/laws/mechanics.hpp>
+#include <carom/properties/gate/in_words.hpp>
 #include <carom/properties/plan/lint.hpp>
-#include <carom/properties/trial/in_words.hpp>
 
 namespace carom::properties::plan {
 namespace {

@@ -7,10 +7,10 @@
 
 #include <carom/collision/expects.hpp>
 #include <carom/collision/validate.hpp>
+#include <carom/properties/gate/answers.hpp>
 #include <carom/properties/plan/contact_class.hpp>
 #include <carom/properties/plan/lint.hpp>
 #include <carom/properties/plan/plan.hpp>
-#include <carom/properties/trial/answers.hpp>
 
 namespace carom::properties::plan {
 namespace {

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include <carom/oracles/judge/yardstick.hpp>
-#include <carom/properties/trial/trial.hpp>
+#include <carom/properties/gate/trial.hpp>
 #include <carom/scene/event.hpp>
 
 namespace carom::properties {

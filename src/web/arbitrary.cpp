@@ -8,10 +8,10 @@
 
 #include <carom/collision/json/json.hpp>
 #include <carom/collision/validate.hpp>
-#include <carom/properties/domains/draw_within.hpp>
-#include <carom/properties/families/choices.hpp>
+#include <carom/properties/cases/choices.hpp>
+#include <carom/properties/cases/draw_within.hpp>
 #include <carom/properties/gate/posed_families.hpp>
-#include <carom/properties/search/simpler_cases.hpp>
+#include <carom/properties/gate/simpler_cases.hpp>
 #include <carom/web/arbitrary.hpp>
 #include <carom/web/request.hpp>
 

@@ -11,15 +11,15 @@
 #include <fmt/format.h>
 
 #include <carom/collision/json/json.hpp>
-#include <carom/properties/domains/draw_within.hpp>
+#include <carom/properties/cases/draw_within.hpp>
 #include <carom/properties/gate/gate.hpp>
 #include <carom/properties/gate/posed_families.hpp>
-#include <carom/report/model/answer_json.hpp>
-#include <carom/report/model/lists.hpp>
-#include <carom/report/model/report_sum.hpp>
-#include <carom/report/model/run_json.hpp>
-#include <carom/report/model/version.hpp>
 #include <carom/report/pages/pages.hpp>
+#include <carom/report/results/answer_json.hpp>
+#include <carom/report/results/lists.hpp>
+#include <carom/report/results/report_sum.hpp>
+#include <carom/report/results/run_json.hpp>
+#include <carom/report/results/version.hpp>
 #include <carom/web/arbitrary.hpp>
 #include <carom/web/commands.hpp>
 #include <carom/web/replay.hpp>

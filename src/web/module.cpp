@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <carom/collision/json/json.hpp>
-#include <carom/properties/trial/in_words.hpp>
+#include <carom/properties/gate/in_words.hpp>
 #include <carom/web/commands.hpp>
 
 /// Answers one request. Both are JSON texts. The answer is valid until the next call. An error is {"error": "…"}.

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <carom/properties/gate/gate_report.hpp>
-#include <carom/report/model/run.hpp>
+#include <carom/report/results/run.hpp>
 
 namespace carom::web {
 

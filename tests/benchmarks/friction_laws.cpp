@@ -21,8 +21,8 @@
 #include <carom/impulse/rough.hpp>
 #include <carom/oracles/judge/exact_case.hpp>
 #include <carom/oracles/laws/equations.hpp>
-#include <carom/oracles/models/coulomb.hpp>
-#include <carom/properties/families/family.hpp>
+#include <carom/oracles/truths/coulomb.hpp>
+#include <carom/properties/cases/family.hpp>
 
 #include "support/exit_status.hpp"
 

@@ -10,9 +10,9 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
-#include <carom/oracles/filters/stage.hpp>
+#include <carom/oracles/bounds/stage.hpp>
+#include <carom/properties/gate/answers.hpp>
 #include <carom/properties/gate/gate.hpp>
-#include <carom/properties/trial/answers.hpp>
 #include <carom/subjects/catalogue.hpp>
 
 #include "io/threads.hpp"

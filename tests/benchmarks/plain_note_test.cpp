@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <carom/oracles/judge/accuracy.hpp>
-#include <carom/properties/families/body_pairs.hpp>
+#include <carom/properties/cases/body_pairs.hpp>
 
 #include "support/cases.hpp"
 

@@ -5,9 +5,9 @@
 #include <span>
 #include <utility>
 
+#include <carom/properties/cases/body_pairs.hpp>
+#include <carom/properties/cases/needle_tip.hpp>
 #include <carom/properties/draws/stream.hpp>
-#include <carom/properties/families/body_pairs.hpp>
-#include <carom/properties/families/needle_tip.hpp>
 
 namespace carom::benchmarks {
 

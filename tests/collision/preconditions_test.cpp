@@ -10,13 +10,13 @@
 #include <carom/impulse/numbers/exact_sum.hpp>
 #include <carom/impulse/reflection.hpp>
 #include <carom/impulse/rough.hpp>
-#include <carom/oracles/filters/lifted_outcome.hpp>
+#include <carom/oracles/bounds/components.hpp>
+#include <carom/oracles/bounds/lifted_outcome.hpp>
 #include <carom/oracles/laws/branch.hpp>
 #include <carom/oracles/laws/equations.hpp>
-#include <carom/oracles/numbers/components.hpp>
 #include <carom/properties/gate/histogram.hpp>
 #include <carom/properties/gate/scales.hpp>
-#include <carom/properties/trial/trial.hpp>
+#include <carom/properties/gate/trial.hpp>
 #include <carom/scene/crossing.hpp>
 
 /// Tests some preconditions of each library. They are in header functions, so this program checks them even if the

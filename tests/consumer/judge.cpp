@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 // A sound solver passes the gate. A solver that returns its input fails.
 #include <carom/impulse/frictionless.hpp>
-#include <carom/properties/conformance/subject.hpp>
 #include <carom/properties/gate/gate.hpp>
+#include <carom/properties/kit/subject.hpp>
 
 int main() {
   const auto sound = [](const carom::impulse::Contact<double>& contact) {

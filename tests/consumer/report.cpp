@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <carom/impulse/frictionless.hpp>
-#include <carom/properties/conformance/subject.hpp>
 #include <carom/properties/gate/gate.hpp>
-#include <carom/report/model/run_json.hpp>
+#include <carom/properties/kit/subject.hpp>
 #include <carom/report/pages/pages.hpp>
+#include <carom/report/results/run_json.hpp>
 
 int main() {
   const auto solver = [](const carom::impulse::Contact<double>& contact) {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include <carom/properties/trial/answers.hpp>
+#include <carom/properties/gate/answers.hpp>
 
 namespace carom::equality {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include <carom/properties/trial/trial.hpp>
+#include <carom/properties/gate/trial.hpp>
 
 /// Judges the same outcomes twice: with every filter, and in rational arithmetic alone.
 namespace carom::equality {

@@ -7,13 +7,13 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/properties/conformance/examination.hpp>
+#include <carom/properties/gate/answers.hpp>
 #include <carom/properties/gate/gate.hpp>
 #include <carom/properties/gate/witness.hpp>
+#include <carom/properties/kit/examination.hpp>
 #include <carom/properties/plan/certificate.hpp>
 #include <carom/properties/scenes/judged_impulses.hpp>
 #include <carom/properties/three_properties.hpp>
-#include <carom/properties/trial/answers.hpp>
 
 #include "planted.hpp"
 

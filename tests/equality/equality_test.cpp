@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <carom/collision/validate.hpp>
-#include <carom/oracles/filters/stage.hpp>
+#include <carom/oracles/bounds/stage.hpp>
 #include <carom/properties/gate/gate.hpp>
 #include <carom/subjects/catalogue.hpp>
 

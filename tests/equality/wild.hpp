@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <carom/properties/families/family.hpp>
+#include <carom/properties/cases/family.hpp>
 
 /// Wild cases: collisions that no family draws.
 namespace carom::equality {

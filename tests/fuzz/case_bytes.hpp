@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <carom/properties/families/family.hpp>
+#include <carom/properties/cases/family.hpp>
 
 #include "input.hpp"
 

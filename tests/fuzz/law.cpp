@@ -5,10 +5,10 @@
 
 #include <carom/collision/json/json.hpp>
 #include <carom/collision/validate.hpp>
-#include <carom/oracles/filters/moderate.hpp>
+#include <carom/oracles/bounds/moderate.hpp>
+#include <carom/properties/gate/answers.hpp>
+#include <carom/properties/gate/in_words.hpp>
 #include <carom/properties/gate/witness.hpp>
-#include <carom/properties/trial/answers.hpp>
-#include <carom/properties/trial/in_words.hpp>
 #include <carom/subjects/catalogue.hpp>
 
 #include "case_bytes.hpp"

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include <carom/collision/json/json.hpp>
-#include <carom/properties/trial/answers.hpp>
+#include <carom/properties/gate/answers.hpp>
 #include <carom/subjects/catalogue.hpp>
 #include <carom/subjects/protocol/hex_lines.hpp>
 #include <carom/subjects/protocol/messages.hpp>

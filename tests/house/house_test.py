@@ -16,7 +16,6 @@ import sys
 TOOL = "carom/ CLI/ fmt/ nlohmann/ pugixml benchmark/ boost/ Eigen/ nlopt unistd.h sys/ signal.h fcntl.h poll.h"
 EXACT = "carom/collision/ carom/oracles/laws/ carom/oracles/exact/"
 JUDGE = "carom/collision/ carom/oracles/"
-COMPOSE = "carom/properties/features/compose.hpp"
 KIT = "fmt/ Eigen/ gtest/ rapidcheck"
 DRAW = "carom/collision/ carom/oracles/laws/kinematics.hpp carom/properties/draws/ fmt/ Eigen/"
 MAY_INCLUDE = {place: names for place, *names in map(str.split, f"""
@@ -29,16 +28,12 @@ src/scene/json/             carom/collision/ carom/scene/ Eigen/ nlohmann/
 src/scene/polyhedra/        carom/collision/ carom/impulse/ carom/scene/ Eigen/ fcl/ gmpxx.h
 src/subjects/               * -carom/oracles/ -carom/properties/ -carom/report/ -carom/tool/ -CGAL/
 src/report/
-src/report/document/        carom/collision/ carom/report/document/ pugixml
-src/report/drawing/         {JUDGE} carom/report/document/ carom/report/drawing/ fmt/ pugixml Eigen/
-src/report/model/           {JUDGE} carom/properties/ carom/report/model/ fmt/ nlohmann/
-src/report/pages/           {JUDGE} carom/properties/ carom/report/ -carom/report/chart/ fmt/ nlohmann/ pugixml
-src/report/chart/           {JUDGE} carom/report/ -carom/report/pages/ fmt/ nlohmann/
+src/report/pictures/        {JUDGE} carom/report/pictures/ carom/report/results/ fmt/ nlohmann/ pugixml Eigen/
+src/report/results/         {JUDGE} carom/properties/ carom/report/results/ fmt/ nlohmann/
+src/report/pages/           {JUDGE} carom/properties/ carom/report/ fmt/ nlohmann/ pugixml
 src/tool/                   {TOOL} tool/io/ tool/commands/
 src/tool/io/                {TOOL} tool/io/
-src/tool/chart/             {TOOL} tool/io/ tool/chart/
 src/tool/scene/             {TOOL} tool/io/ tool/scene/
-src/tool/plan/              {TOOL} tool/io/ tool/chart/ tool/scene/ tool/plan/
 src/tool/commands/          {TOOL} tool/
 oracles/
 oracles/laws/               carom/collision/ carom/oracles/laws/ Eigen/
@@ -47,20 +42,20 @@ oracles/exact/gmpq.hpp      {EXACT} CGAL/Gmpq.h
 oracles/exact/elimination.cpp  {EXACT} CGAL/Linear_algebraCd.h Eigen/
 oracles/exact/radical.cpp   {EXACT} CGAL/Sqrt_extension.h
 oracles/exact/roots.cpp     {EXACT} CGAL/Algebraic_kernel_d_1.h CGAL/Gmpz.h CGAL/Polynomial.h
-oracles/numbers/            {EXACT} carom/oracles/numbers/ Eigen/
-oracles/models/             {EXACT} carom/oracles/numbers/ carom/oracles/models/ Eigen/
-oracles/filters/            {JUDGE} -carom/oracles/judge/ Eigen/
+oracles/bounds/             {EXACT} carom/oracles/bounds/ Eigen/
+oracles/truths/             {EXACT} carom/oracles/bounds/ carom/oracles/truths/ Eigen/
 oracles/judge/              {JUDGE} Eigen/
 properties/                 {JUDGE} carom/properties/ -carom/properties/scenes/ fmt/ Eigen/
 properties/draws/           carom/collision/ carom/properties/draws/ Eigen/
-properties/families/        {DRAW} carom/oracles/exact/rational.hpp carom/properties/families/ {COMPOSE}
+properties/cases/           {DRAW} carom/oracles/exact/rational.hpp carom/properties/cases/ carom/properties/features/
 properties/features/        {DRAW} carom/properties/features/
-properties/conformance/  {JUDGE} carom/properties/ carom/rapidcheck.hpp carom/impulse/contact.hpp {KIT}
+properties/kit/             {JUDGE} carom/properties/ carom/rapidcheck.hpp carom/impulse/contact.hpp {KIT}
 properties/scenes/          {JUDGE} carom/properties/ carom/scene/ fmt/ Eigen/ boost/numeric/
 """.strip().splitlines())}
 MAY_INCLUDE[""] = ["*", "-carom/tool/", "-CGAL/"]
-DRAWN = ("properties/draws/", "properties/families/", "properties/features/")
-NOT_DRAWN = ("properties/families/polyhedron.cpp", "properties/features/quantities.cpp")  # exact; only printed
+DRAWN = ("properties/cases/", "properties/cases/", "properties/features/")
+# Exact; a value of a quantity, which is rounded to few bits; only printed
+NOT_DRAWN = ("properties/cases/polyhedron.cpp", "properties/cases/draw_within.cpp", "properties/features/quantities.cpp")
 # These start no process or thread, and touch no file.
 INSIDE = ("oracles/", "properties/", "src/collision/", "src/impulse/", "src/report/")
 OUTSIDE = {"csignal", "filesystem", "fstream", "future", "thread"}
@@ -175,24 +170,24 @@ def gpl(path, text):
 # (check, path, text, whether the text is an offence)
 PLANTED = [
     (includes, "src/impulse/contact.hpp", "  #  include   <CGAL/Gmpq.h>  // why", True),
-    (includes, "oracles/models/coulomb.cpp", "#include <carom/oracles/exact/gmpq.hpp>", True),
+    (includes, "oracles/truths/coulomb.cpp", "#include <carom/oracles/exact/gmpq.hpp>", True),
     (includes, "oracles/exact/radical.cpp", "#include <CGAL/Algebraic_kernel_d_1.h>", True),
     (includes, "oracles/flat.hpp", "#include <carom/oracles/laws/equations.hpp>", True),
     (includes, "properties/gate/gate.cpp", "#include <thread>", True),
     (includes, "properties/gate/gate.cpp", "#include <carom/properties/scenes/ledger.hpp>", True),
-    (includes, "src/report/pages/run_text.cpp", "#include <carom/report/chart/diagrams.hpp>", True),
-    (includes, "src/tool/io/progress.cpp", '#include "plan/clock.hpp"', True),
+    (includes, "src/report/results/words.cpp", "#include <carom/report/pages/document.hpp>", True),
+    (includes, "src/tool/io/progress.cpp", '#include "commands/clock.hpp"', True),
     (includes, "src/tool/main.cpp", '#include "../impulse/contact.hpp"', True),
     (includes, "tests/oracles/some_test.cpp", "#include <CGAL/Gmpq.h>", True),
-    (includes, "src/tool/plan/clock.cpp", '#include "io/progress.hpp"\n// #include <CGAL/Gmpq.h>', False),
+    (includes, "src/tool/commands/clock.cpp", '#include "io/progress.hpp"\n// #include <CGAL/Gmpq.h>', False),
     (licence, "tests/x.sh", "#!/bin/sh\n# SPDX-License-Identifier: BSL-1.0\n", False),
     (licence, "oracles/x.cpp", "\n// SPDX-License-Identifier: BSL-1.0\n", True),
     (gpl, "Planted.h", "// SPDX-License-Identifier: (GPL-3.0-or-later OR LicenseRef-Commercial) AND MIT", True),
     (draws, "properties/x.cpp", "p = stream.vector() *\n    stream.unit();", True),
     (draws, "properties/x.cpp", "x = stream.chance(2) ? 1 : stream.unit();\nturn(stream, b);", False),
-    (draws, "properties/draws/x.cpp", "y = std::pow(x, 3);", True),
-    (draws, "properties/draws/x.cpp", "v = V(-c.normal);", True),
-    (draws, "properties/draws/x.cpp", "w = cross(u, v); x = v.maxCoeff(); x = -c.normal[2]; y = std::sqrt(x);", False),
+    (draws, "properties/cases/x.cpp", "y = std::pow(x, 3);", True),
+    (draws, "properties/cases/x.cpp", "v = V(-c.normal);", True),
+    (draws, "properties/cases/x.cpp", "w = cross(u, v); x = v.maxCoeff(); x = -c.normal[2]; y = std::sqrt(x);", False),
 ]
 
 

@@ -11,7 +11,7 @@
 #include <carom/impulse/sticking.hpp>
 #include <carom/oracles/exact/rational.hpp>
 #include <carom/oracles/laws/equations.hpp>
-#include <carom/oracles/models/superposition.hpp>
+#include <carom/oracles/truths/superposition.hpp>
 #include <carom/properties/draws/stream.hpp>
 
 /// The laws as polynomial identities, proved except for a probability below 10⁻²⁶ (Schwartz–Zippel).

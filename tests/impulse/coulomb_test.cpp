@@ -7,7 +7,7 @@
 
 #include <carom/impulse/coulomb.hpp>
 #include <carom/oracles/judge/exact_case.hpp>
-#include <carom/oracles/models/coulomb.hpp>
+#include <carom/oracles/truths/coulomb.hpp>
 
 #include "support/exact.hpp"
 

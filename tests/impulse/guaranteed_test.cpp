@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <carom/impulse/guaranteed.hpp>
-#include <carom/oracles/filters/lifted_outcome.hpp>
+#include <carom/oracles/bounds/lifted_outcome.hpp>
 #include <carom/subjects/catalogue.hpp>
 
 #include "support/exact.hpp"

@@ -8,8 +8,8 @@
 #include <carom/impulse/sticking.hpp>
 #include <carom/impulse/world_inertia.hpp>
 #include <carom/oracles/laws/equations.hpp>
-#include <carom/oracles/models/superposition.hpp>
-#include <carom/properties/families/body_pairs.hpp>
+#include <carom/oracles/truths/superposition.hpp>
+#include <carom/properties/cases/body_pairs.hpp>
 
 #include "support/exact.hpp"
 

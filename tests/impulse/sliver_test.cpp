@@ -16,8 +16,8 @@
 #include <carom/oracles/judge/accuracy.hpp>
 #include <carom/oracles/judge/compare.hpp>
 #include <carom/oracles/laws/kinematics.hpp>
+#include <carom/properties/cases/body_pairs.hpp>
 #include <carom/properties/draws/relative_velocity.hpp>
-#include <carom/properties/families/body_pairs.hpp>
 
 #include "support/cases.hpp"
 

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include <carom/properties/gate/gate.hpp>
-#include <carom/report/model/run.hpp>
 #include <carom/report/pages/pages.hpp>
+#include <carom/report/results/run.hpp>
 
 #include "io/threads.hpp"
 #include "mutable_solver.hpp"

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include <carom/properties/trial/trial.hpp>
+#include <carom/properties/gate/trial.hpp>
 
 namespace carom::mutants {
 

@@ -12,7 +12,7 @@
 #include <carom/properties/draws/relative_velocity.hpp>
 #include <carom/properties/features/geometry.hpp>
 #include <carom/properties/gate/gate_report.hpp>
-#include <carom/properties/trial/trial.hpp>
+#include <carom/properties/gate/trial.hpp>
 #include <carom/subjects/catalogue.hpp>
 #include <carom/subjects/session.hpp>
 

@@ -11,7 +11,7 @@
 #include <carom/properties/diagnosis/diagnosis.hpp>
 #include <carom/properties/features/feature.hpp>
 #include <carom/properties/gate/gate.hpp>
-#include <carom/properties/trial/trial.hpp>
+#include <carom/properties/gate/trial.hpp>
 
 namespace carom::mutants {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <carom/properties/gate/trial.hpp>
 #include <carom/properties/three_properties.hpp>
-#include <carom/properties/trial/trial.hpp>
 #include <carom/subjects/catalogue.hpp>
 
 #include "one_property_broken.hpp"

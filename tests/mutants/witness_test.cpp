@@ -7,8 +7,8 @@
 
 #include <carom/collision/validate.hpp>
 #include <carom/properties/gate/gate.hpp>
+#include <carom/properties/gate/shrink.hpp>
 #include <carom/properties/gate/witness.hpp>
-#include <carom/properties/search/shrink.hpp>
 
 #include "catalogue.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/report/model/run.hpp>
+#include <carom/report/results/run.hpp>
 
 namespace carom::report {
 namespace {

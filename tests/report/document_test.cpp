@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <pugixml.hpp>
 
-#include <carom/report/document/document.hpp>
+#include <carom/report/pages/document.hpp>
 
 /// Text of third parties is safe in every format.
 namespace carom::report {

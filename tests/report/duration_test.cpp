@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <gtest/gtest.h>
 
-#include <carom/report/model/duration.hpp>
+#include <carom/report/results/duration.hpp>
 
 namespace carom::report {
 namespace {

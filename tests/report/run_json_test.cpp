@@ -6,10 +6,10 @@
 #include <gtest/gtest.h>
 
 #include <carom/properties/gate/gate.hpp>
-#include <carom/report/model/exit_status.hpp>
-#include <carom/report/model/merged_run.hpp>
-#include <carom/report/model/run_json.hpp>
 #include <carom/report/pages/pages.hpp>
+#include <carom/report/results/exit_status.hpp>
+#include <carom/report/results/merged_run.hpp>
+#include <carom/report/results/run_json.hpp>
 
 namespace carom::report {
 namespace {

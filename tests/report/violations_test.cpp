@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <carom/report/model/run_json.hpp>
 #include <carom/report/pages/pages.hpp>
+#include <carom/report/results/run_json.hpp>
 
 /// All forms of a report count violations out of the judged cases.
 namespace carom::report {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include <carom/properties/families/family.hpp>
+#include <carom/properties/cases/family.hpp>
 
 #include "effort.hpp"
 

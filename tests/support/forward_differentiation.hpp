@@ -3,8 +3,8 @@
 
 #include <initializer_list>
 
-#include <carom/oracles/numbers/enclosure.hpp>
-#include <carom/oracles/numbers/inputs.hpp>
+#include <carom/oracles/bounds/enclosure.hpp>
+#include <carom/oracles/bounds/inputs.hpp>
 
 /// Differentiates a law by dual numbers over enclosures (intervals), to check the judge's implicit differentiation.
 namespace carom::unit {

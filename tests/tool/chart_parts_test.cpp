@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/report/chart/diagrams.hpp>
-#include <carom/report/chart/measurement.hpp>
-#include <carom/report/drawing/plot.hpp>
+#include <carom/report/pictures/diagrams.hpp>
+#include <carom/report/pictures/measurement.hpp>
+#include <carom/report/pictures/plot.hpp>
 #include <carom/subjects/methods.hpp>
 
 #include "chart/exactness.hpp"

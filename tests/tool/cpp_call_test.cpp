@@ -20,7 +20,7 @@
 #include <carom/impulse/solve3_pivoting.hpp>
 #include <carom/impulse/sticking.hpp>
 #include <carom/impulse/world_inertia.hpp>
-#include <carom/properties/trial/answers.hpp>
+#include <carom/properties/gate/answers.hpp>
 
 #include "support/cases.hpp"
 

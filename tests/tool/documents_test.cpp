@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <carom/properties/families/family.hpp>
+#include <carom/properties/cases/family.hpp>
 #include <carom/properties/invariants/invariant.hpp>
 #include <carom/subjects/catalogue.hpp>
 

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <carom/report/model/run_json.hpp>
+#include <carom/report/results/run_json.hpp>
 #include <carom/subjects/protocol/command_line.hpp>
 
 #include "io/this_environment.hpp"

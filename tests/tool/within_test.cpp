@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <carom/collision/json/json.hpp>
-#include <carom/properties/domains/domain.hpp>
+#include <carom/properties/cases/domain.hpp>
 
 #include "support/program.hpp"
 

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <carom/collision/json/json.hpp>
-#include <carom/properties/families/family.hpp>
+#include <carom/properties/cases/family.hpp>
 #include <carom/properties/gate/gate.hpp>
 
 namespace carom::web_tests {

@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <carom/collision/json/text.hpp>
-#include <carom/properties/trial/in_words.hpp>
-#include <carom/report/model/words.hpp>
+#include <carom/properties/gate/in_words.hpp>
 #include <carom/report/pages/pages.hpp>
 #include <carom/report/pages/parts.hpp>
+#include <carom/report/results/words.hpp>
 
 namespace carom::report {
 namespace {

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include <carom/oracles/judge/coulomb_answers.hpp>
-#include <carom/report/document/markup.hpp>
-#include <carom/report/drawing/contact_drawing.hpp>
 #include <carom/report/pages/case_drawing.hpp>
+#include <carom/report/pictures/contact_drawing.hpp>
+#include <carom/report/pictures/markup.hpp>
 
 namespace carom::report {
 namespace {

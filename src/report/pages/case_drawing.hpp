@@ -6,7 +6,7 @@
 #include <pugixml.hpp>
 
 #include <carom/collision/subject.hpp>
-#include <carom/properties/trial/trial.hpp>
+#include <carom/properties/gate/trial.hpp>
 
 namespace carom::report {
 

@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 
-#include <carom/report/model/comparison_words.hpp>
-#include <carom/report/model/words.hpp>
 #include <carom/report/pages/pages.hpp>
 #include <carom/report/pages/parts.hpp>
+#include <carom/report/results/comparison_words.hpp>
+#include <carom/report/results/words.hpp>
 
 namespace carom::report {
 namespace {

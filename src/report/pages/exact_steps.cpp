@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <carom/oracles/numbers/norm.hpp>
-#include <carom/properties/trial/in_words.hpp>
+#include <carom/oracles/bounds/norm.hpp>
+#include <carom/properties/gate/in_words.hpp>
 #include <carom/report/pages/exact_steps.hpp>
 
 namespace carom::report {

@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 #include <pugixml.hpp>
 
-#include <carom/properties/trial/in_words.hpp>
-#include <carom/report/document/markup.hpp>
-#include <carom/report/model/words.hpp>
+#include <carom/properties/gate/in_words.hpp>
 #include <carom/report/pages/pages.hpp>
 #include <carom/report/pages/parts.hpp>
+#include <carom/report/pictures/markup.hpp>
+#include <carom/report/results/words.hpp>
 
 namespace carom::report {
 namespace {

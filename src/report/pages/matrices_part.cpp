@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include <carom/report/document/markup.hpp>
-#include <carom/report/model/words.hpp>
 #include <carom/report/pages/parts.hpp>
+#include <carom/report/pictures/markup.hpp>
+#include <carom/report/results/words.hpp>
 
 namespace carom::report {
 namespace {

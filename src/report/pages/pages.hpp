@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <carom/report/model/run.hpp>
+#include <carom/report/results/run.hpp>
 
 /// Every form of a run or a comparison. `out_directory` is the directory of the run's witnesses; empty if they are not
 /// written.

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include <carom/report/document/document.hpp>
-#include <carom/report/model/run.hpp>
+#include <carom/report/pages/document.hpp>
+#include <carom/report/results/run.hpp>
 
 /// The parts of pages.
 namespace carom::report {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <carom/collision/json/json.hpp>
-#include <carom/properties/trial/in_words.hpp>
-#include <carom/report/model/answer_json.hpp>
-#include <carom/report/model/domain_json.hpp>
-#include <carom/report/model/version.hpp>
-#include <carom/report/model/words.hpp>
+#include <carom/properties/gate/in_words.hpp>
 #include <carom/report/pages/reach_pages.hpp>
+#include <carom/report/results/answer_json.hpp>
+#include <carom/report/results/domain_json.hpp>
+#include <carom/report/results/version.hpp>
+#include <carom/report/results/words.hpp>
 
 namespace carom::report {
 namespace {

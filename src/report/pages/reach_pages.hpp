@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <carom/properties/reach/reach.hpp>
+#include <carom/properties/widest_domain/reach.hpp>
 
 /// Every form of a measured domain.
 namespace carom::report {

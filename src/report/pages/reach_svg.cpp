@@ -2,9 +2,9 @@
 #include <fmt/format.h>
 
 #include <carom/collision/expects.hpp>
-#include <carom/report/drawing/range_bars.hpp>
-#include <carom/report/model/words.hpp>
 #include <carom/report/pages/reach_pages.hpp>
+#include <carom/report/pictures/range_bars.hpp>
+#include <carom/report/results/words.hpp>
 
 namespace carom::report {
 namespace {

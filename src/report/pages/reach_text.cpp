@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <carom/properties/trial/in_words.hpp>
-#include <carom/properties/trial/unjudged.hpp>
-#include <carom/report/document/document.hpp>
-#include <carom/report/model/version.hpp>
-#include <carom/report/model/words.hpp>
+#include <carom/properties/gate/in_words.hpp>
+#include <carom/properties/gate/unjudged.hpp>
+#include <carom/report/pages/document.hpp>
 #include <carom/report/pages/reach_pages.hpp>
+#include <carom/report/results/version.hpp>
+#include <carom/report/results/words.hpp>
 
 namespace carom::report {
 namespace {

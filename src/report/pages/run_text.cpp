@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <fmt/format.h>
 
-#include <carom/report/model/version.hpp>
-#include <carom/report/model/words.hpp>
 #include <carom/report/pages/pages.hpp>
 #include <carom/report/pages/parts.hpp>
+#include <carom/report/results/version.hpp>
+#include <carom/report/results/words.hpp>
 
 namespace carom::report {
 

@@ -7,11 +7,11 @@
 
 #include <carom/collision/json/json.hpp>
 #include <carom/properties/features/coverage.hpp>
-#include <carom/properties/trial/declared_effects.hpp>
-#include <carom/properties/trial/in_words.hpp>
-#include <carom/report/model/answer_json.hpp>
+#include <carom/properties/gate/declared_effects.hpp>
+#include <carom/properties/gate/in_words.hpp>
 #include <carom/report/pages/exact_steps.hpp>
 #include <carom/report/pages/shown_case.hpp>
+#include <carom/report/results/answer_json.hpp>
 
 namespace carom::report {
 namespace {

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <carom/collision/subject.hpp>
-#include <carom/properties/trial/trial.hpp>
+#include <carom/properties/gate/trial.hpp>
 
 /// One collision with its exact outcome, step by step, and the verdicts on a subject's answer.
 namespace carom::report {

@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <carom/properties/trial/declared_effects.hpp>
-#include <carom/properties/trial/in_words.hpp>
-#include <carom/report/model/words.hpp>
+#include <carom/properties/gate/declared_effects.hpp>
+#include <carom/properties/gate/in_words.hpp>
 #include <carom/report/pages/pages.hpp>
 #include <carom/report/pages/parts.hpp>
+#include <carom/report/results/words.hpp>
 
 namespace carom::report {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <carom/report/model/words.hpp>
 #include <carom/report/pages/parts.hpp>
+#include <carom/report/results/words.hpp>
 
 namespace carom::report {
 namespace {

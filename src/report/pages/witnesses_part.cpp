@@ -5,13 +5,13 @@
 
 #include <carom/oracles/judge/coulomb_answers.hpp>
 #include <carom/oracles/laws/kinematics.hpp>
-#include <carom/properties/trial/declared_effects.hpp>
-#include <carom/properties/trial/in_words.hpp>
-#include <carom/report/document/markup.hpp>
-#include <carom/report/drawing/formula.hpp>
-#include <carom/report/model/words.hpp>
+#include <carom/properties/gate/declared_effects.hpp>
+#include <carom/properties/gate/in_words.hpp>
 #include <carom/report/pages/case_drawing.hpp>
 #include <carom/report/pages/parts.hpp>
+#include <carom/report/pictures/formula.hpp>
+#include <carom/report/pictures/markup.hpp>
+#include <carom/report/results/words.hpp>
 
 namespace carom::report {
 namespace {

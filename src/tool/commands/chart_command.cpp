@@ -9,15 +9,15 @@
 #include <fmt/format.h>
 
 #include <carom/oracles/judge/yardstick.hpp>
-#include <carom/report/chart/chart_records.hpp>
-#include <carom/report/chart/diagrams.hpp>
-#include <carom/report/model/words.hpp>
+#include <carom/report/pages/chart_records.hpp>
+#include <carom/report/pictures/diagrams.hpp>
+#include <carom/report/results/words.hpp>
 #include <carom/subjects/methods.hpp>
 
-#include "chart/exactness.hpp"
-#include "chart/timing.hpp"
 #include "commands/commands.hpp"
+#include "commands/exactness.hpp"
 #include "commands/options.hpp"
+#include "commands/timing.hpp"
 #include "io/arguments.hpp"
 #include "io/gnuplot.hpp"
 #include "io/interrupt.hpp"

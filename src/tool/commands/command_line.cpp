@@ -16,9 +16,9 @@
 #include <unistd.h>
 
 #include <carom/collision/json/text.hpp>
-#include <carom/properties/trial/in_words.hpp>
-#include <carom/properties/trial/nearest_name.hpp>
-#include <carom/report/model/version.hpp>
+#include <carom/properties/gate/in_words.hpp>
+#include <carom/properties/gate/nearest_name.hpp>
+#include <carom/report/results/version.hpp>
 #include <carom/subjects/protocol/shortage.hpp>
 
 #include "commands/commands.hpp"

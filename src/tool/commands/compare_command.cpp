@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include <carom/report/model/comparison_record.hpp>
 #include <carom/report/pages/pages.hpp>
+#include <carom/report/results/comparison_record.hpp>
 
 #include "commands/commands.hpp"
 #include "commands/options.hpp"

@@ -8,11 +8,11 @@
 #include <fmt/format.h>
 
 #include <carom/collision/precision.hpp>
-#include <carom/properties/domains/draw_within.hpp>
-#include <carom/properties/reach/reach.hpp>
-#include <carom/report/model/domain_json.hpp>
-#include <carom/report/model/words.hpp>
+#include <carom/properties/cases/draw_within.hpp>
+#include <carom/properties/widest_domain/reach.hpp>
 #include <carom/report/pages/reach_pages.hpp>
+#include <carom/report/results/domain_json.hpp>
+#include <carom/report/results/words.hpp>
 
 #include "commands/commands.hpp"
 #include "commands/options.hpp"

@@ -12,8 +12,8 @@
 
 #include <carom/properties/gate/gate.hpp>
 #include <carom/properties/gate/posed_families.hpp>
-#include <carom/report/model/duration.hpp>
-#include <carom/report/model/words.hpp>
+#include <carom/report/results/duration.hpp>
+#include <carom/report/results/words.hpp>
 #include <carom/subjects/catalogue.hpp>
 #include <carom/subjects/protocol/exec.hpp>
 

@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <carom/properties/families/family.hpp>
+#include <carom/properties/cases/family.hpp>
 #include <carom/properties/features/feature.hpp>
+#include <carom/properties/gate/in_words.hpp>
 #include <carom/properties/invariants/invariant.hpp>
-#include <carom/properties/trial/in_words.hpp>
-#include <carom/report/model/lists.hpp>
+#include <carom/report/results/lists.hpp>
 #include <carom/subjects/catalogue.hpp>
 
 #include "commands/commands.hpp"

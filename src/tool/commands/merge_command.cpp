@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include <carom/report/model/merged_run.hpp>
-#include <carom/report/model/words.hpp>
+#include <carom/report/results/merged_run.hpp>
+#include <carom/report/results/words.hpp>
 
 #include "commands/commands.hpp"
 #include "commands/options.hpp"

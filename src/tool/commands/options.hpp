@@ -9,7 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include <carom/oracles/judge/yardstick.hpp>
-#include <carom/properties/domains/domain.hpp>
+#include <carom/properties/cases/domain.hpp>
 
 /// Options that several commands share.
 namespace carom::tool {

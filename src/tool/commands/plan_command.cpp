@@ -10,13 +10,13 @@
 
 #include <carom/collision/json/text.hpp>
 
+#include "commands/clock.hpp"
+#include "commands/cpp_call.hpp"
 #include "commands/options.hpp"
+#include "commands/plan_text.hpp"
 #include "io/interrupt.hpp"
 #include "io/output.hpp"
 #include "io/threads.hpp"
-#include "plan/clock.hpp"
-#include "plan/cpp_call.hpp"
-#include "plan/plan_text.hpp"
 
 namespace carom::tool {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "commands/commands.hpp"
-#include "plan/contacts_of_file.hpp"
+#include "commands/contacts_of_file.hpp"
 
 namespace carom::tool {
 

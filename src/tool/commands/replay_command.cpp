@@ -14,11 +14,11 @@
 #include <fmt/format.h>
 
 #include <carom/collision/json/text.hpp>
-#include <carom/properties/domains/draw_within.hpp>
+#include <carom/properties/cases/draw_within.hpp>
 #include <carom/properties/gate/posed_families.hpp>
+#include <carom/properties/gate/restarts.hpp>
+#include <carom/properties/gate/trial.hpp>
 #include <carom/properties/gate/witness.hpp>
-#include <carom/properties/trial/restarts.hpp>
-#include <carom/properties/trial/trial.hpp>
 #include <carom/report/pages/shown_case.hpp>
 #include <carom/subjects/protocol/spelling.hpp>
 

@@ -15,9 +15,10 @@
 #include <fmt/format.h>
 
 #include <carom/collision/json/text.hpp>
-#include <carom/properties/trial/nearest_name.hpp>
+#include <carom/properties/gate/nearest_name.hpp>
 
 #include "commands/commands.hpp"
+#include "commands/contacts_of_scene.hpp"
 #include "commands/options.hpp"
 #include "commands/plan_command.hpp"
 #include "io/gnuplot.hpp"
@@ -26,7 +27,6 @@
 #include "io/output.hpp"
 #include "io/threads.hpp"
 #include "io/usage_error.hpp"
-#include "plan/contacts_of_scene.hpp"
 #include "scene/replay_html.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/scene_html.hpp"

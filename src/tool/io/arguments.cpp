@@ -8,10 +8,10 @@
 
 #include <carom/collision/json/json.hpp>
 #include <carom/collision/json/text.hpp>
-#include <carom/properties/trial/deviation.hpp>
-#include <carom/properties/trial/nearest_name.hpp>
-#include <carom/report/model/domain_json.hpp>
-#include <carom/report/model/words.hpp>
+#include <carom/properties/gate/deviation.hpp>
+#include <carom/properties/gate/nearest_name.hpp>
+#include <carom/report/results/domain_json.hpp>
+#include <carom/report/results/words.hpp>
 #include <carom/subjects/catalogue.hpp>
 #include <carom/subjects/protocol/exec.hpp>
 

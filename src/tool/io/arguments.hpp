@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <carom/collision/subject.hpp>
-#include <carom/properties/domains/domain.hpp>
+#include <carom/properties/cases/domain.hpp>
 
 /// Subjects, domains and deviations from the command line.
 namespace carom::tool {

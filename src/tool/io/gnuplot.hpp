@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <span>
 
-#include <carom/report/drawing/plot.hpp>
+#include <carom/report/pictures/plot.hpp>
 
 namespace carom::tool {
 

@@ -7,9 +7,9 @@
 #include <carom/collision/json/json.hpp>
 #include <carom/collision/json/text.hpp>
 #include <carom/collision/validate.hpp>
+#include <carom/properties/gate/nearest_name.hpp>
 #include <carom/properties/invariants/invariant.hpp>
 #include <carom/properties/plan/lint.hpp>
-#include <carom/properties/trial/nearest_name.hpp>
 
 #include "io/usage_error.hpp"
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include <carom/properties/families/family.hpp>
+#include <carom/properties/cases/family.hpp>
 
 #include "io/json_file.hpp"
 

@@ -12,7 +12,7 @@
 
 #include <fmt/format.h>
 
-#include <carom/report/model/words.hpp>
+#include <carom/report/results/words.hpp>
 
 #include "io/usage_error.hpp"
 

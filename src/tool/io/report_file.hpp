@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include <carom/report/model/run_json.hpp>
+#include <carom/report/results/run_json.hpp>
 
 namespace carom::tool {
 

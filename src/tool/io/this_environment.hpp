@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <carom/report/model/run.hpp>
+#include <carom/report/results/run.hpp>
 
 namespace carom::tool {
 

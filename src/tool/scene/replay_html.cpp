@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <carom/report/document/markup.hpp>
+#include <carom/report/pictures/markup.hpp>
 
 #include "scene/replay_page.hpp"
 

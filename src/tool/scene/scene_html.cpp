@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include <carom/report/document/document.hpp>
-#include <carom/report/model/version.hpp>
+#include <carom/report/pages/document.hpp>
+#include <carom/report/results/version.hpp>
 
 #include "io/this_environment.hpp"
 #include "scene/scene_records.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <carom/report/drawing/plot.hpp>
+#include <carom/report/pictures/plot.hpp>
 
 #include "scene/scene_samples.hpp"
 

@@ -7,7 +7,7 @@
 #include <new>
 
 #include <carom/oracles/laws/judge_error.hpp>
-#include <carom/properties/trial/in_words.hpp>
+#include <carom/properties/gate/in_words.hpp>
 
 namespace carom::tool {
 namespace {

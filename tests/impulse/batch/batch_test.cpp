@@ -15,7 +15,7 @@
 #include <carom/impulse/batch/solve_packs.hpp>
 #include <carom/impulse/laws.hpp>
 #include <carom/impulse/numbers/pack.hpp>
-#include <carom/properties/families/family.hpp>
+#include <carom/properties/cases/family.hpp>
 
 #include "support/cases.hpp"
 

@@ -5,13 +5,13 @@
 #include <cstdint>
 
 #include <carom/impulse/numbers/double_double.hpp>
-#include <carom/oracles/numbers/enclosure.hpp>
+#include <carom/oracles/bounds/enclosure.hpp>
 
 #include "covers.hpp"
 #include "support/exact.hpp"
 #include "support/rounding_count.hpp"
 
-/// Checks the constants of oracles/numbers/enclosure.hpp and src/impulse/numbers/double_double.hpp. Tests compare the
+/// Checks the constants of oracles/bounds/enclosure.hpp and src/impulse/numbers/double_double.hpp. Tests compare the
 /// cited bounds of double-double operations with ℚ, and count the roundings of composed operations.
 namespace carom::bounds {
 namespace {

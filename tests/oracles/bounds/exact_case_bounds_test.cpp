@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <cmath>
 
+#include <carom/oracles/bounds/dual.hpp>
 #include <carom/oracles/judge/exact_case_bounds.hpp>
 #include <carom/oracles/laws/equations.hpp>
-#include <carom/oracles/models/superposition.hpp>
-#include <carom/oracles/numbers/dual.hpp>
+#include <carom/oracles/truths/superposition.hpp>
 
 #include "covers.hpp"
 #include "normalised_collision.hpp"

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <limits>
 
-#include <carom/oracles/filters/moderate.hpp>
+#include <carom/oracles/bounds/moderate.hpp>
 #include <carom/oracles/judge/yardstick.hpp>
-#include <carom/oracles/models/sensitivity.hpp>
+#include <carom/oracles/truths/sensitivity.hpp>
 
 #include "covers.hpp"
 

@@ -3,13 +3,13 @@
 #include <cmath>
 #include <limits>
 
-#include <carom/oracles/filters/slopes.hpp>
+#include <carom/oracles/bounds/slopes.hpp>
 #include <carom/oracles/judge/compare.hpp>
 
 #include "covers.hpp"
 #include "moderate_collisions.hpp"
 
-/// Checks the constants of oracles/filters/moderate.hpp by the inequalities (1) to (5) of is_moderate, on collisions at
+/// Checks the constants of oracles/bounds/moderate.hpp by the inequalities (1) to (5) of is_moderate, on collisions at
 /// the limits (moderate_collisions.hpp).
 namespace carom::bounds {
 namespace {

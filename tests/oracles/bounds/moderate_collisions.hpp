@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
-#include <carom/oracles/filters/moderate.hpp>
-#include <carom/oracles/models/models.hpp>
-#include <carom/oracles/numbers/inputs.hpp>
+#include <carom/oracles/bounds/inputs.hpp>
+#include <carom/oracles/bounds/moderate.hpp>
+#include <carom/oracles/truths/models.hpp>
 
 #include "support/magnitude.hpp"
 

@@ -8,7 +8,7 @@
 #include "support/exact.hpp"
 #include "support/rounding_count.hpp"
 
-/// Checks the constants of oracles/numbers/norm.hpp, and those of oracles/judge/norm_at_most.hpp by its inequalities
+/// Checks the constants of oracles/bounds/norm.hpp, and those of oracles/judge/norm_at_most.hpp by its inequalities
 /// (1) and (2).
 namespace carom::bounds {
 namespace {

@@ -9,7 +9,7 @@
 #include <carom/oracles/judge/compare.hpp>
 #include <carom/oracles/judge/norm_at_most.hpp>
 #include <carom/oracles/judge/permitted_noise.hpp>
-#include <carom/properties/families/family.hpp>
+#include <carom/properties/cases/family.hpp>
 
 #include "support/exact.hpp"
 

@@ -6,7 +6,7 @@
 
 #include <carom/impulse/solve3.hpp>
 #include <carom/oracles/laws/equations.hpp>
-#include <carom/oracles/models/models.hpp>
+#include <carom/oracles/truths/models.hpp>
 
 #include "support/exact.hpp"
 

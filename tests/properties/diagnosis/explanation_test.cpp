@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <carom/collision/validate.hpp>
+#include <carom/properties/cases/family.hpp>
 #include <carom/properties/diagnosis/explanation.hpp>
-#include <carom/properties/families/family.hpp>
 
 namespace carom::properties::diagnosis {
 namespace {

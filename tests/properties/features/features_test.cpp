@@ -13,7 +13,7 @@
 
 #include <carom/collision/validate.hpp>
 #include <carom/oracles/judge/exact_case.hpp>
-#include <carom/properties/families/body_pairs.hpp>
+#include <carom/properties/cases/body_pairs.hpp>
 #include <carom/properties/features/compose.hpp>
 #include <carom/properties/features/coverage.hpp>
 #include <carom/properties/features/seldom.hpp>

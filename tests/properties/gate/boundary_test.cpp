@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/properties/families/beyond_domain.hpp>
+#include <carom/properties/cases/beyond_domain.hpp>
 #include <carom/properties/gate/gate.hpp>
 #include <carom/subjects/catalogue.hpp>
 

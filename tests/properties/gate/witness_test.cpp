@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/properties/families/beyond_domain.hpp>
+#include <carom/properties/cases/beyond_domain.hpp>
 #include <carom/properties/gate/witness.hpp>
 
 #include "support/cases.hpp"

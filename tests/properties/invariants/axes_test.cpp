@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/properties/trial/trial.hpp>
+#include <carom/properties/gate/trial.hpp>
 
 #include "support/exact.hpp"
 #include "support/outcome_of_law.hpp"

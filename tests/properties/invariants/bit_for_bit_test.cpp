@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/properties/trial/answers.hpp>
+#include <carom/properties/gate/answers.hpp>
 #include <carom/subjects/catalogue.hpp>
 
 #include "support/exact.hpp"

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/properties/trial/trial.hpp>
+#include <carom/properties/gate/trial.hpp>
 
 #include "support/cases.hpp"
 #include "support/outcome_of_law.hpp"

@@ -4,11 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/oracles/models/coulomb.hpp>
-#include <carom/oracles/models/models.hpp>
-#include <carom/oracles/numbers/quantities.hpp>
-#include <carom/properties/trial/in_words.hpp>
-#include <carom/properties/trial/trial.hpp>
+#include <carom/oracles/bounds/quantities.hpp>
+#include <carom/oracles/truths/coulomb.hpp>
+#include <carom/oracles/truths/models.hpp>
+#include <carom/properties/gate/in_words.hpp>
+#include <carom/properties/gate/trial.hpp>
 
 #include "support/exact.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/oracles/filters/stage.hpp>
-#include <carom/properties/trial/trial.hpp>
+#include <carom/oracles/bounds/stage.hpp>
+#include <carom/properties/gate/trial.hpp>
 
 #include "support/known_collisions.hpp"
 #include "support/outcome_of_law.hpp"

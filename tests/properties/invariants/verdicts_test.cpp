@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <carom/properties/gate/trial.hpp>
 #include <carom/properties/invariants/verdicts.hpp>
-#include <carom/properties/trial/trial.hpp>
 
 namespace carom::properties {
 namespace {

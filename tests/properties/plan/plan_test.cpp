@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <carom/properties/gate/answers.hpp>
 #include <carom/properties/plan/plan.hpp>
-#include <carom/properties/trial/answers.hpp>
 #include <carom/subjects/catalogue.hpp>
 
 #include "io/threads.hpp"

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <carom/collision/json/json.hpp>
-#include <carom/oracles/models/coulomb.hpp>
+#include <carom/oracles/truths/coulomb.hpp>
 #include <carom/properties/gate/witness.hpp>
 #include <carom/subjects/catalogue.hpp>
 

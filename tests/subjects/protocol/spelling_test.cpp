@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include <carom/collision/json/json.hpp>
-#include <carom/properties/families/family.hpp>
+#include <carom/properties/cases/family.hpp>
 #include <carom/subjects/protocol/messages.hpp>
 #include <carom/subjects/protocol/spelling.hpp>
 

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <concepts>
+#include <type_traits>
+
+#include <carom/collision/expects.hpp>
+#include <carom/oracles/bounds/enclosure.hpp>
+#include <carom/oracles/laws/kinematics.hpp>
+#include <carom/oracles/truths/definite_system.hpp>
+
+/// The exact outcome by superposition: the velocities respond linearly to the impulse. T is a field.
+namespace carom::oracles {
+
+/// The change of a body's velocities by the impulse F at the contact point. It is zero if the body is immovable.
+template <class T>
+[[nodiscard]] BodyVelocity<T> response(const BasicBody<T>& body, const Vector3<T>& point, const Vector3<T>& impulse) {
+  if (body.immovable) {
+    return {Vector3<T>{T(0), T(0), T(0)}, Vector3<T>{T(0), T(0), T(0)}};
+  }
+  const Vector3<T> angular_impulse = turned<T>(conjugate(body.orientation), lever_arm(body, point).cross(impulse));
+  return {impulse / body.mass, turned<T>(body.orientation, angular_impulse.cwiseQuotient(body.principal_inertia))};
+}
+
+/// The change of all velocities by F on A and −F on B.
+template <class T>
+[[nodiscard]] Outcome<T> response(const BasicCollision<T>& collision, const Vector3<T>& impulse) {
+  return {response<T>(collision.a, collision.point, impulse),
+          response<T>(collision.b, collision.point, Vector3<T>(-impulse))};
+}
+
+/// The collision matrix by its definition: column i is the change of relative velocity by a unit impulse along axis i.
+template <class T>
+[[nodiscard]] Matrix3<T> response_matrix(const BasicCollision<T>& collision) {
+  Matrix3<T> matrix;
+  for (int i = 0; i < 3; ++i) {
+    Vector3<T> unit{T(0), T(0), T(0)};
+    unit[i] = T(1);
+    matrix.col(i) = relative_velocity<T>(collision, response<T>(collision, unit));
+  }
+  return matrix;
+}
+
+/// The solution of M x = b by Cramer's rule. Precondition: M is regular.
+template <class T>
+[[nodiscard]] Vector3<T> cramer(const Matrix3<T>& m, const Vector3<T>& b) {
+  const Vector3<T> c0 = m.col(0);
+  const Vector3<T> c1 = m.col(1);
+  const Vector3<T> c2 = m.col(2);
+  const Vector3<T> c12 = c1.cross(c2);
+  const T determinant = c0.dot(c12);
+  if constexpr (std::equality_comparable<T>) {
+    CAROM_EXPECTS(determinant != T(0));
+  }
+  return Vector3<T>{b.dot(c12), b.dot(c2.cross(c0)), b.dot(c0.cross(c1))} / determinant;
+}
+
+/// F with K F = change. `matrix` is K, or nullptr if K is not known. Precondition: a body is movable.
+template <class T>
+[[nodiscard]] Vector3<T> impulse_by_matrix(const BasicCollision<T>& collision, const Vector3<T>& change,
+                                           const Matrix3<T>* matrix) {
+  CAROM_EXPECTS(has_movable_body(collision));
+  const Matrix3<T> k = matrix != nullptr ? *matrix : response_matrix(collision);
+  if constexpr (std::is_same_v<T, Enclosure> || std::is_same_v<T, double>) {
+    return DefiniteSystem<T>(k).solve(change);
+  } else {
+    return cramer<T>(k, change);  // rationals lose no digits
+  }
+}
+
+/// The change of relative velocity that restitution causes along the normal: −(1 + ε) (N·V⁻) / (N·N) N.
+template <class T>
+[[nodiscard]] Vector3<T> change_by_restitution(const Vector3<T>& n, const T& restitution,
+                                               const Vector3<T>& velocity_before) {
+  const T wanted = -(T(1) + restitution) * n.dot(velocity_before);
+  return n * T(wanted / n.dot(n));
+}
+
+template <class T>
+[[nodiscard]] Outcome<T> sum(const Outcome<T>& x, const Outcome<T>& y) {
+  return {{x.a.velocity + y.a.velocity, x.a.angular_velocity + y.a.angular_velocity},
+          {x.b.velocity + y.b.velocity, x.b.angular_velocity + y.b.angular_velocity}};
+}
+
+}  // namespace carom::oracles

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <carom/report/results/run.hpp>
+
+/// Words that all forms of a report share.
+namespace carom::report {
+
+/// A third party's text, as one line that is safe to print.
+[[nodiscard]] std::string shown(const std::string& text);
+
+/// "32 ulps" or "8 digits".
+[[nodiscard]] std::string limit_in_words(const oracles::Limits& limits);
+
+/// " --within size=0.1:10", the option for a command line; empty for the domain of everything.
+[[nodiscard]] std::string within_option(const properties::Domain& domain);
+
+/// "1000 cases of each of 26 families" or "10 s on 26 families in turn". If the run is one of several shards, the shard
+/// follows. If each subject stopped at its first violation, a note says so.
+[[nodiscard]] std::string extent_of(const Run& run);
+
+/// For a run with a budget: the number of cases that the subject was judged on, and the family with the fewest cases. A
+/// verdict "sound" refers to these cases. Precondition: there is a family.
+[[nodiscard]] std::string cases_judged(const Run& run, const properties::SubjectResult& result);
+
+/// The changes that families made to cases after drawing them: one sentence for each kind of change, with its number
+/// of cases.
+[[nodiscard]] std::string adjusted_sentences(const Run& run);
+
+/// "3 violated", or the status.
+[[nodiscard]] std::string verdict_in_words(const properties::SubjectResult& result);
+
+/// The worst backward error [ulps] with three significant digits, or no_number for a law that determines no outcome.
+[[nodiscard]] std::string worst_in_words(const Run& run, const properties::SubjectResult& result);
+
+/// "12 of 1000".
+[[nodiscard]] std::string violated_of_judged(const properties::Count& count);
+
+/// "12 of 1000 judged cases".
+[[nodiscard]] std::string violated_of_judged_cases(const properties::Count& count);
+
+/// The names, separated by commas.
+[[nodiscard]] std::string listed(const std::vector<std::string>& names);
+[[nodiscard]] std::string listed(const std::vector<const properties::Invariant*>& invariants);
+
+/// The result of a run in a sentence.
+[[nodiscard]] std::string summary_of(const Run& run);
+
+}  // namespace carom::report

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSL-1.0
+#include "commands/exactness.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <limits>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include <carom/collision/validate.hpp>
+#include <carom/oracles/judge/accuracy.hpp>
+#include <carom/oracles/judge/coulomb_answers.hpp>
+#include <carom/properties/gate/trial.hpp>
+
+namespace carom::tool::chart {
+namespace {
+
+/// At most this many cases are drawn for each wanted case.
+constexpr std::size_t cases_drawn_for_each = 20;
+
+template <class Generate>
+std::vector<Collision> colliding(const Generate& generate, std::size_t count) {
+  std::vector<Collision> found;
+  for (std::size_t index = 0; found.size() < count && index < cases_drawn_for_each * count; ++index) {
+    Collision collision = generate(index);
+    if (validate(collision).empty() && oracles::ExactCase(collision).approach() == oracles::Approach::colliding) {
+      found.push_back(std::move(collision));
+    }
+  }
+  return found;
+}
+
+/// The accuracy of an answer to a colliding contact. The claim has no invariants.
+void add_result(report::ExactnessBuilder& builder, const properties::JudgedCase& judged, const properties::Claim& claim,
+                const Answer& answer) {
+  const properties::Judgement judgement = judge_answer(judged, claim, properties::lift(answer));
+  if (judgement.skipped || judgement.unjudged || judged.exact().approach() != oracles::Approach::colliding) {
+    return;
+  }
+  const std::optional<oracles::Accuracy>& accuracy = judgement.accuracy;
+  if (accuracy && accuracy->is_decided) {
+    builder.add(accuracy->backward_error(claim.yardstick.unit_roundoff()), accuracy->digits(), accuracy->is_allowed());
+  } else if (!accuracy || !judged.exact().is_open(claim.law, claim.yardstick.allowance())) {
+    builder.add(std::numeric_limits<double>::infinity(), 0, false);  // an undecided outcome counts as a failure
+  }
+}
+
+struct CoulombCase {
+  CoulombCase(const Collision& collision, AnswersOfCoulomb asked)
+      : judged({collision, false}),
+        answers(asked == AnswersOfCoulomb::found ? oracles::coulomb_answers(judged.exact())
+                                                 : std::vector<oracles::CoulombAnswer>()) {}
+
+  properties::JudgedCase judged;
+  std::vector<oracles::CoulombAnswer> answers;  // empty if they were left out
+
+  void add_to(report::ExactnessBuilder& builder, double digits, bool holds) const {
+    if (answers.empty()) {
+      builder.add(holds);
+    } else {
+      builder.add(digits, holds);
+    }
+  }
+};
+
+void add_coulomb_result(report::ExactnessBuilder& builder, const CoulombCase& one, const properties::Claim& claim,
+                        const Answer& answer) {
+  const properties::Judgement judgement = judge_answer(one.judged, claim, properties::lift(answer));
+  if (judgement.unjudged) {
+    return;
+  }
+  const auto* const outcome = std::get_if<ReportedOutcome>(&answer);
+  if (outcome == nullptr || !oracles::is_finite(*outcome)) {
+    one.add_to(builder, 0, false);
+    return;
+  }
+  const bool is_violated = std::any_of(
+      judgement.verdicts.begin(), judgement.verdicts.end(),
+      [](const properties::NamedVerdict& named) { return named.verdict.status == properties::Status::violated; });
+  one.add_to(builder, oracles::nearest_answer(one.judged.exact(), one.answers, *outcome).digits, !is_violated);
+}
+
+}  // namespace
+
+std::vector<Collision> colliding_cases(const properties::Family& family, std::uint64_t seed, std::size_t count) {
+  return colliding([&](std::size_t index) { return properties::drawn_case(family, seed, index).collision; }, count);
+}
+
+std::vector<Collision> colliding_cases(const properties::Sweep& sweep, double quantity, std::uint64_t seed,
+                                       std::size_t count) {
+  const std::string name = fmt::format("{} {}", sweep.name, quantity);
+  return colliding(
+      [&](std::size_t index) {
+        properties::Stream stream = properties::case_stream(seed, name, index);
+        return sweep.generate(stream, quantity);
+      },
+      count);
+}
+
+std::vector<report::Exactness> measured_exactness(ChartedSubjects& charted, std::span<const Collision> collisions,
+                                                  double limit_ulps, const properties::Workers& workers,
+                                                  AnswersOfCoulomb answers_of_coulomb) {
+  const std::span<const Subject> subjects = charted.subjects();
+  const std::vector<std::vector<Answer>> answers = charted.answers_to(collisions);
+  std::vector<properties::Claim> claims;
+  for (const Subject& subject : subjects) {
+    claims.push_back(properties::claim_of(subject, {limit_ulps}));
+    if (subject.law != Law::coulomb) {
+      claims.back().invariants.clear();  // the chart shows the accuracy alone
+    }
+  }
+  // The cases are the outer loop, so that the truth of a case is computed once.
+  std::vector<std::vector<report::ExactnessBuilder>> parts(std::max(1U, workers.count),
+                                                           std::vector<report::ExactnessBuilder>(subjects.size()));
+  std::atomic<std::size_t> next = 0;
+  workers.run(parts.size(), [&](std::size_t worker) {
+    std::vector<report::ExactnessBuilder>& part = parts[worker];
+    for (std::size_t i = next++; i < collisions.size(); i = next++) {
+      const properties::JudgedCase without_effects(properties::Case{collisions[i], false});
+      std::optional<CoulombCase> coulomb_case;
+      for (std::size_t s = 0; s < subjects.size(); ++s) {
+        if (subjects[s].law == Law::coulomb) {
+          if (!coulomb_case) {
+            coulomb_case.emplace(collisions[i], answers_of_coulomb);
+          }
+          add_coulomb_result(part[s], *coulomb_case, claims[s], answers[s][i]);
+        } else if (claims[s].effects == DeclaredEffects{}) {
+          add_result(part[s], without_effects, claims[s], answers[s][i]);
+        } else {
+          add_result(part[s], properties::JudgedCase({collisions[i], false}, true, claims[s].effects), claims[s],
+                     answers[s][i]);
+        }
+      }
+    }
+  });
+  std::vector<report::Exactness> result;
+  for (std::size_t s = 0; s < subjects.size(); ++s) {
+    for (std::size_t part = 1; part < parts.size(); ++part) {
+      parts[0][s] += parts[part][s];
+    }
+    result.push_back(parts[0][s].built());
+    result.back().has_backward_error = determines_outcome(subjects[s].law);
+  }
+  return result;
+}
+
+}  // namespace carom::tool::chart

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <carom/collision/expects.hpp>
+#include <carom/oracles/judge/exact_case.hpp>
+#include <carom/oracles/truths/coulomb.hpp>
+
+#include "support/exact.hpp"
+
+namespace carom::oracles {
+namespace {
+
+using unit::ratio;
+using unit::same;
+
+/// K = diag(3, 1, 3), V⁻ = (−3, −4, 0).
+Collision ball_on_a_plane(double friction) { return unit::ball_on_a_plane(0.5, friction); }
+
+TEST(CoulombAnswers, StickWhereFrictionSuffices) {
+  const auto answers = coulomb_answers(lift(ball_on_a_plane(0.25)));
+  ASSERT_EQ(answers.size(), 1U);
+  EXPECT_EQ(answers[0].kind, AnswerKind::sticks);
+  EXPECT_TRUE(answers[0].is_exact());
+  EXPECT_TRUE(same(answers[0].truth.impulse, unit::ExactVector(1, 6, 0)));
+}
+
+/// F = (3/4, 6, 0) and V⁺ = V⁻ + K F = (−3/4, 2, 0), so F_T opposes V_T⁺.
+TEST(CoulombAnswers, SlideWhereItDoesNot) {
+  const auto answers = coulomb_answers(lift(ball_on_a_plane(0.125)));
+  ASSERT_EQ(answers.size(), 1U);
+  EXPECT_EQ(answers[0].kind, AnswerKind::slips);
+  EXPECT_FALSE(answers[0].is_exact());
+  EXPECT_TRUE(same(answers[0].truth.impulse, unit::ExactVector(ratio(3, 4), 6, 0)));
+}
+
+TEST(CoulombAnswers, AreFrictionlessWithoutFriction) {
+  const auto answers = coulomb_answers(lift(ball_on_a_plane(0)));
+  ASSERT_EQ(answers.size(), 1U);
+  EXPECT_TRUE(same(answers[0].truth.impulse, unit::ExactVector(0, 6, 0)));
+}
+
+/// Expects that the answer satisfies the law. An answer that slips comes from a root of a polynomial, so its ‖N × F‖ is
+/// rounded.
+void expect_lawful(const Collision& collision, const CoulombAnswer& answer) {
+  const BasicCollision<Rational> c = lift(collision);
+  const Vector3<Rational>& f = answer.truth.impulse;
+  const Vector3<Rational> after = relative_velocity<Rational>(c, answer.truth.outcome);
+  EXPECT_EQ(c.normal.dot(after), -c.restitution * normal_velocity_before(c));
+  const Vector3<Rational> friction = c.normal.cross(f);
+  const Vector3<Rational> slip = c.normal.cross(after);
+  const Rational limit = c.friction * c.normal.dot(f);
+  EXPECT_GE(limit, 0);
+  if (answer.kind == AnswerKind::sticks) {
+    EXPECT_TRUE(slip.isZero(0));
+    EXPECT_LE(friction.dot(friction), limit * limit);
+    return;
+  }
+  EXPECT_TRUE(friction.cross(slip).isZero(0));
+  EXPECT_LE(friction.dot(slip), 0);
+  EXPECT_LE(abs(Rational(friction.dot(friction) - limit * limit)), (limit * limit).times_power_of_two(-100));
+}
+
+/// Every collision has an answer, by a theorem (docs/guide/laws.md#coulomb).
+TEST(CoulombAnswers, ExistAndSatisfyTheLaw) {
+  int slides = 0;
+  int several = 0;
+  for (const auto& [family, one] : unit::valid_cases(6)) {
+    if (ExactCase(one.collision).approach() != Approach::colliding) {
+      continue;
+    }
+    const std::vector<CoulombAnswer> answers = coulomb_answers(lift(one.collision));
+    EXPECT_GE(answers.size(), 1U) << family;
+    EXPECT_TRUE(!one.convex_uniform || answers.size() == 1) << family;
+    several += answers.size() > 1 ? 1 : 0;
+    for (const CoulombAnswer& answer : answers) {
+      expect_lawful(one.collision, answer);
+      slides += answer.kind == AnswerKind::slips ? 1 : 0;
+    }
+  }
+  EXPECT_GT(slides, 30);
+  RecordProperty("several", several);
+}
+
+TEST(CoulombAnswersDeathTest, NeedAContactThatApproaches) {
+  if constexpr (CAROM_CHECK_PRECONDITIONS == 1) {
+    for (const double separating : {0.0, 0.25}) {
+      Collision c = ball_on_a_plane(0.25);
+      c.a.velocity = {0, separating, 0};
+      EXPECT_DEATH((void)coulomb_answers(lift(c)), "normal_velocity_before");
+    }
+  }
+}
+
+TEST(CoulombAnswers, MayBeThree) {
+  const Collision c = unit::case_with_three_answers();
+  const std::vector<CoulombAnswer> answers = coulomb_answers(lift(c));
+  ASSERT_EQ(answers.size(), 3U);
+  for (const CoulombAnswer& answer : answers) {
+    expect_lawful(c, answer);
+  }
+  EXPECT_EQ(answers[0].kind, AnswerKind::sticks);
+  EXPECT_EQ(answers[1].kind, AnswerKind::slips);
+  EXPECT_EQ(answers[2].kind, AnswerKind::slips);
+  EXPECT_FALSE(same(answers[1].truth.impulse, answers[2].truth.impulse));
+}
+
+}  // namespace
+}  // namespace carom::oracles

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include <carom/properties/gate/deviation.hpp>
+#include <carom/properties/gate/trial.hpp>
+
+namespace carom::properties {
+namespace {
+
+TEST(Deviation, IsOfAnInvariantEverywhereOrInOneFamily) {
+  const Deviation everywhere = deviation_from("energy");
+  EXPECT_EQ(everywhere.invariant, invariant_named("energy"));
+  EXPECT_EQ(everywhere.family, nullptr);
+  const Deviation in_one = deviation_from("energy@head_on");
+  EXPECT_EQ(in_one.invariant, invariant_named("energy"));
+  EXPECT_EQ(in_one.family, family_named("head_on"));
+}
+
+TEST(Deviation, OfNothingKnownThrowsAndNamesTheNearest) {
+  const auto said_of = [](const char* text) -> std::string {
+    try {
+      (void)deviation_from(text);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_NE(said_of("enrgy").find("did you mean 'energy'?"), std::string::npos);
+  EXPECT_NE(said_of("energy@headon").find("did you mean 'head_on'?"), std::string::npos);
+  for (const char* text : {"", "@", "energy@", "@head_on", "energy@head_on@head_on", " energy"}) {
+    EXPECT_FALSE(said_of(text).empty()) << text;
+  }
+}
+
+TEST(Deviation, LeavesAClaimEverywhereElse) {
+  Subject subject;
+  subject.law = Law::frictionless;
+  subject.deviates = {"energy@head_on", "push", "no_such", "energy@no_such"};
+  const Claim claim = claim_of(subject, {});
+  const Invariant& energy = *invariant_named("energy");
+  EXPECT_NE(std::find(claim.invariants.begin(), claim.invariants.end(), &energy), claim.invariants.end());
+  EXPECT_EQ(std::find(claim.invariants.begin(), claim.invariants.end(), invariant_named("push")),
+            claim.invariants.end());
+  EXPECT_FALSE(claim.is_made_in(energy, *family_named("head_on")));
+  EXPECT_TRUE(claim.is_made_in(energy, *family_named("near_head_on")));
+  EXPECT_TRUE(claim.is_made_in(*invariant_named("restitution"), *family_named("head_on")));
+}
+
+}  // namespace
+}  // namespace carom::properties
