@@ -11,7 +11,7 @@
 #include <carom/report/pictures/plot.hpp>
 #include <carom/subjects/methods.hpp>
 
-#include "chart/exactness.hpp"
+#include "commands/exactness.hpp"
 
 namespace carom::tool::chart {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-#include "plan/cpp_call.hpp"
+#include "commands/cpp_call.hpp"
 
 #include <algorithm>
 #include <filesystem>
