@@ -43,7 +43,7 @@ TEST(NormBounds, RoundByMoreThanTheirRoundings) {
 
 /// By underflow, a square loses at most half the least number. The sum of these losses is less than a rounding of
 /// bound².
-TEST(NormBounds, CoverWhatSquaresLose) {
+TEST(NormBounds, CoverTheUnderflowOfSquares) {
   constexpr double squares_lose = most_components * 0x1p-1074;
   EXPECT_GE(norm_bounds::least * norm_bounds::least * u, squares_lose);
   EXPECT_LT(norm_bounds::largest * norm_bounds::largest, 0x1p+1023);
