@@ -7,7 +7,7 @@
 #include <carom/collision/expects.hpp>
 #include <carom/oracles/bounds/enclosure.hpp>
 #include <carom/oracles/laws/kinematics.hpp>
-#include <carom/oracles/truths/definite_system.hpp>
+#include <carom/oracles/truths/implicit_differentiation.hpp>
 
 /// The exact outcome by superposition: the velocities respond linearly to the impulse. T is a field.
 namespace carom::oracles {

@@ -10,7 +10,7 @@
 #include <carom/impulse/numbers/exact_sum.hpp>
 #include <carom/impulse/reflection.hpp>
 #include <carom/impulse/rough.hpp>
-#include <carom/oracles/bounds/components.hpp>
+#include <carom/oracles/judge/norm_at_most.hpp>
 #include <carom/oracles/bounds/lifted_outcome.hpp>
 #include <carom/oracles/laws/branch.hpp>
 #include <carom/oracles/laws/equations.hpp>

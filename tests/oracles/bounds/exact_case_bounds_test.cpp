@@ -1,17 +1,39 @@
 // SPDX-License-Identifier: BSL-1.0
+#include "exact_case_bounds_test.cpp"
+
 #include <cmath>
 
+#include <carom/collision/outcome.hpp>
 #include <carom/oracles/bounds/dual.hpp>
 #include <carom/oracles/judge/exact_case_bounds.hpp>
 #include <carom/oracles/laws/equations.hpp>
 #include <carom/oracles/truths/superposition.hpp>
 
 #include "covers.hpp"
-#include "normalised_collision.hpp"
 #include "support/exact.hpp"
+#include "support/rounding_count.hpp"
 
 /// Checks the inequalities and constants of oracles/judge/exact_case_bounds.hpp. That header defines the symbols.
 namespace carom::bounds {
+
+/// The bodies are at the origin, so the lever arm r = P − X is P. P counts as rounded once, like the difference P − X.
+template <class T>
+[[nodiscard]] BasicCollision<T> normalised_collision() {
+  BasicCollision<T> c;
+  const T input(RoundingCount::input());
+  for (BasicBody<T>* body : {&c.a, &c.b}) {
+    body->mass = input;
+    body->principal_inertia.setConstant(input);
+    body->orientation.setConstant(input);
+    body->velocity.setConstant(T(RoundingCount::input(0.5)));
+    body->angular_velocity.setConstant(T(RoundingCount::input(0.5)));
+  }
+  c.point.setConstant(T(RoundingCount::input(1, 1)));
+  c.normal.setConstant(input);
+  c.restitution = input;
+  return c;
+}
+
 namespace {
 
 namespace exact_case_bounds = oracles::exact_case_bounds;
@@ -83,4 +105,5 @@ TEST(ExactCase, CoverTheRoundingOfTheMatrixSensitivity) {
 }
 
 }  // namespace
+
 }  // namespace carom::bounds

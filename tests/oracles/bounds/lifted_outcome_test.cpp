@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <carom/oracles/bounds/lazy.hpp>
 #include <carom/oracles/bounds/lifted_outcome.hpp>
+
+#include "support/exact.hpp"
 
 namespace carom::oracles {
 namespace {
@@ -36,5 +39,36 @@ TEST(LiftedOutcome, IsExactlyRoundedIfEachNumberIsADouble) {
   }
 }
 
+TEST(LiftedMatrix, IsTheReportedOneInEachNumber) {
+  Matrix3<long double> reported;
+  reported << 1, 2, 3, 4, 5, 6, 7, 8, 1 + 0x1p-60L;
+  const LiftedMatrix lifted(reported);
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      EXPECT_EQ(lifted.exact()(i, j), lift(reported(i, j))) << i << ' ' << j;
+    }
+  }
+  EXPECT_EQ(lifted.exact()(2, 2) - Rational(1), unit::two_to(-60));
+  EXPECT_TRUE(lifted.is_finite());
+}
+
+TEST(LazyMap, ComputesEachValueOnceAndKeepsItInPlace) {
+  LazyMap<int, int> squares;
+  int computed = 0;
+  const auto square = [&](int key) -> const int& {
+    return squares.get(key, [&] {
+      ++computed;
+      return key * key;
+    });
+  };
+  const int& first = square(3);
+  for (int key = 0; key < 100; ++key) {
+    EXPECT_EQ(square(key), key * key);
+  }
+  EXPECT_EQ(&square(3), &first);
+  EXPECT_EQ(computed, 100);
+}
+
 }  // namespace
+
 }  // namespace carom::oracles

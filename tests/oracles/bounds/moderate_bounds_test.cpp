@@ -164,7 +164,7 @@ TEST(ModerateBounds, CoverTheSensitivityOfTheTruth) {
 }
 
 /// Inequality (4) for Cramer's rule in binary64. With λ = 1/m_A + 1/m_B, det K ≥ λ³.
-TEST(ModerateBounds, CoverWhatCramersRuleComputesOnTheWay) {
+TEST(ModerateBounds, CoverTheIntermediateNumbersOfCramersRule) {
   for (const Corner& corner : corners()) {
     if (!corner.is_light) {
       continue;

@@ -26,7 +26,7 @@ TEST(Norm, OfNothingIsZero) {
 
 TEST(Norm, HidesNoNaN) { EXPECT_TRUE(std::isnan(norm_of(Vector3<double>{1, std::nan(""), 0}))); }
 
-TEST(Norm, IsOneForEachVector) {
+TEST(Norm, OfAnOutcomeIsTakenOfEachVector) {
   const Outcome<double> outcome{{{3, 4, 0}, {0, 5, 12}}, {{8, 0, 15}, {0, 0, 7}}};
   EXPECT_EQ(norms_of(outcome), (PerVector<double>{5, 13, 17, 7}));
 }

@@ -34,7 +34,7 @@ Collision falling_ball() {
   return c;
 }
 
-TEST(Compare, AllowsWhatTheScaleSays) {
+TEST(Compare, AllowsTheLimitTimesTheScale) {
   const ExactCase exact_case(falling_ball());
   const Yardstick yardstick = yardstick_of(Precision::binary64);
   // N = (0, 1, 0), V⁺ = (0, 1 + d, 0), V⁻ = (0, −1, 0) and ε = 1. The scale of g = N·V⁺ + ε N·V⁻ is a sum: d for N, 1
@@ -57,7 +57,7 @@ TEST(Compare, AllowsWhatTheScaleSays) {
   }
 }
 
-TEST(Compare, AllowsNothingWhereExactArithmeticIsJudged) {
+TEST(Compare, AllowsNothingInExactArithmetic) {
   const ExactCase exact_case(falling_ball());
   Outcome<Rational> outcome = exact_case.truth(Law::frictionless).outcome;
   const equation::Restitution restitution;
@@ -93,7 +93,7 @@ TEST(ExactCase, IsHeadOnOrCollinearOnlyIfNoComponentIsLeft) {
 }
 
 /// Condition (3) of docs/reference/yardstick.md#hard-cases: w, r and N are parallel.
-TEST(PermittedInputs, AreAskedForWhereABodySpinsAboutTheNormal) {
+TEST(PermittedInputs, AreUsedIfABodySpinsAboutTheNormal) {
   Collision c;
   c.normal = {0, 0, 1};
   c.point = {0, 0, 0.5};
@@ -139,7 +139,7 @@ TEST(Accuracy, HasDigitsUpToTheLastBit) {
 
 /// A separates without spin, and 10⁻³ of no spin permits nothing. The noise is 32 ulps of 4 m/s at the radius √(least
 /// moment / m) = 1/2 m.
-TEST(Digits, PermitNoiseOfTheLargestSpeed) {
+TEST(Digits, PermitNoiseInProportionToTheLargestSpeed) {
   Collision c;
   c.a.velocity = {0, 4, 0};
   c.a.mass = 4;
@@ -165,7 +165,7 @@ TEST(Digits, PermitNoiseOfTheLargestSpeed) {
 
 /// A known bound may replace the sensitivity by a lower bound of it, so the backward error grows, but not beyond the
 /// known bound.
-TEST(Accuracy, IsOfTheSensitivityUnlessABoundIsKnown) {
+TEST(Accuracy, UsesTheSensitivityIfNoBoundIsKnown) {
   Yardstick yardstick = yardstick_of(Precision::binary64);
   Yardstick exactly = yardstick;
   exactly = exactly.with_filters(false);
@@ -212,7 +212,7 @@ TEST(Accuracy, CountsUlpsAndDigits) {
 
 /// The contact grazes and has two answers, and the outcome lies between them. The judge chooses the nearer answer. The
 /// choice must not depend on the errors known before, and so not on the order of judgements.
-TEST(Accuracy, IsOfTheNearerAnswerWhateverIsKnown) {
+TEST(Accuracy, IsOfTheNearerAnswerInAnyOrderOfQuestions) {
   const properties::Family& family = *properties::family_named("structured");
   const ExactCase exact_case(drawn_case(family, 1, 143).collision);
   const Yardstick yardstick = yardstick_of(Precision::binary64);
@@ -236,7 +236,7 @@ TEST(Accuracy, IsOfTheNearerAnswerWhateverIsKnown) {
 }
 
 /// Errors just below and just above the permitted error, limit_ulps · unit_roundoff · sensitivity.
-TEST(Accuracy, AllowsWhatTheYardstickSays) {
+TEST(Accuracy, PassesUpToTheLimitOfTheYardstick) {
   for (const double speed : {1.0, 0x1p200}) {
     Collision c;
     c.a.velocity = {0, -speed, 0};
@@ -257,7 +257,7 @@ TEST(Accuracy, AllowsWhatTheYardstickSays) {
 }
 
 /// Let η be the least number of binary32. Underflow causes an error of η / 2 in a spin of any size.
-TEST(Yardstick, KnowsWhatUnderflowTakes) {
+TEST(Yardstick, AddsTheLossByUnderflow) {
   constexpr long double least = std::numeric_limits<float>::denorm_min();
   Collision c;
   c.a.position = {0, 1, 0};
@@ -367,7 +367,7 @@ TEST(Accuracy, IsThatOfTheNearerAnswer) {
 
 /// A body has the velocity of a moving wall, so the first derivatives of the energy vanish. The rounding of the
 /// velocity exceeds the change of the velocity by the impulse.
-TEST(Compare, AllowsTheEnergyWhatRoundingOfVelocitiesMakes) {
+TEST(Compare, AllowsEnergyTheRoundingOfVelocities) {
   Yardstick yardstick = yardstick_of(Precision::binary32);
   Collision c;
   c.b.immovable = true;
@@ -390,7 +390,7 @@ TEST(Compare, AllowsTheEnergyWhatRoundingOfVelocitiesMakes) {
 /// With n = ‖N‖, the residual is ‖N × F‖² = (n m d)². Let α be the allowance. The permitted residual is (n m)² α times
 /// a sum: 10 d for v⁻, 20 d for v⁺, 4 d² (negligible) for m and N, and 100 α (1 + μ²) for the square of the uncertainty
 /// of F. With μ = 7, the outcome passes if d² ≤ α (30 d + 5000 α), that is, if d ≤ 87.3 α.
-TEST(Compare, AllowsTheFrictionConeWhatRoundingOfTheImpulseMakes) {
+TEST(Compare, AllowsTheFrictionConeTheRoundingOfTheImpulse) {
   Yardstick yardstick = yardstick_of(Precision::binary64);
   const double allowance = yardstick.allowance();
   for (const bool of_a : {true, false}) {
@@ -418,7 +418,7 @@ TEST(Compare, AllowsTheFrictionConeWhatRoundingOfTheImpulseMakes) {
 /// and the residual is n² m d e with n = ‖N‖. Let α be the allowance. The permitted residual is n² m α times a sum: 5
 /// √(d² + e²) for v⁻, 10 e + 10 d for the velocities after the impulse, and 200 α for the product of the uncertainties
 /// of F (10 m α) and of V⁺ (20 α). With d = e, the outcome passes if d² ≤ α (27.1 d + 200 α), that is, if d ≤ 33.1 α.
-TEST(Compare, AllowsFrictionAcrossTheSlipWhatRoundingOfBothMakes) {
+TEST(Compare, AllowsFrictionAcrossTheSlipTheRoundingOfBoth) {
   const Yardstick yardstick = yardstick_of(Precision::binary64);
   for (const bool of_a : {true, false}) {
     Collision c;
@@ -444,7 +444,7 @@ TEST(Compare, AllowsFrictionAcrossTheSlipWhatRoundingOfBothMakes) {
 /// The lever arm is 0, and the ball keeps its velocity, so no slope allows it the spin δ. The residual is J δ = 2 δ.
 /// Let α be the allowance. The lever arm has the uncertainty (5 + 5 + 1/2) α, with the extent √(J / (2 m)) = 1/2, and m
 /// Δv has the uncertainty 4 (2 + 2) α. So δ ≤ 84 α² passes.
-TEST(Compare, AllowsTheAngularMomentumWhatRoundingOfArmAndVelocityMakes) {
+TEST(Compare, AllowsAngularMomentumTheRoundingOfArmAndVelocity) {
   const Yardstick yardstick = yardstick_of(Precision::binary64);
   for (const bool of_a : {true, false}) {
     Collision c;
@@ -536,7 +536,7 @@ TEST(PermittedInputs, AreNotNeededForASlowContactWithoutSpin) {
   EXPECT_NE(ExactCase(c).permitted_inputs(0x1p-40), nullptr) << "the spin is about the lever arm";
 }
 
-TEST(Accuracy, IsInfinitelyWrongWhereSomethingHappensThatShouldNot) {
+TEST(Accuracy, IsInfiniteForAnImpulseWhereNoneIsDue) {
   Collision c;
   c.a.velocity = {0, 1, 0};
   c.b.immovable = true;

@@ -16,7 +16,7 @@ ReportedOutcome reported(const Outcome<Rational>& outcome) {
                                   [](const Rational& x) { return static_cast<long double>(nearest_double(x)); });
 }
 
-TEST(CoulombCase, LeavesWhatDoesNotCollideUntouched) {
+TEST(CoulombCase, IsUnchangedIfTheContactDoesNotCollide) {
   Collision parting = unit::ball_on_a_plane(0.5, 1);
   parting.a.velocity = {1, 2, 0};
   Collision inert = parting;
@@ -46,7 +46,7 @@ TEST(CoulombCase, MeasuresTheNearestAnswer) {
   }
 }
 
-TEST(CoulombCase, NamesTheFirstOfTheNearest) {
+TEST(CoulombCase, TakesTheFirstOfEquallyNearAnswers) {
   const ExactCase exact_case(unit::ball_on_a_plane(0.5, 0.25));
   const auto answers = coulomb_answers(exact_case);
   const auto twice = std::vector{answers[0], answers[0]};

@@ -53,7 +53,7 @@ TEST(Energy, IsTheWorkOfTheImpulseAtTheMeanVelocity) {
 /// Sticking, with A = K⁻¹. Among all slips with a given N·V⁻, the least V⁻ᵀ A V⁻ is (N·V⁻)²/(NᵀKN). So ΔE ≤ ½ (N·V⁻)²
 /// (ε² NᵀAN/(N·N)² − 1/(NᵀKN)). The slip of least V⁻ᵀ A V⁻ attains this bound. The bound is positive if and only if ε²
 /// (NᵀAN) (NᵀKN) > (N·N)² and N·V⁻ ≠ 0.
-TEST(Energy, IsCreatedByStickingFromARestitutionOn) {
+TEST(Energy, IsCreatedByStickingAboveACertainRestitution) {
   int can_create = 0;
   for (BasicCollision<Rational> c : collisions()) {
     const ExactVector n = c.normal;

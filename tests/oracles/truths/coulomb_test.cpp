@@ -18,7 +18,7 @@ using unit::same;
 /// K = diag(3, 1, 3), V⁻ = (−3, −4, 0).
 Collision ball_on_a_plane(double friction) { return unit::ball_on_a_plane(0.5, friction); }
 
-TEST(CoulombAnswers, StickWhereFrictionSuffices) {
+TEST(CoulombAnswers, StickIfFrictionSuffices) {
   const auto answers = coulomb_answers(lift(ball_on_a_plane(0.25)));
   ASSERT_EQ(answers.size(), 1U);
   EXPECT_EQ(answers[0].kind, AnswerKind::sticks);
@@ -27,7 +27,7 @@ TEST(CoulombAnswers, StickWhereFrictionSuffices) {
 }
 
 /// F = (3/4, 6, 0) and V⁺ = V⁻ + K F = (−3/4, 2, 0), so F_T opposes V_T⁺.
-TEST(CoulombAnswers, SlideWhereItDoesNot) {
+TEST(CoulombAnswers, SlideIfFrictionDoesNotSuffice) {
   const auto answers = coulomb_answers(lift(ball_on_a_plane(0.125)));
   ASSERT_EQ(answers.size(), 1U);
   EXPECT_EQ(answers[0].kind, AnswerKind::slips);

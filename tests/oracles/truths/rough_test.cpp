@@ -32,7 +32,7 @@ Collision rough_ball(double friction) {
 }
 
 /// F lies on the surface: μ · 6 = 3/2.
-TEST(Rough, SticksWhereFrictionSuffices) {
+TEST(Rough, SticksIfFrictionSuffices) {
   const ExactCase exact_case(rough_ball(0.25));
   EXPECT_EQ(exact_case.branch(Law::rough), Branch::inside_cone);
   const Truth<Rational>& truth = exact_case.truth(Law::rough);
@@ -41,7 +41,7 @@ TEST(Rough, SticksWhereFrictionSuffices) {
   EXPECT_TRUE(same(truth.outcome.a.angular_velocity, unit::ExactVector(0, 0, 3)));
 }
 
-TEST(Rough, SlidesWhereItDoesNot) {
+TEST(Rough, SlidesIfFrictionDoesNotSuffice) {
   const ExactCase exact_case(rough_ball(0.125));
   EXPECT_EQ(exact_case.branch(Law::rough), Branch::on_cone);
   const Truth<Radical>& truth = exact_case.truth_on_cone(Law::rough);
@@ -52,7 +52,7 @@ TEST(Rough, SlidesWhereItDoesNot) {
 }
 
 /// If F is inside the friction cone, κ = 1 + e_t. `truth_by_elimination` shares no formula with the truth.
-TEST(Rough, IsCombinedOfWhatEliminationFinds) {
+TEST(Rough, IsTheCombinationOfTheLinearLawsByElimination) {
   int inside = 0;
   for (const auto& [family, one] : unit::sampled_cases(20)) {
     const ExactCase exact_case(one.collision);
@@ -165,7 +165,7 @@ Accuracy accuracy_of(const ExactCase& exact_case, const Outcome<double>& outcome
   return accuracy(exact_case, Law::rough, LiftedOutcome(reported(outcome)), of_binary64());
 }
 
-TEST(Rough, HasTwoAnswersWhereFrictionActsAtOnce) {
+TEST(Rough, HasTwoAnswersIfFrictionActsThoughTheApproachIsRounding) {
   const ExactCase exact_case(approached_by_rounding(2));
   ASSERT_EQ(exact_case.approach(), Approach::colliding);
   EXPECT_EQ(exact_case.branch(Law::rough), Branch::inside_cone);
@@ -177,7 +177,7 @@ TEST(Rough, HasTwoAnswersWhereFrictionActsAtOnce) {
   EXPECT_FALSE(accuracy_of(exact_case, between).is_allowed());
 }
 
-TEST(Rough, HasOneAnswerWhereFrictionVanishesWithTheApproach) {
+TEST(Rough, HasOneAnswerIfTheSlipVanishesWithTheApproach) {
   const ExactCase exact_case(approached_by_rounding(1));
   EXPECT_EQ(exact_case.branch(Law::rough), Branch::on_cone);
   EXPECT_FALSE(exact_case.has_two_answers(Law::rough, of_binary64().allowance()));
@@ -185,7 +185,7 @@ TEST(Rough, HasOneAnswerWhereFrictionVanishesWithTheApproach) {
   EXPECT_FALSE(accuracy_of(exact_case, ExactCase(approached_by_rounding(2)).nearest_truth(Law::rough)).is_allowed());
 }
 
-TEST(Rough, AsksNothingWhereEveryAnswerBetweenIsWithinRounding) {
+TEST(Rough, DecidesNothingIfItsTwoAnswersDifferByRounding) {
   const ExactCase exact_case(approached_by_rounding(5.0 / 3));
   EXPECT_TRUE(exact_case.is_open(Law::rough, of_binary64().allowance()));
   EXPECT_FALSE(accuracy_of(exact_case, unchanged(exact_case.collision())).is_decided);
@@ -279,7 +279,7 @@ TEST(ConeDistance, IsTheSameBothWays) {
   EXPECT_GT(compared, unit::effort(100));
 }
 
-TEST(ConeDistance, IsWithinWhereItIsNotKnown) {
+TEST(ConeDistance, IsWithinAnyAllowanceIfItIsNotKnown) {
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE((ConeDistance{1, unknown}.is_within(0x1p-48)));
   EXPECT_TRUE((ConeDistance{unknown, 1}.is_within(0x1p-48)));

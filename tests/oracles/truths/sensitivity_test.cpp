@@ -384,7 +384,7 @@ TEST(Sensitivity, IsThatOfTheIdentityWhereNothingHappens) {
 }
 
 /// N = (1, 1, 0) and V⁻ = (1, −1 ± 2⁻⁴⁰, 0), so N·V⁻ = ±2⁻⁴⁰. The sensitivity of N·V⁻ is ‖V⁻‖ ‖N‖ + ‖N‖ ‖v_A‖, about 4.
-TEST(Grazing, IsWithinTheAllowanceOfTheInputs) {
+TEST(Grazing, MeansThatPermittedInputsChangeTheSignOfTheNormalVelocity) {
   for (const double side : {-1.0, 1.0}) {
     Collision c;
     c.normal = {1, 1, 0};
@@ -420,7 +420,7 @@ TEST(Grazing, TakesEveryDerivativeOfTheNormalVelocity) {
 }
 
 /// The derivative of N·V⁻ by A's position exceeds binary64, but this position is zero and contributes nothing.
-TEST(Grazing, LeavesZerosOutHoweverSteepTheLawIsThere) {
+TEST(Grazing, IgnoresInputsThatAreZero) {
   Collision c;
   c.normal = {1e200, 0, 0};
   c.a.immovable = true;

@@ -59,7 +59,7 @@ TEST(Truth, RefusesTheLawThatDeterminesNoOutcome) {
 
 /// A ball of mass 2 and moments 1 falls with (1, −4, 0) on a fixed plane, ε = 1/2. Without friction F = (0, 12, 0) and
 /// the ball leaves with (1, 2, 0). If the ball sticks, K F = (−1, 6, 0) with K = diag(3/2, 1/2, 3/2).
-TEST(Truth, IsWhatATextbookSays) {
+TEST(Truth, OfAFallingBallIsThatOfATextbook) {
   Collision c;
   c.a.mass = 2;
   c.a.position = {0, 1, 0};
