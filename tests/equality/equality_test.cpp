@@ -13,10 +13,9 @@
 #include <carom/subjects/catalogue.hpp>
 
 #include "agreement.hpp"
+#include "hard_to_judge.hpp"
 #include "mutants/catalogue.hpp"
-#include "planted.hpp"
 #include "support/effort.hpp"
-#include "wild.hpp"
 
 /// The filters change no verdict of rational arithmetic. The fuzz target `judge` compares other cases and answers.
 namespace carom::equality {
@@ -39,7 +38,7 @@ std::vector<Examined> planting_in(std::initializer_list<Precision> precisions) {
 }
 
 /// Compares the judges on `cases` cases of each family. After about every fifth case, it compares them on a wild case
-/// (wild.hpp), too.
+/// (hard_to_judge.hpp), too.
 void compare_on_families(std::span<Examined> examined, int cases, Relations relations, Agreement& agreement) {
   for (const properties::Family& family : properties::all_families()) {
     for (std::uint64_t index = 0; index < static_cast<std::uint64_t>(cases); ++index) {
