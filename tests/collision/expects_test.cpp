@@ -9,7 +9,12 @@
 #include <carom/impulse/numbers/pack.hpp>
 #include <carom/oracles/exact/rational.hpp>
 
-#include "unchecked.hpp"
+namespace carom::unit {
+
+/// How often a build without checks evaluates the condition of a precondition.
+[[nodiscard]] int evaluations_of_an_unchecked_precondition();  // unchecked.cpp
+
+}  // namespace carom::unit
 
 namespace carom {
 namespace {

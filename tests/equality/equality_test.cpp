@@ -15,7 +15,7 @@
 #include "agreement.hpp"
 #include "hard_to_judge.hpp"
 #include "mutants/catalogue.hpp"
-#include "support/effort.hpp"
+#include "support/cases.hpp"
 
 /// The filters change no verdict of rational arithmetic. The fuzz target `judge` compares other cases and answers.
 namespace carom::equality {
