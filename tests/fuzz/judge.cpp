@@ -124,7 +124,7 @@ void compare_judges(Bytes bytes) {
     properties::Stream stream = input.stream();
     one = equality::shortened(one, stream);
   }
-  const auto relations = choices / 4 % 4 == 0 ? equality::Relations::judged : equality::Relations::left_out;
+  const auto relations = choices / 4 % 4 == 0 ? properties::RelationTurn{} : properties::no_relations;
   equality::compare_judges(one, std::span(&examined, 1), relations, "the judges differ", agreement);
   if (!agreement.differences.empty()) {
     fail(agreement.differences + collision_to_json(one.collision).dump());
