@@ -49,14 +49,14 @@ TEST(ExpectsDeathTest, PrintsWhatEachScalarTypeCanShow) {
   EXPECT_DEATH(CAROM_EXPECTS(never, impulse::Pack<double>(1), Silent()), ": [?] [?]\n");
 }
 
-TEST(ExpectsDeathTest, AsksWhateverStandsForABool) {
+TEST(ExpectsDeathTest, AcceptsWhateverConvertsToBool) {
   const std::optional<int> nothing;
   const int* const nowhere = nullptr;
   EXPECT_DEATH(CAROM_EXPECTS(nothing), "nothing");
   EXPECT_DEATH(CAROM_EXPECTS(nowhere), "nowhere");
 }
 
-TEST(Expects, AsksNoLaneOfAPack) { CAROM_EXPECTS(impulse::Pack<double>(-1) > impulse::Pack<double>(0)); }
+TEST(Expects, DoesNotCheckConditionsOnPacks) { CAROM_EXPECTS(impulse::Pack<double>(-1) > impulse::Pack<double>(0)); }
 
 }  // namespace
 }  // namespace carom

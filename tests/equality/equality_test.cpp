@@ -56,7 +56,7 @@ void compare_on_families(std::span<Examined> examined, int cases, properties::Re
 }
 
 /// Rational arithmetic is quick on few digits, and exact coincidences occur.
-TEST(JudgeEquality, OnNumbersOfFewDigits) {
+TEST(FilteredJudge, EqualsTheRationalJudgeOnNumbersOfFewDigits) {
   std::vector<Examined> examined = planting_in({Precision::binary64});
   Agreement agreement;
   for (const properties::Family& family : properties::all_families()) {
@@ -74,7 +74,7 @@ TEST(JudgeEquality, OnNumbersOfFewDigits) {
 }
 
 /// Both verdicts, holds and violated, must occur near the limit.
-TEST(JudgeEquality, AtTheEdgeOfWhatIsAllowed) {
+TEST(FilteredJudge, EqualsTheRationalJudgeNearTheLimit) {
   std::vector<Examined> examined = planting_in({Precision::binary32, Precision::binary64, Precision::extended});
   Agreement agreement;
   compare_on_families(examined, unit::effort(10), properties::no_relations, agreement);
@@ -87,7 +87,7 @@ TEST(JudgeEquality, AtTheEdgeOfWhatIsAllowed) {
   }
 }
 
-TEST(JudgeEquality, OfBuiltInSubjectsAndMutants) {
+TEST(FilteredJudge, EqualsTheRationalJudgeOnBuiltInSubjectsAndMutants) {
   std::vector<Examined> examined;
   for (const Subject& subject : subjects::all_subjects()) {
     if (subject.absent.empty()) {
@@ -109,7 +109,7 @@ TEST(JudgeEquality, OfBuiltInSubjectsAndMutants) {
   }
 }
 
-TEST(JudgeEquality, IsOfJudgesWithAndWithoutFilters) {
+TEST(FilteredJudge, UsesFiltersUnlessTheyAreOff) {
   for (const bool filtered : {true, false}) {
     properties::GateOptions options;
     options.cases = 8;

@@ -43,14 +43,14 @@ TEST(WithoutExtremeLength, IsAnExactPowerOfTwoScaling) {
   }
 }
 
-TEST(WithoutExtremeLength, BringsTheEndsOfTheRangeIntoTheMiddle) {
+TEST(WithoutExtremeLength, ScalesTheLargestAndTheSmallestNumbersToAboutOne) {
   using Limits = std::numeric_limits<double>;
   for (const double x : {Limits::max(), Limits::min(), Limits::denorm_min(), 3 * Limits::denorm_min(), 0.5, 1.0}) {
     expect_scaled_by_power_of_two({x, -x, 0}, without_extreme_length<double>(Vector3<double>{x, -x, 0}));
   }
 }
 
-TEST(WithoutExtremeLength, LeavesNoSquareToOverflowInFloat) {
+TEST(WithoutExtremeLength, KeepsSquaresInTheRangeOfFloat) {
   for (const double x : {1e300, 1e30, 1e-30, 1e-300}) {
     const Vector3<float> scaled = without_extreme_length<float>(Vector3<double>{x, 2 * x, -x});
     const float squared = scaled.dot(scaled);
@@ -61,7 +61,7 @@ TEST(WithoutExtremeLength, LeavesNoSquareToOverflowInFloat) {
   }
 }
 
-TEST(MakeContact, ReadsNothingThatAnImmovableBodyHasNot) {
+TEST(MakeContact, DoesNotReadTheMassInertiaAndOrientationOfAnImmovableBody) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   Collision c = unit::case_of("driven_wall", 0).collision;
   Body& wall = c.a.immovable ? c.a : c.b;
@@ -221,7 +221,7 @@ TEST(Reflection, DividesByNoPivotThatRoundingHasMadeZero) {
 
 /// Even if the rounded C has eigenvalues below λ = 1/m_A + 1/m_B, each component of the solution x of C x = b is at
 /// most 2 ‖b‖∞ / λ.
-TEST(Ldlt, KeepsToTheLargestImpulseThatTheLeastEigenvalueAllows) {
+TEST(Ldlt, LimitsTheSolutionByTheLeastEigenvalue) {
   properties::Stream stream = properties::stream_from(98);
   const Vector3<float> b{1, 0, 0};
   int beyond = 0;

@@ -48,7 +48,7 @@ using FloatingPoint = testing::Types<float, double, long double>;
 TYPED_TEST_SUITE(DifferenceOfProducts, FloatingPoint);
 
 /// a b and c d are so close that the difference of the rounded products has no correct digit.
-TYPED_TEST(DifferenceOfProducts, HasAllDigitsButTheLast) {
+TYPED_TEST(DifferenceOfProducts, IsWrongInTheLastDigitAtMost) {
   using S = TypeParam;
   properties::Stream stream = properties::case_stream(unit::seed, "difference_of_products", 0);
   int lost_by_rounded_products = 0;
@@ -101,7 +101,7 @@ void for_each_pair(const F& f) {
   }
 }
 
-TEST(DoubleDouble, KeepsTheBoundsOfThePaper) {
+TEST(DoubleDouble, ComputesWithinTheBoundsOfThePaper) {
   int inexact = 0;
   for_each_pair([&](const DoubleDouble& x, const DoubleDouble& y) {
     const Rational sum = exact(x) + exact(y);
@@ -134,7 +134,7 @@ TEST(DoubleDouble, ComparesByBothParts) {
 }
 
 /// The computed root r satisfies |√x − r| ≤ e r with e = 25/8 u². The squares of r (1 ± e) check this.
-TEST(DoubleDouble, TakesSquareRootsAsThePaperSays) {
+TEST(DoubleDouble, TakesSquareRootsWithinTheBoundOfThePaper) {
   const Rational most = u2 * Rational(25, 8);
   for_each_pair([&](const DoubleDouble& x, const DoubleDouble&) {
     const Rational square = size(exact(x));
@@ -173,11 +173,11 @@ void compare(int least, int most) {
   }
 }
 
-TEST(ExactSum, IsThatOfRationals) { compare(-40, 40); }
+TEST(ExactSum, EqualsTheSumInRationalArithmetic) { compare(-40, 40); }
 
 TEST(ExactSum, NeitherOverflowsNorUnderflows) { compare(-1074, 1023); }
 
-TEST(ExactSum, SeesTheLastBitBesideTheFirst) {
+TEST(ExactSum, KeepsTheSmallestDoubleBesideTheLargest) {
   constexpr double most = std::numeric_limits<double>::max();
   constexpr double least = std::numeric_limits<double>::denorm_min();
   for (const int sign : {-1, 1}) {

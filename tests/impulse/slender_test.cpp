@@ -268,7 +268,7 @@ TEST(SlenderBodies, KeepTheirSpinWhereTheApproachIsRoundedAway) {
 }
 
 /// The family `physical` also draws slender bodies, with ρ > 10⁷.
-TEST(PhysicalBodies, AreSlenderToo) {
+TEST(PhysicalBodies, IncludeSlenderOnes) {
   properties::Stream stream = properties::stream_from(96);
   double largest = 0;
   int beyond_world_coordinates = 0;

@@ -15,6 +15,7 @@
 #include <carom/impulse/sticking.hpp>
 
 #include "catalogue.hpp"
+
 namespace carom::mutants {
 namespace {
 

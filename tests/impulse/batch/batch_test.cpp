@@ -180,7 +180,7 @@ struct Guarded {
   std::size_t offset;
 };
 
-TYPED_TEST(Batch, TakesEveryLengthAndAlignment) {
+TYPED_TEST(Batch, AcceptsEveryLengthAndAlignment) {
   using S = TypeParam;
   constexpr std::size_t widest = 64 / sizeof(S);
   const auto contacts = mixed_contacts<S>(2 * widest + 1);
@@ -223,7 +223,7 @@ TYPED_TEST(Batch, MayReplaceTheVelocitiesThatItReads) {
   }
 }
 
-TYPED_TEST(Batch, TakesALawThatMakesAnImpulseOrAnOutcome) {
+TYPED_TEST(Batch, AcceptsASolverThatReturnsAnImpulseOrAnOutcome) {
   using S = TypeParam;
   const auto contacts = mixed_contacts<S>(4 * Pack<S>::size() - 1);
   ContactBatch<S> batch(contacts.size());
@@ -309,7 +309,7 @@ TEST(ContactBatch, KeepsApartWithinPagesWhatIsReadAndWrittenTogether) {
   }
 }
 
-TEST(BatchErrors, AreThrown) {
+TEST(ContactBatch, IsNotSolvedForAnotherSizeALawWithoutSolverOrAnAbsentInstructionSet) {
   ContactBatch<double> contacts(3);
   OutcomeBatch<double> outcomes(3);
   OutcomeBatch<double> shorter(2);
