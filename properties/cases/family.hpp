@@ -35,10 +35,9 @@ struct Family {
   std::string_view name;
   std::string_view summary;
   Case (*generate)(Stream&);
-  /// The place of the family in the gate's order of turns, from 1 (gate/schedule.hpp). `first_violation --families`
-  /// (tests/benchmarks) counts the planted defects (tests/mutants) that the first two cases of a family find, for eight
-  /// seeds. Each of families 1 to 10 finds the most of the defects that the families before it miss. The ten together
-  /// find all. The others follow by the number of defects that each finds alone; the last three are not ranked.
+  /// The place of the family in the gate's order of turns, from 1 (gate/schedule.hpp). The order is by the planted
+  /// defects (tests/mutants) that the first two cases of a family find. Each of families 1 to 10 finds the most of the
+  /// defects that the families before it miss.
   int turn = last_turn;
   int weight = 1;        // factor of the number of cases that the gate draws
   bool is_valid = true;  // false if a subject must refuse its collisions

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Measures judgements per second and core, in rational arithmetic alone and with filters. It also times the generation
 // of cases, and the whole gate for each number of threads. It takes the flags of Google Benchmark. The last lines print
-// the ratio of the two rates. They also print, for each invariant, the share of comparisons that each filter decided.
+// the ratio of the two rates.
 #include <algorithm>
 #include <ctime>
 #include <map>
@@ -10,7 +10,6 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
-#include <carom/oracles/bounds/stage.hpp>
 #include <carom/properties/gate/answers.hpp>
 #include <carom/properties/gate/gate.hpp>
 #include <carom/subjects/catalogue.hpp>
@@ -162,55 +161,6 @@ void whole_gate(benchmark::State& state, const std::vector<Subject>& subjects, u
   state.counters["judgements/s"] = benchmark::Counter(static_cast<double>(judgements), benchmark::Counter::kIsRate);
 }
 
-void print_shares() {
-  constexpr std::uint64_t cases = 20;
-  fmt::print("\nwhat decided, of the comparisons of each invariant [%]\n{:<24}{:>12}{:>11}{:>11}{:>10}\n", "invariant",
-             "comparisons", "same bits", "enclosure", "rational");
-  std::map<std::string_view, oracles::StageCounts> shares;
-  for (const char* name : {"frictionless-float", "frictionless-double", "frictionless-long-double", "reflection-float",
-                           "reflection-double", "reflection-long-double"}) {
-    const Subject subject = subjects::subject_named(name).value();
-    for (const properties::Invariant& invariant : properties::all_invariants()) {
-      Claim claim = properties::claim_of(subject, {});
-      const bool is_claimed = std::erase_if(claim.invariants, [&](const auto* one) { return one != &invariant; }) <
-                              properties::all_invariants().size();
-      if (!is_claimed || claim.invariants.empty()) {
-        continue;
-      }
-      // The judgement of every invariant computes the exact outcome and the backward error. The comparisons for them
-      // count only for `backward_error`.
-      for (const properties::Family& family : properties::all_families()) {
-        const Prepared work = prepared({subject}, {claim}, family, cases, true);
-        const oracles::StageCounts before = oracles::decided_by_stage();
-        judge_all(work, {claim}, true);
-        const oracles::StageCounts after = oracles::decided_by_stage();
-        Claim without = claim;
-        without.invariants.clear();
-        judge_all(work, {without}, false);
-        const oracles::StageCounts base = oracles::decided_by_stage();
-        for (const oracles::Stage i : oracles::all_stages) {
-          const std::uint64_t of_accuracy = base[i] - after[i];
-          shares[invariant.name][i] +=
-              invariant.name == "backward_error" ? of_accuracy : after[i] - before[i] - of_accuracy;
-        }
-      }
-    }
-  }
-  for (const auto& [name, counts] : shares) {
-    double sum = 0;
-    for (const std::uint64_t one : counts) {
-      sum += static_cast<double>(one);
-    }
-    if (sum > 0) {
-      const auto share = [&, &counts = counts](oracles::Stage stage) {
-        return 100 * static_cast<double>(counts[stage]) / sum;
-      };
-      fmt::print("{:<24}{:>12}{:>11.2f}{:>11.2f}{:>10.2f}\n", name, sum, share(oracles::Stage::same_bits),
-                 share(oracles::Stage::enclosure), share(oracles::Stage::rational));
-    }
-  }
-}
-
 int run(int argc, char** argv) {
   const std::vector<Subject> sound = sound_subjects();
   std::vector<const properties::Family*> families;
@@ -259,9 +209,6 @@ int run(int argc, char** argv) {
         fmt::print("{:<58}{:>12.0f}/s{:>10.1f}\n", name.substr(9), rate, rate / rational->second);
       }
     }
-  }
-  if (rates().contains("filtered/relations/all")) {
-    print_shares();
   }
   return 0;
 }

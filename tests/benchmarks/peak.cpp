@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
 // The build compiles this file once for each instruction set, named by CAROM_INSTRUCTION_SET.
-#include "peak.hpp"
-
 #include <experimental/simd>
 
 namespace carom::benchmarks::CAROM_INSTRUCTION_SET {

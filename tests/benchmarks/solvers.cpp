@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: BSL-1.0
-// Times the solvers: solvers [--benchmark_…]. Prints medians, and their ratios to a baseline of the same run. A run
-// takes about a minute.
+// Times the solvers: solvers [--benchmark_…]. Prints medians, their ratios to a baseline of the same run, and whether
+// the goals are reached. A run takes about a minute.
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <limits>
 #include <map>
+#include <memory>
+#include <span>
+#include <stdexcept>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -13,27 +19,97 @@
 
 #include <carom/impulse/batch/solve.hpp>
 #include <carom/impulse/laws.hpp>
+#include <carom/properties/cases/body_pairs.hpp>
+#include <carom/properties/cases/needle_tip.hpp>
+#include <carom/properties/draws/stream.hpp>
 #include <carom/subjects/methods.hpp>
 
-#include "counted.hpp"
-#include "measurements.hpp"
-#include "peak.hpp"
 #include "plain_note.hpp"
 #include "support/exit_status.hpp"
-#include "workload.hpp"
+
+// The peak rate of multiplications and additions for each instruction set (peak.cpp).
+namespace carom::benchmarks::baseline {
+std::size_t multiply_and_add(double* sink);
+}
+namespace carom::benchmarks::avx2 {
+std::size_t multiply_and_add(double* sink);
+}
+namespace carom::benchmarks::avx512 {
+std::size_t multiply_and_add(double* sink);
+}
+
+namespace carom::benchmarks {
+
+/// The number of operations performed on scalars of the type Counted. A change of sign counts as free, and a root as a
+/// division.
+struct Operations {
+  int additions = 0;
+  int multiplications = 0;
+  int divisions = 0;
+
+  [[nodiscard]] int all() const { return additions + multiplications + divisions; }
+};
+
+class Counted {
+ public:
+  Counted() = default;
+  // NOLINTNEXTLINE(google-explicit-constructor): solvers write S(1)
+  Counted(double number) : number_(number) {}
+
+  static inline Operations operations;
+
+  friend Counted operator-(const Counted& x) { return {-x.number_}; }
+  friend Counted operator+(const Counted& x, const Counted& y) {
+    ++operations.additions;
+    return {x.number_ + y.number_};
+  }
+  friend Counted operator-(const Counted& x, const Counted& y) {
+    ++operations.additions;
+    return {x.number_ - y.number_};
+  }
+  friend Counted operator*(const Counted& x, const Counted& y) {
+    ++operations.multiplications;
+    return {x.number_ * y.number_};
+  }
+  friend Counted operator/(const Counted& x, const Counted& y) {
+    ++operations.divisions;
+    return {x.number_ / y.number_};
+  }
+  friend Counted sqrt(const Counted& x) {
+    ++operations.divisions;
+    return {std::sqrt(x.number_)};
+  }
+  Counted& operator+=(const Counted& y) { return *this = *this + y; }
+  friend bool operator==(const Counted& x, const Counted& y) { return x.number_ == y.number_; }
+  friend bool operator<(const Counted& x, const Counted& y) { return x.number_ < y.number_; }
+  friend bool operator>(const Counted& x, const Counted& y) { return y < x; }
+
+ private:
+  double number_ = 0;
+};
+
+}  // namespace carom::benchmarks
+
+template <>
+struct Eigen::NumTraits<carom::benchmarks::Counted> : Eigen::NumTraits<double> {
+  using Real = carom::benchmarks::Counted;
+  using NonInteger = Real;
+  using Nested = Real;
+  using Literal = Real;
+};
 
 namespace carom::benchmarks {
 namespace {
 
 using impulse::InstructionSet;
 
-constexpr const char* baseline_method = "reflection-llt-double";
-constexpr std::size_t sizes[]{1, 2, 4, 8, 16, 64, 256, 1'000, 10'000, 100'000, out_of_cache};
+/// In double, this many contacts with their outcomes take 36 KB: more than a first-level cache of 32 KiB.
+constexpr std::size_t in_cache = 64;
+/// In double, this many contacts fit into no cache (384 MB).
+constexpr std::size_t out_of_cache = 1'000'000;
 
-const std::vector<subjects::Method>& methods() {
-  static const std::vector<subjects::Method> all = subjects::methods();
-  return all;
-}
+constexpr const char* baseline_method = "reflection-llt-double";
+constexpr Law laws[]{Law::frictionless, Law::reflection};
 
 std::vector<InstructionSet> instruction_sets() {
   std::vector<InstructionSet> available;
@@ -41,146 +117,225 @@ std::vector<InstructionSet> instruction_sets() {
   return available;
 }
 
-std::vector<unsigned> thread_counts() {
-  std::vector<unsigned> counts;
-  for (unsigned count = 1; count <= std::max(1U, std::thread::hardware_concurrency()); count *= 2) {
-    counts.push_back(count);
+/// The first `count` colliding contacts of a fixed sequence.
+template <class Generate>
+std::vector<Collision> colliding(const Generate& generate, std::size_t count) {
+  std::vector<Collision> collisions;
+  for (std::uint64_t i = 0; collisions.size() < count; ++i) {
+    properties::Stream stream = properties::case_stream(1, "benchmarks", i);
+    const Collision collision = generate(stream).collision;
+    const auto contact = impulse::make_contact<double>(collision);
+    if (is_colliding(contact, normal_velocity(contact))) {
+      collisions.push_back(collision);
+    }
   }
-  return counts;
+  return collisions;
 }
 
-std::string batch_name(const std::string& scalar, Law law, std::size_t size, InstructionSet set) {
-  return fmt::format("batch/{}/{}/{}/{}", name_of(law), scalar, size, name_of(set));
+/// The greatest moment of a body is at most 4 times its least moment.
+const std::vector<Collision>& usual_collisions() {
+  static const std::vector<Collision> all = colliding(properties::general_bodies, 4096);
+  return all;
 }
-std::string slender_name(Law law) { return fmt::format("slender/{}", name_of(law)); }
-std::string spheres_name(Law law) { return fmt::format("spheres/{}", name_of(law)); }
-std::string tips_name(Law law) { return fmt::format("tips/{}", name_of(law)); }
-std::string triad_name(std::size_t size) { return fmt::format("triad/{}", size); }
-std::string threads_name(Law law, std::size_t size, unsigned threads) {
-  return fmt::format("threads/{}/{}/{}", name_of(law), size, threads);
-}
-std::string plain_name(Law law) { return fmt::format("plain/{}", name_of(law)); }
-std::string peak_name(InstructionSet set) { return fmt::format("peak/{}", name_of(set)); }
 
-constexpr Law laws[]{Law::frictionless, Law::reflection};
-constexpr Law batch_laws[]{Law::frictionless, Law::reflection, Law::rough};
+/// A batch of `count` contacts of these collisions. If the collisions are fewer, they repeat.
+template <class S>
+struct Workload {
+  Workload(const std::vector<Collision>& collisions, std::size_t count) : contacts(count), outcomes(count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      contacts.set(i, impulse::make_contact<S>(collisions[i % collisions.size()]));
+    }
+  }
+
+  impulse::ContactBatch<S> contacts;
+  impulse::OutcomeBatch<S> outcomes;
+};
 
 template <class S>
-Workload<S>& shared_workload(std::size_t size) {
+Workload<S>& usual_workload(std::size_t count) {
   static std::map<std::size_t, Workload<S>> workloads;
-  return workloads.try_emplace(size, size).first->second;
+  return workloads.try_emplace(count, usual_collisions(), count).first->second;
 }
 
-template <class S>
-void register_batch(const std::string& scalar, Law law, std::size_t size, InstructionSet set) {
-  benchmark::RegisterBenchmark(batch_name(scalar, law, size, set).c_str(), [=](benchmark::State& state) {
-    Workload<S>& workload = shared_workload<S>(size);
-    for (auto _ : state) {
-      impulse::solve(workload.contacts, law, workload.outcomes, set);
+/// Bytes that a batch solver reads and writes for each contact.
+constexpr std::size_t bytes_of_contact =
+    (impulse::contact_number_count + impulse::outcome_number_count) * sizeof(double);
+constexpr std::size_t triad_bytes_of_contact = 3 * impulse::outcome_number_count * sizeof(double);
+
+/// Computes z = x + s y for each array z of outcomes. x and y are arrays of contacts.
+void triad(Workload<double>& workload) {
+  std::vector<std::span<const double>> from;
+  auto contacts = std::as_const(workload.contacts).arrays();
+  impulse::for_each_array(contacts, [&](const std::span<const double>& array) { from.push_back(array); });
+  std::size_t k = 0;
+  auto outcomes = workload.outcomes.arrays();
+  impulse::for_each_array(outcomes, [&](const std::span<double>& array) {
+    const double* x = from[2 * k].data();
+    const double* y = from[2 * k + 1].data();
+    double* z = array.data();
+    for (std::size_t i = 0; i < array.size(); ++i) {
+      z[i] = x[i] + 3 * y[i];
+    }
+    ++k;
+  });
+}
+
+/// Keeps Google Benchmark's measurements by name, in nanoseconds per iteration, and shows progress as dots. Repetitions
+/// of different benchmarks alternate. So the median tolerates a machine that is busy during less than half of the
+/// repetitions.
+class Recorder : public benchmark::BenchmarkReporter {
+ public:
+  bool ReportContext(const Context& /*context*/) override { return true; }
+  void ReportRuns(const std::vector<Run>& runs) override {
+    for (const Run& run : runs) {
+      if (run.run_type == Run::RT_Iteration && !run.error_occurred) {
+        // function_name omits suffixes that Google Benchmark adds.
+        measurements_[run.run_name.function_name].push_back(run.cpu_accumulated_time * 1e9 /
+                                                            static_cast<double>(run.iterations));
+      }
+    }
+    GetErrorStream() << '.' << std::flush;
+  }
+
+  /// NaN if the benchmark did not run.
+  [[nodiscard]] double median(const std::string& name) const { return quantile(name, 0.5); }
+  /// Half the interquartile range divided by the median.
+  [[nodiscard]] double spread(const std::string& name) const {
+    return (quantile(name, 0.75) - quantile(name, 0.25)) / 2 / median(name);
+  }
+
+ private:
+  [[nodiscard]] double quantile(const std::string& name, double share) const {
+    const auto found = measurements_.find(name);
+    if (found == measurements_.end()) {
+      return std::numeric_limits<double>::quiet_NaN();
+    }
+    std::vector<double> numbers = found->second;
+    std::ranges::sort(numbers);
+    const double place = share * static_cast<double>(numbers.size() - 1);
+    const auto below = static_cast<std::size_t>(std::floor(place));
+    return std::lerp(numbers[below], numbers[std::min(below + 1, numbers.size() - 1)], place - std::floor(place));
+  }
+
+  std::map<std::string, std::vector<double>> measurements_;
+};
+
+struct Registered {
+  std::string name;
+  std::size_t contacts;
+};
+
+std::vector<Registered>& registered() {
+  static std::vector<Registered> all;
+  return all;
+}
+
+/// `prepare` makes the function that is timed.
+template <class Prepare>
+void add(const std::string& name, std::size_t contacts, const Prepare& prepare) {
+  registered().push_back({name, contacts});
+  benchmark::RegisterBenchmark(name.c_str(), [prepare](benchmark::State& state) {
+    const auto timed = prepare();
+    for ([[maybe_unused]] const auto _ : state) {
+      timed();
       benchmark::ClobberMemory();
     }
   });
 }
 
-void register_methods() {
-  static const std::vector<Collision> collisions = colliding(in_cache);
-  for (const subjects::Method& method : methods()) {
-    benchmark::RegisterBenchmark(method.subject.name.c_str(), [&method](benchmark::State& state) {
-      const subjects::Kernel kernel = method.prepare(collisions);
-      for (auto _ : state) {
-        kernel();
-        benchmark::ClobberMemory();
-      }
-    });
+void add_methods() {
+  static const std::vector<subjects::Method> methods = subjects::methods();
+  for (const subjects::Method& method : methods) {
+    add(method.subject.name, in_cache,
+        [&method] { return method.prepare(std::span(usual_collisions()).first(in_cache)); });
   }
 }
 
-void register_plain() {
-  static const std::vector<Collision> collisions = colliding(in_cache);
-  static const std::vector<plain::RigidBody> bodies = [] {
-    std::vector<plain::RigidBody> all;
-    for (const Collision& collision : collisions) {
-      all.push_back(plain::rigid_body(collision.a));
-      all.push_back(plain::rigid_body(collision.b));
+/// The note's bodies and contacts for the first collisions.
+struct PlainContacts {
+  std::vector<plain::RigidBody> bodies;
+  std::vector<plain::Contact> contacts;
+};
+
+const PlainContacts& plain_contacts() {
+  static const PlainContacts all = [] {
+    PlainContacts made;
+    for (const Collision& collision : std::span(usual_collisions()).first(in_cache)) {
+      made.bodies.push_back(plain::rigid_body(collision.a));
+      made.bodies.push_back(plain::rigid_body(collision.b));
     }
-    return all;
-  }();
-  static const std::vector<plain::Contact> contacts = [] {
-    std::vector<plain::Contact> all;
-    for (std::size_t i = 0; i < collisions.size(); ++i) {
-      all.push_back(plain::contact(collisions[i], bodies[2 * i], bodies[2 * i + 1]));
+    for (std::size_t i = 0; i < in_cache; ++i) {
+      made.contacts.push_back(plain::contact(usual_collisions()[i], made.bodies[2 * i], made.bodies[2 * i + 1]));
     }
-    return all;
+    return made;
   }();
+  return all;
+}
+
+/// Throws std::logic_error if the note in plain C++ gives other outcomes than the library.
+void check_plain(Law law, plain::Motions (*solve)(const plain::Contact&)) {
+  constexpr double tolerance = 1e-10;  // 10⁵ ulps
+  for (std::size_t i = 0; i < in_cache; ++i) {
+    const auto contact = impulse::make_contact<double>(usual_collisions()[i]);
+    const Outcome<double> found = plain::outcome(solve(plain_contacts().contacts[i]));
+    Outcome<double> expected;
+    impulse::with_law(law, [&](const auto& solver) { expected = impulse::apply_impulse(contact, solver(contact)); });
+    for (const OutcomeVector k : all_outcome_vectors) {
+      if (!(*vectors(found)[k]).isApprox(*vectors(expected)[k], tolerance)) {
+        throw std::logic_error("the note in plain C++ gives another outcome");
+      }
+    }
+  }
+}
+
+void add_plain() {
   for (const Law law : laws) {
     const auto solve = law == Law::frictionless ? plain::solve_frictionless : plain::solve_reflection;
-    benchmark::RegisterBenchmark(plain_name(law).c_str(), [solve](benchmark::State& state) {
-      std::vector<plain::Motions> motions(contacts.size());
-      for (auto _ : state) {
-        std::ranges::transform(contacts, motions.begin(), solve);
-        benchmark::ClobberMemory();
-      }
+    check_plain(law, solve);
+    add(fmt::format("plain/{}", name_of(law)), in_cache, [solve] {
+      return [solve, motions = std::make_shared<std::vector<plain::Motions>>(in_cache)] {
+        std::ranges::transform(plain_contacts().contacts, motions->begin(), solve);
+      };
     });
   }
 }
 
-void register_batches() {
-  for (const Law law : batch_laws) {
-    for (const InstructionSet set : instruction_sets()) {
-      register_batch<float>("float", law, in_cache, set);
-      register_batch<double>("double", law, in_cache, set);
+std::string batch_name(const std::string& scalar, Law law, std::size_t count, InstructionSet set) {
+  return fmt::format("batch/{}/{}/{}/{}", name_of(law), scalar, count, name_of(set));
+}
+
+template <class S>
+void add_batch(const std::string& scalar, Law law, std::size_t count, InstructionSet set) {
+  add(batch_name(scalar, law, count, set), count, [=] {
+    Workload<S>& workload = usual_workload<S>(count);
+    return [&workload, law, set] { impulse::solve(workload.contacts, law, workload.outcomes, set); };
+  });
+}
+
+void add_batches() {
+  for (const InstructionSet set : instruction_sets()) {
+    for (const Law law : {Law::frictionless, Law::reflection, Law::rough}) {
+      add_batch<float>("float", law, in_cache, set);
+      add_batch<double>("double", law, in_cache, set);
+    }
+    for (const Law law : laws) {
+      add_batch<double>("double", law, out_of_cache, set);
     }
   }
   for (const Law law : laws) {
-    for (const InstructionSet set : instruction_sets()) {
-      register_batch<double>("double", law, out_of_cache, set);
-    }
-    for (const std::size_t size : sizes) {
-      if (size != in_cache && size != out_of_cache) {
-        register_batch<double>("double", law, size, impulse::best_instruction_set());
-      }
-    }
-  }
-  for (const Law law : laws) {
-    for (const auto& [name, collisions] : {std::pair{slender_name(law), colliding_slender(in_cache)},
-                                           std::pair{tips_name(law), colliding_tips(in_cache)},
-                                           std::pair{spheres_name(law), colliding_spheres(in_cache)}}) {
-      benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) {
-        Workload<double> workload(collisions);
-        for (auto _ : state) {
-          impulse::solve(workload.contacts, law, workload.outcomes);
-          benchmark::ClobberMemory();
-        }
+    // Slender bodies have moments of up to 1 : 10⁸. About half of them are plates or rods. A needle is struck on its
+    // tip.
+    for (const auto& [kind, collisions] : {std::pair{"slender", colliding(properties::convex_bodies, in_cache)},
+                                           std::pair{"tips", colliding(properties::needle_tip, in_cache)},
+                                           std::pair{"spheres", colliding(properties::touching_spheres, in_cache)}}) {
+      add(fmt::format("{}/{}", kind, name_of(law)), in_cache, [law, collisions = collisions] {
+        return [law, workload = std::make_shared<Workload<double>>(collisions, in_cache)] {
+          impulse::solve(workload->contacts, law, workload->outcomes);
+        };
       });
     }
   }
-  for (const std::size_t size : sizes) {
-    benchmark::RegisterBenchmark(triad_name(size).c_str(), [size](benchmark::State& state) {
-      for (auto _ : state) {
-        triad(shared_workload<double>(size));
-        benchmark::ClobberMemory();
-      }
-    });
-  }
-}
-
-void register_threads() {
-  for (const Law law : laws) {
-    for (const std::size_t size : {in_cache, out_of_cache / 4}) {
-      for (const unsigned threads : thread_counts()) {
-        const auto measure = [=](benchmark::State& state) {
-          Workload<double> workload(size);
-          for (auto _ : state) {
-            impulse::solve(workload.contacts, law, workload.outcomes);
-            benchmark::ClobberMemory();
-          }
-        };
-        benchmark::RegisterBenchmark(threads_name(law, size, threads).c_str(), measure)
-            ->Threads(static_cast<int>(threads))
-            ->UseRealTime();
-      }
-    }
-  }
+  add("triad", out_of_cache, [] { return [&workload = usual_workload<double>(out_of_cache)] { triad(workload); }; });
 }
 
 std::size_t multiply_and_add(InstructionSet set, double* sink) {
@@ -197,20 +352,15 @@ std::size_t multiply_and_add(InstructionSet set, double* sink) {
   return set == InstructionSet::baseline ? baseline::multiply_and_add(sink) : 0;
 }
 
-void register_peaks() {
-  for (const InstructionSet set : instruction_sets()) {
-    benchmark::RegisterBenchmark(peak_name(set).c_str(), [set](benchmark::State& state) {
-      double sink[]{0.5, 1, 0};
-      for (auto _ : state) {
-        multiply_and_add(set, sink);
-        benchmark::DoNotOptimize(sink);
-      }
-    });
-  }
+std::size_t peak_operations() {
+  double sink[]{0.5, 1, 0};
+  const std::size_t operations = multiply_and_add(impulse::best_instruction_set(), sink);
+  benchmark::DoNotOptimize(sink);
+  return operations;
 }
 
 Operations operations_of(Law law) {
-  const auto contact = colliding_batch<double>(1).at(0);
+  const auto contact = impulse::make_contact<double>(usual_collisions()[0]);
   const auto counted = [](const auto& matrix) { return matrix.template cast<Counted>().eval(); };
   const auto body = [&](const impulse::ContactBody<double>& b) {
     return impulse::ContactBody<Counted>{b.inverse_mass,
@@ -226,235 +376,62 @@ Operations operations_of(Law law) {
   return Counted::operations;
 }
 
-/// Nanoseconds for each contact.
-double per_contact(const Recorder& recorder, const std::string& name, std::size_t contacts) {
-  return recorder.at(name).median() / static_cast<double>(contacts);
-}
-
-double gigabytes_per_second(const Recorder& recorder, const std::string& name, std::size_t contacts,
-                            std::size_t bytes) {
-  return static_cast<double>(bytes) / per_contact(recorder, name, contacts);
-}
-
-void print_methods(const Recorder& recorder) {
-  if (!recorder.has(baseline_method)) {
-    return;
-  }
-  const double baseline = recorder.at(baseline_method).median();
-  fmt::print("\nEvery method, {} colliding contacts in cache, one thread\n", in_cache);
-  fmt::print("  {:<42} {:>11} {:>8} {:>22}\n", "method", "ns/contact", "spread", baseline_method + std::string(" = 1"));
-  for (const subjects::Method& method : methods()) {
-    const std::string& name = method.subject.name;
-    if (recorder.has(name)) {
-      fmt::print("  {:<42} {:>11.2f} {:>7.1f}% {:>22.3f}\n", name, per_contact(recorder, name, in_cache),
-                 100 * recorder.at(name).spread(), recorder.at(name).median() / baseline);
+void print_times(const Recorder& recorder) {
+  fmt::print("\n{:<46} {:>10} {:>11} {:>8} {:>22} {:>17}\n", "", "contacts", "ns/contact", "spread",
+             std::string(baseline_method) + " = 1", "note in C++ = 1");
+  for (const auto& [name, contacts] : registered()) {
+    const double each = recorder.median(name) / static_cast<double>(contacts);
+    const auto over = [&](const char* other) { return each * in_cache / recorder.median(other); };
+    if (!std::isnan(each)) {
+      fmt::print("{:<46} {:>10} {:>11.2f} {:>7.1f}% {:>22.3f} {:>17.3f}\n", name, contacts, each,
+                 100 * recorder.spread(name), over(baseline_method), over("plain/reflection"));
     }
   }
 }
 
-void print_instruction_sets(const Recorder& recorder) {
-  fmt::print("\nBatches by instruction set, {} contacts in cache\n", in_cache);
-  fmt::print("  {:<32} {:>11} {:>8} {:>22}\n", "batch", "ns/contact", "spread", baseline_method + std::string(" = 1"));
-  for (const Law law : batch_laws) {
-    for (const std::string scalar : {"float", "double"}) {
-      for (const InstructionSet set : instruction_sets()) {
-        const std::string name = batch_name(scalar, law, in_cache, set);
-        if (recorder.has(name) && recorder.has(baseline_method)) {
-          fmt::print("  {:<32} {:>11.2f} {:>7.1f}% {:>22.3f}\n",
-                     fmt::format("{} {} {}", name_of(law), scalar, name_of(set)), per_contact(recorder, name, in_cache),
-                     100 * recorder.at(name).spread(),
-                     recorder.at(name).median() / recorder.at(baseline_method).median());
-        }
-      }
-    }
-  }
-}
+enum class Goal { at_least, at_most };
 
-void print_plain(const Recorder& recorder) {
-  const std::string reflection = plain_name(Law::reflection);
-  if (!recorder.has(reflection)) {
-    return;
-  }
-  fmt::print("\nBatches in double beside the note in plain C++, {} contacts in cache\n", in_cache);
-  fmt::print("  {:<32} {:>11} {:>8} {:>16} {:>17}\n", "", "ns/contact", "spread", "plain, same law",
-             "plain reflection");
-  for (const Law law : laws) {
-    std::vector<std::pair<std::string, std::string>> rows{{fmt::format("plain {}", name_of(law)), plain_name(law)}};
-    for (const InstructionSet set : instruction_sets()) {
-      rows.emplace_back(fmt::format("batch {} {}", name_of(law), name_of(set)),
-                        batch_name("double", law, in_cache, set));
-    }
-    for (const auto& [title, name] : rows) {
-      if (recorder.has(name) && recorder.has(plain_name(law))) {
-        const double median = recorder.at(name).median();
-        fmt::print("  {:<32} {:>11.2f} {:>7.1f}% {:>14.1f} × {:>15.1f} ×\n", title,
-                   per_contact(recorder, name, in_cache), 100 * recorder.at(name).spread(),
-                   recorder.at(plain_name(law)).median() / median, recorder.at(reflection).median() / median);
-      }
-    }
-  }
-}
-
-void print_slender(const Recorder& recorder) {
-  const InstructionSet best = impulse::best_instruction_set();
-  fmt::print("\nBatches in double with slender bodies, {} contacts in cache, {}\n", in_cache, name_of(best));
-  for (const Law law : laws) {
-    const std::string usual = batch_name("double", law, in_cache, best);
-    if (recorder.has(slender_name(law)) && recorder.has(usual)) {
-      fmt::print("  {:<13} {:>8.2f} ns, {:.1f} times as long as without\n", name_of(law),
-                 per_contact(recorder, slender_name(law), in_cache),
-                 recorder.at(slender_name(law)).median() / recorder.at(usual).median());
-    }
-    if (recorder.has(slender_name(law)) && recorder.has(tips_name(law))) {
-      fmt::print("  {:<13} {:>8.2f} ns if needles are struck on their tips, {:.1f} times as long as slender bodies\n",
-                 name_of(law), per_contact(recorder, tips_name(law), in_cache),
-                 recorder.at(tips_name(law)).median() / recorder.at(slender_name(law)).median());
-    }
-  }
-}
-
-void print_sizes(const Recorder& recorder) {
-  fmt::print("\nBatches in double by number of contacts, {}\n", name_of(impulse::best_instruction_set()));
-  fmt::print("  {:>9} {:>13} {:>6} {:>9} {:>13} {:>6} {:>9} {:>12}\n", "contacts", "frictionless", "GB/s", "triad = 1",
-             "reflection", "GB/s", "triad = 1", "triad GB/s");
-  for (const std::size_t size : sizes) {
-    if (!recorder.has(triad_name(size))) {
-      continue;
-    }
-    const double triad = gigabytes_per_second(recorder, triad_name(size), size, triad_bytes_of_contact);
-    std::string line = fmt::format("  {:>9}", size);
-    for (const Law law : laws) {
-      const std::string name = batch_name("double", law, size, impulse::best_instruction_set());
-      if (recorder.has(name)) {
-        const double rate = gigabytes_per_second(recorder, name, size, bytes_of_contact<double>);
-        line += fmt::format(" {:>10.2f} ns {:>6.1f} {:>9.2f}", per_contact(recorder, name, size), rate, rate / triad);
-      }
-    }
-    fmt::print("{} {:>12.1f}\n", line, triad);
-  }
-}
-
-void print_threads(const Recorder& recorder) {
-  fmt::print("\nThreads over batches of their own, double, ns a contact of any thread and ratio to one thread\n");
-  for (const Law law : laws) {
-    for (const std::size_t size : {in_cache, out_of_cache / 4}) {
-      std::string line = fmt::format("  {:<13} {:>7} contacts each:", name_of(law), size);
-      for (const unsigned threads : thread_counts()) {
-        const std::string name = threads_name(law, size, threads);
-        if (recorder.has(name) && recorder.has(threads_name(law, size, 1))) {
-          line += fmt::format("  {} thread{} {:.2f} ns ({:.2f})", threads, threads == 1 ? "" : "s",
-                              per_contact(recorder, name, size),
-                              recorder.at(threads_name(law, size, 1)).median() / recorder.at(name).median());
-        }
-      }
-      fmt::print("{}\n", line);
-    }
-  }
-}
-
-/// The rate of the multiply-and-add loop [Gflop/s].
-double peak(const Recorder& recorder, InstructionSet set) {
-  double sink[]{0.5, 1, 0};
-  return static_cast<double>(multiply_and_add(set, sink)) / recorder.at(peak_name(set)).median();
-}
-
-void print_roofline(const Recorder& recorder) {
-  const InstructionSet best = impulse::best_instruction_set();
-  if (!recorder.has(triad_name(out_of_cache)) || !recorder.has(peak_name(best))) {
-    return;
-  }
-  const double bandwidth =
-      gigabytes_per_second(recorder, triad_name(out_of_cache), out_of_cache, triad_bytes_of_contact);
-  fmt::print("\nRoofline, one thread, double. Memory: {:.1f} GB/s (triad, {} contacts). Arithmetic, measured:",
-             bandwidth, out_of_cache);
-  for (const InstructionSet set : instruction_sets()) {
-    fmt::print(" {} {:.1f}", name_of(set), peak(recorder, set));
-  }
-  fmt::print(" Gflop/s (multiply, add; not fused)\n");
-  for (const Law law : laws) {
-    const Operations operations = operations_of(law);
-    const double intensity = static_cast<double>(operations.all()) / static_cast<double>(bytes_of_contact<double>);
-    const double roof = std::min(peak(recorder, best), intensity * bandwidth);
-    fmt::print("  {:<13} {} flop a contact ({} +, {} ×, {} ÷), {} bytes, {:.2f} flop/byte\n", name_of(law),
-               operations.all(), operations.additions, operations.multiplications, operations.divisions,
-               bytes_of_contact<double>, intensity);
-    const auto reached = [&](std::size_t size) {
-      return static_cast<double>(operations.all()) / per_contact(recorder, batch_name("double", law, size, best), size);
-    };
-    if (recorder.has(batch_name("double", law, in_cache, best))) {
-      fmt::print("    in cache:     {:>6.1f} Gflop/s, {:.0f} % of the arithmetic roof ({:.1f})\n", reached(in_cache),
-                 100 * reached(in_cache) / peak(recorder, best), peak(recorder, best));
-    }
-    if (recorder.has(batch_name("double", law, out_of_cache, best))) {
-      fmt::print("    out of cache: {:>6.1f} Gflop/s, {:.0f} % of the roof ({:.1f}, {})\n", reached(out_of_cache),
-                 100 * reached(out_of_cache) / roof, roof,
-                 roof < peak(recorder, best) ? "bound by memory" : "bound by arithmetic");
-    }
-  }
-}
-
-const char* said(bool is_reached) { return is_reached ? "reached" : "not reached"; }
-
-/// How much a batch computes, and how near it comes to the rate of the multiply-and-add loop.
-void print_goals_of_batches(const Recorder& recorder) {
-  const InstructionSet best = impulse::best_instruction_set();
-  for (const auto& [law, goal] : {std::pair{Law::reflection, 300}, std::pair{Law::frictionless, 170}}) {
-    const auto operations = operations_of(law).all();
-    fmt::print("  {} of bodies that are not slender: {} flop a contact; goal at most {}: {}\n", name_of(law),
-               operations, goal, said(operations <= goal));
-    const std::string name = batch_name("double", law, in_cache, best);
-    if (recorder.has(name) && recorder.has(peak_name(best))) {
-      const double share =
-          static_cast<double>(operations) / per_contact(recorder, name, in_cache) / peak(recorder, best);
-      fmt::print("  {} in double, in cache: {:.0f} % of the arithmetic roof; goal at least 70 %: {}\n", name_of(law),
-                 100 * share, said(share >= 0.7));
-    }
-    if (recorder.has(name) && recorder.has(spheres_name(law))) {
-      const double ratio = recorder.at(name).median() / recorder.at(spheres_name(law)).median();
-      fmt::print("  {} of spheres, in cache: {:.1f} times as quick as of general bodies; goal 3: {}\n", name_of(law),
-                 ratio, said(ratio >= 3));
-    }
+/// Prints nothing if a benchmark did not run.
+void print_goal(const std::string& what, double value, Goal sense, double goal) {
+  if (!std::isnan(value)) {
+    const bool is_reached = sense == Goal::at_least ? value >= goal : value <= goal;
+    fmt::print("  {}: {:.3g}; goal at {} {:.3g}: {}\n", what, value, sense == Goal::at_least ? "least" : "most", goal,
+               is_reached ? "reached" : "not reached");
   }
 }
 
 void print_goals(const Recorder& recorder) {
   const InstructionSet best = impulse::best_instruction_set();
-  const std::string cached = batch_name("double", Law::reflection, in_cache, best);
-  fmt::print("\nGoals\n");
-  if (recorder.has(cached) && recorder.has(baseline_method)) {
-    const double ratio = recorder.at(cached).median() / recorder.at(baseline_method).median();
-    fmt::print("  reflection in double, in cache: 1/{:.1f} of {}; goal at most 1/8: {}\n", 1 / ratio, baseline_method,
-               said(ratio <= 1.0 / 8));
-  }
-  const std::string rough = batch_name("double", Law::rough, in_cache, best);
-  if (recorder.has(cached) && recorder.has(rough)) {
-    const double ratio = recorder.at(rough).median() / recorder.at(cached).median();
-    fmt::print("  rough in double, in cache: {:.2f} of reflection; goal at most 1.6: {}\n", ratio, said(ratio <= 1.6));
-  }
-  const std::string plain = plain_name(Law::reflection);
-  for (const auto& [law, goal] : {std::pair{Law::reflection, 15}, std::pair{Law::frictionless, 20}}) {
-    const std::string name = batch_name("double", law, in_cache, best);
-    if (recorder.has(name) && recorder.has(plain)) {
-      const double ratio = recorder.at(plain).median() / recorder.at(name).median();
-      const double roof = recorder.has(peak_name(best))
-                              ? per_contact(recorder, plain, in_cache) * peak(recorder, best) /
-                                    static_cast<double>(operations_of(law).all())
-                              : 0;
-      fmt::print(
-          "  {} in double, in cache: {:.1f} times as quick as the note (reflection) in plain C++, {:.1f} at the roof; "
-          "goal {}: {}\n",
-          name_of(law), ratio, roof, goal, said(ratio >= goal));
-    }
-  }
-  for (const Law law : laws) {
-    const std::string streamed = batch_name("double", law, out_of_cache, best);
-    if (recorder.has(streamed) && recorder.has(triad_name(out_of_cache))) {
-      const double share =
-          gigabytes_per_second(recorder, streamed, out_of_cache, bytes_of_contact<double>) /
-          gigabytes_per_second(recorder, triad_name(out_of_cache), out_of_cache, triad_bytes_of_contact);
-      fmt::print("  {} in double, out of cache: {:.0f} % of the bytes a second of the triad; goal at least 70 %: {}\n",
-                 name_of(law), 100 * share, said(share >= 0.7));
-    }
+  const auto batch = [&](Law law, std::size_t count) {
+    return recorder.median(batch_name("double", law, count, best)) / static_cast<double>(count);
+  };
+  const auto in_cache_of = [&](const std::string& name) { return recorder.median(name) / in_cache; };
+  // Operations and bytes a nanosecond.
+  const double arithmetic = static_cast<double>(peak_operations()) / recorder.median("peak");
+  const double memory = static_cast<double>(triad_bytes_of_contact * out_of_cache) / recorder.median("triad");
+  fmt::print(
+      "\nBatches in double, {}; arithmetic {:.1f} Gflop/s (multiply, add; not fused), memory {:.1f} GB/s (triad)\n",
+      name_of(best), arithmetic, memory);
+  print_goal(fmt::format("reflection, in units of {}", baseline_method),
+             batch(Law::reflection, in_cache) / in_cache_of(baseline_method), Goal::at_most, 1.0 / 8);
+  print_goal("rough, in units of reflection", batch(Law::rough, in_cache) / batch(Law::reflection, in_cache),
+             Goal::at_most, 1.6);
+  struct Goals {
+    Law law;
+    double operations;
+    double of_plain;
+  };
+  for (const auto& [law, operations, of_plain] : {Goals{Law::reflection, 300, 15}, Goals{Law::frictionless, 170, 20}}) {
+    const std::string name(name_of(law));
+    const double needed = operations_of(law).all();
+    print_goal(name + ", flop a contact of bodies that are not slender", needed, Goal::at_most, operations);
+    print_goal(name + ", share of the arithmetic", needed / batch(law, in_cache) / arithmetic, Goal::at_least, 0.7);
+    print_goal(name + ", share of the memory", bytes_of_contact / batch(law, out_of_cache) / memory, Goal::at_least,
+               0.7);
+    print_goal(name + ", times as quick as the note's reflection in plain C++",
+               in_cache_of("plain/reflection") / batch(law, in_cache), Goal::at_least, of_plain);
+    print_goal(name + " of spheres, times as quick as of general bodies",
+               batch(law, in_cache) / in_cache_of("spheres/" + name), Goal::at_least, 3);
   }
 }
 
@@ -474,22 +451,14 @@ int run(int argc, char** argv) {
   if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) {
     return 2;
   }
-  register_methods();
-  register_plain();
-  register_batches();
-  register_threads();
-  register_peaks();
+  add_methods();
+  add_plain();
+  add_batches();
+  add("peak", 1, [] { return peak_operations; });
   Recorder recorder;
   benchmark::RunSpecifiedBenchmarks(&recorder);
-  print_methods(recorder);
-  print_instruction_sets(recorder);
-  print_plain(recorder);
-  print_slender(recorder);
-  print_sizes(recorder);
-  print_threads(recorder);
-  print_roofline(recorder);
+  print_times(recorder);
   print_goals(recorder);
-  print_goals_of_batches(recorder);
   return 0;
 }
 

@@ -51,7 +51,7 @@ TEST(CollisionJson, RoundTripsTheEndsOfBinary64) {
   }
 }
 
-TEST(CollisionJson, SpellsNumbersThatJsonHasNotAsStrings) {
+TEST(CollisionJson, WritesNaNAndInfinitiesAsStrings) {
   using Limits = std::numeric_limits<double>;
   EXPECT_EQ(number_to_json(Limits::quiet_NaN()), "nan");
   EXPECT_EQ(number_to_json(Limits::infinity()), "inf");
@@ -63,7 +63,7 @@ TEST(CollisionJson, SpellsNumbersThatJsonHasNotAsStrings) {
   EXPECT_EQ(number_from_json(7, ""), 7.0);
 }
 
-TEST(CollisionJson, LeavesOutWhatTheProtocolSaysIsAbsent) {
+TEST(CollisionJson, OmitsTheFieldsThatTheProtocolOmits) {
   Collision collision;
   collision.b.immovable = true;
   const json written = collision_to_json(collision);
@@ -162,7 +162,7 @@ TEST(CollisionJson, NamesAnArrayOfAnotherLength) {
             "/b/velocity: expected an array of 3 numbers, found [1,0,0,0]");
 }
 
-TEST(CollisionJson, NamesWhatIsNoObject) {
+TEST(CollisionJson, NamesAValueThatShouldBeAnObject) {
   EXPECT_EQ(error_of([](json& r) { r = 3; }), "/: expected an object, found 3");
   EXPECT_EQ(error_of([](json& r) { r["a"] = {1, 2}; }), "/a: expected an object, found [1,2]");
 }
@@ -177,7 +177,7 @@ TEST(CollisionJson, PutsTheGivenPlaceBeforeItsOwn) {
   EXPECT_EQ(error_of([](json& r) { r.erase("normal"); }, "/cases/3"), "/cases/3/normal: is missing; add this field");
 }
 
-TEST(CollisionJson, CutsALongFindingShort) {
+TEST(CollisionJson, ShortensALongValueInItsErrors) {
   const std::string error = error_of([](json& r) { r["a"]["mass"] = std::string(1000, 'x'); });
   EXPECT_LT(error.size(), 120U);
   EXPECT_EQ(error.substr(0, 40), "/a/mass: expected a number, found \"xxxxx");
@@ -198,7 +198,7 @@ TEST(ParseJson, ReadsWhatTheLibraryReads) {
   }
 }
 
-TEST(ParseJson, RefusesWhatJsonLeavesOpen) {
+TEST(ParseJson, RefusesTextsThatAreAmbiguousOrNoJson) {
   for (const auto& [text, says] : std::vector<std::pair<std::string, std::string>>{
            {R"({"a":1,"b":{"a":1},"a":2})", "the field \"a\" occurs twice"},
            {R"([{"a":{"b":1,"b":1}}])", "the field \"b\" occurs twice"},
@@ -218,7 +218,7 @@ TEST(ParseJson, RefusesWhatJsonLeavesOpen) {
   EXPECT_NO_THROW((void)parse_json(std::string(64, '[') + std::string(64, ']')));
 }
 
-TEST(DomainJson, IsTheTextOfASubject) {
+TEST(DomainJson, RoundTripsTheDomainOfASubject) {
   for (const char* text : {"mass_ratio=:100.0,size=0.125:1000000.0", "restitution=0.5:0.5", ""}) {
     EXPECT_EQ(domain_from_json(domain_to_json(text)), text);
   }

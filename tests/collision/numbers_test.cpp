@@ -93,7 +93,7 @@ TEST(ForEachNumber, WalksSeveralCollisionsSideBySide) {
                   from, to);
 }
 
-TEST(ForEachNumber, LetsTheFirstCollisionDecideWhatIsPassedOver) {
+TEST(ForEachNumber, SkipsTheNumbersThatTheFirstCollisionDoesNotHave) {
   Collision first;
   first.b.immovable = true;
   Collision second;
@@ -122,7 +122,7 @@ TEST(MapNumbers, ConvertsEveryNumberAndKeepsWhichBodiesAreImmovable) {
   }
 }
 
-TEST(MapNumbers, DoesNotConvertWhatAnImmovableBodyHasNot) {
+TEST(MapNumbers, SkipsTheMassInertiaAndOrientationOfAnImmovableBody) {
   Collision c;
   c.a.immovable = true;
   c.a.mass = std::numeric_limits<double>::quiet_NaN();

@@ -58,7 +58,7 @@ TEST(PreconditionDeathTest, ASolverTakesContactsOfValidCollisions) {
   EXPECT_DEATH(static_cast<void>(impulse::coulomb_impulse(valid)), "friction");
 }
 
-TEST(PreconditionDeathTest, OfTheSolversNumbers) {
+TEST(PreconditionDeathTest, OfTheSolversNumbersIsChecked) {
   const impulse::ContactBatch<double> batch(2);
   EXPECT_DEATH(static_cast<void>(batch.at(2)), "i, size\\(\\): 2 2");
   impulse::ExactSum sum;
@@ -67,7 +67,7 @@ TEST(PreconditionDeathTest, OfTheSolversNumbers) {
   EXPECT_DEATH(static_cast<void>(impulse::Ldlt::solve<double>(Matrix3<double>::Identity(), {1, 2, 3}, 0)), "least");
 }
 
-TEST(PreconditionDeathTest, OfTheOracles) {
+TEST(PreconditionDeathTest, OfTheOraclesIsChecked) {
   Collision hit;
   hit.b.immovable = true;
   const Outcome<double> after = unchanged(hit);
@@ -81,7 +81,7 @@ TEST(PreconditionDeathTest, OfTheOracles) {
   EXPECT_DEATH(full.push_back(0), "size_: 6");
 }
 
-TEST(PreconditionDeathTest, OfTheProperties) {
+TEST(PreconditionDeathTest, OfThePropertiesIsChecked) {
   using Digits = properties::Histogram<properties::DigitsScale>;
   EXPECT_DEATH(static_cast<void>(Digits().at(0)), "rank, size_: 0 0");
   EXPECT_DEATH(static_cast<void>(Digits::restored({1}, 3, 2)), "smallest, largest: 3 2");
@@ -90,7 +90,7 @@ TEST(PreconditionDeathTest, OfTheProperties) {
   EXPECT_DEATH(static_cast<void>(properties::JudgedCase(invalid).exact()), "is_valid");
 }
 
-TEST(PreconditionDeathTest, OfScenes) {
+TEST(PreconditionDeathTest, OfScenesIsChecked) {
   scene::UncertainQuadratic overlapping{};
   overlapping.c0 = -1;
   EXPECT_DEATH(static_cast<void>(scene::first_crossing(overlapping)), "q.c0, q.e0: -1 0");

@@ -2,8 +2,6 @@
 #undef CAROM_CHECK_PRECONDITIONS
 #define CAROM_CHECK_PRECONDITIONS 0
 
-#include "unchecked.hpp"
-
 #include <carom/collision/expects.hpp>
 
 namespace carom::unit {

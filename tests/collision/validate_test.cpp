@@ -119,7 +119,7 @@ TEST(Validate, AcceptsTheEndsOfEachRange) {
   }
 }
 
-TEST(Validate, DoesNotReadWhatAnImmovableBodyHasNot) {
+TEST(Validate, DoesNotReadTheMassInertiaAndOrientationOfAnImmovableBody) {
   for (Body Collision::*body : {&Collision::a, &Collision::b}) {
     Collision collision;
     Body& wall = collision.*body;

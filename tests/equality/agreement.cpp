@@ -11,12 +11,7 @@
 namespace carom::equality {
 namespace {
 
-properties::RelationTurn turn_of(Relations relations) {
-  return relations == Relations::judged ? properties::RelationTurn() : properties::no_relations;
-}
-
 using properties::Claim;
-using properties::ExactAnswer;
 using properties::JudgedCase;
 using properties::Judgement;
 using properties::Status;
@@ -39,24 +34,10 @@ struct Answers {
   std::vector<Answer> related;
 };
 
-class Judge {
- public:
-  Judge(const properties::Case& one, bool filtered) : judged_case_(one), filtered_(filtered) {}
-
-  Judgement operator()(Claim claim, Relations relations, const Answers& answers, double known_backward_error) const {
-    claim.yardstick = claim.yardstick.with_filters(filtered_);
-    const properties::Trial trial(judged_case_, claim, properties::lift(answers.first), turn_of(relations));
-    return trial.judge(answers.related, known_backward_error);
-  }
-
- private:
-  JudgedCase judged_case_;
-  bool filtered_;
-};
-
-Answers answers_of(const JudgedCase& judged_case, const Claim& claim, Session& session, Relations relations) {
+Answers answers_of(const JudgedCase& judged_case, const Claim& claim, Session& session,
+                   properties::RelationTurn relations) {
   Answers answers{properties::answers_of(session, std::span(&judged_case.generated().collision, 1)).front(), {}};
-  const properties::Trial trial(judged_case, claim, properties::lift(answers.first), turn_of(relations));
+  const properties::Trial trial(judged_case, claim, properties::lift(answers.first), relations);
   if (trial.question_count() > 0) {
     answers.related = properties::answers_of(session, trial.questions());
   }
@@ -99,13 +80,12 @@ void compare(const Judgement& fast, const Judgement& exact, const oracles::Yards
 
 }  // namespace
 
-void compare_judges(const properties::Case& one, std::span<Examined> subjects, Relations relations,
+void compare_judges(const properties::Case& one, std::span<Examined> subjects, properties::RelationTurn relations,
                     const std::string& origin, Agreement& agreement) {
   ++agreement.cases;
   properties::Stream choices = properties::stream_from(agreement.cases);
   const JudgedCase judged_case(one);
-  const Judge fast(one, true);
-  const Judge exact(one, false);
+  const JudgedCase judged_exactly(one);  // computes the facts of the case by itself
   for (Examined& examined : subjects) {
     oracles::Limits limits;
     if (choices.chance(3)) {
@@ -116,8 +96,15 @@ void compare_judges(const properties::Case& one, std::span<Examined> subjects, R
     // The judge need not compute a backward error that is at most `known`. So if `known` is infinite, lower bounds of
     // the sensitivity decide more often.
     const double known = choices.chance(2) ? 0 : std::numeric_limits<double>::infinity();
-    compare(fast(claim, relations, answers, known), exact(claim, relations, answers, 0), claim.yardstick,
-            origin + ", " + examined.subject.name, agreement);
+    const auto judgement = [&](bool filtered, double known_backward_error) {
+      Claim of_judge = claim;
+      of_judge.yardstick = claim.yardstick.with_filters(filtered);
+      const properties::Trial trial(filtered ? judged_case : judged_exactly, of_judge, properties::lift(answers.first),
+                                    relations);
+      return trial.judge(answers.related, known_backward_error);
+    };
+    compare(judgement(true, known), judgement(false, 0), claim.yardstick, origin + ", " + examined.subject.name,
+            agreement);
   }
 }
 

@@ -24,9 +24,6 @@ struct Agreement {
   std::string differences;  // in words, a line each, with the case
 };
 
-/// Whether relations (invariants that compare answers to related collisions) are judged, too.
-enum class Relations { left_out, judged };
-
 struct Examined {
   explicit Examined(Subject of) : subject(std::move(of)), session(subject.open()) {}
 
@@ -37,7 +34,7 @@ struct Examined {
 /// Asks each subject once for its answers to the case and to the related collisions. Both judges judge these answers,
 /// and each judge computes the facts of the case by itself. In one of three comparisons, the yardstick is a number of
 /// digits instead of ulps. `origin` names the case in a reported difference.
-void compare_judges(const properties::Case& one, std::span<Examined> subjects, Relations relations,
+void compare_judges(const properties::Case& one, std::span<Examined> subjects, properties::RelationTurn relations,
                     const std::string& origin, Agreement& agreement);
 
 }  // namespace carom::equality

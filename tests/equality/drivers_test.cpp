@@ -15,10 +15,10 @@
 #include <carom/properties/scenes/judged_impulses.hpp>
 #include <carom/properties/three_properties.hpp>
 
-#include "planted.hpp"
+#include "hard_to_judge.hpp"
 
 /// The gate, the kit, the three properties, plans and scenes give the verdicts of `judge_in_session`, by which a replay
-/// judges. The answers are planted near the limit (planted.hpp).
+/// judges. The answers are planted near the limit (hard_to_judge.hpp).
 namespace carom::equality {
 namespace {
 

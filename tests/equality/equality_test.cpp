@@ -13,10 +13,9 @@
 #include <carom/subjects/catalogue.hpp>
 
 #include "agreement.hpp"
+#include "hard_to_judge.hpp"
 #include "mutants/catalogue.hpp"
-#include "planted.hpp"
-#include "support/effort.hpp"
-#include "wild.hpp"
+#include "support/cases.hpp"
 
 /// The filters change no verdict of rational arithmetic. The fuzz target `judge` compares other cases and answers.
 namespace carom::equality {
@@ -39,8 +38,9 @@ std::vector<Examined> planting_in(std::initializer_list<Precision> precisions) {
 }
 
 /// Compares the judges on `cases` cases of each family. After about every fifth case, it compares them on a wild case
-/// (wild.hpp), too.
-void compare_on_families(std::span<Examined> examined, int cases, Relations relations, Agreement& agreement) {
+/// (hard_to_judge.hpp), too.
+void compare_on_families(std::span<Examined> examined, int cases, properties::RelationTurn relations,
+                         Agreement& agreement) {
   for (const properties::Family& family : properties::all_families()) {
     for (std::uint64_t index = 0; index < static_cast<std::uint64_t>(cases); ++index) {
       const std::string name(family.name);
@@ -56,7 +56,7 @@ void compare_on_families(std::span<Examined> examined, int cases, Relations rela
 }
 
 /// Rational arithmetic is quick on few digits, and exact coincidences occur.
-TEST(JudgeEquality, OnNumbersOfFewDigits) {
+TEST(FilteredJudge, EqualsTheRationalJudgeOnNumbersOfFewDigits) {
   std::vector<Examined> examined = planting_in({Precision::binary64});
   Agreement agreement;
   for (const properties::Family& family : properties::all_families()) {
@@ -67,19 +67,18 @@ TEST(JudgeEquality, OnNumbersOfFewDigits) {
       if (validate(drawn.collision).empty()) {
         EXPECT_TRUE(validate(one.collision).empty()) << family.name << ' ' << index;
       }
-      compare_judges(one, examined, Relations::judged, std::string(family.name) + ' ' + std::to_string(index),
-                     agreement);
+      compare_judges(one, examined, {}, std::string(family.name) + ' ' + std::to_string(index), agreement);
     }
   }
   EXPECT_EQ(agreement.differences, "");
 }
 
 /// Both verdicts, holds and violated, must occur near the limit.
-TEST(JudgeEquality, AtTheEdgeOfWhatIsAllowed) {
+TEST(FilteredJudge, EqualsTheRationalJudgeNearTheLimit) {
   std::vector<Examined> examined = planting_in({Precision::binary32, Precision::binary64, Precision::extended});
   Agreement agreement;
-  compare_on_families(examined, unit::effort(10), Relations::left_out, agreement);
-  compare_on_families(examined, 1, Relations::judged, agreement);
+  compare_on_families(examined, unit::effort(10), properties::no_relations, agreement);
+  compare_on_families(examined, 1, {}, agreement);
   EXPECT_EQ(agreement.differences, "");
   for (const char* name : {"backward_error", "linear_momentum", "angular_momentum", "restitution", "reflection_plane",
                            "frictionless_direction", "separating_untouched", "swap", "rotation"}) {
@@ -88,7 +87,7 @@ TEST(JudgeEquality, AtTheEdgeOfWhatIsAllowed) {
   }
 }
 
-TEST(JudgeEquality, OfBuiltInSubjectsAndMutants) {
+TEST(FilteredJudge, EqualsTheRationalJudgeOnBuiltInSubjectsAndMutants) {
   std::vector<Examined> examined;
   for (const Subject& subject : subjects::all_subjects()) {
     if (subject.absent.empty()) {
@@ -102,15 +101,15 @@ TEST(JudgeEquality, OfBuiltInSubjectsAndMutants) {
   constexpr int full = 50;
   const int cases = unit::effort(full) < full ? 1 : unit::effort(full);  // all subjects together take 0.2 s for a case
   Agreement agreement;
-  compare_on_families(examined, cases, Relations::judged, agreement);
-  compare_on_families(defective, 1, Relations::left_out, agreement);
+  compare_on_families(examined, cases, {}, agreement);
+  compare_on_families(defective, 1, properties::no_relations, agreement);
   EXPECT_EQ(agreement.differences, "");
   for (const properties::Invariant& invariant : properties::all_invariants()) {
     EXPECT_EQ(agreement.invariants.contains(std::string(invariant.name)), !invariant.is_of_session()) << invariant.name;
   }
 }
 
-TEST(JudgeEquality, IsOfJudgesWithAndWithoutFilters) {
+TEST(FilteredJudge, UsesFiltersUnlessTheyAreOff) {
   for (const bool filtered : {true, false}) {
     properties::GateOptions options;
     options.cases = 8;

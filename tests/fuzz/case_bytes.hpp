@@ -7,7 +7,7 @@
 
 #include <carom/properties/cases/family.hpp>
 
-#include "input.hpp"
+#include "target.hpp"
 
 /// Cases as bytes, in a drawn and a plain form. The first byte selects the form:
 ///

@@ -3,12 +3,17 @@
 
 #include <carom/collision/json/json.hpp>
 
-#include "input.hpp"
-#include "same_numbers.hpp"
 #include "target.hpp"
 
 namespace carom::fuzz {
 namespace {
+
+bool same_numbers(const Collision& x, const Collision& y) {
+  bool same = x.a.immovable == y.a.immovable && x.b.immovable == y.b.immovable;
+  for_each_number([&](const FieldPath&, const double& of_x, const double& of_y) { same &= same_number(of_x, of_y); }, x,
+                  y);
+  return same;
+}
 
 void read(std::string_view text) {
   try {

@@ -6,7 +6,6 @@
 
 #include <carom/collision/validate.hpp>
 
-#include "input.hpp"
 #include "io/input_file.hpp"
 #include "io/json_file.hpp"
 #include "io/usage_error.hpp"

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSL-1.0
-#include "law.hpp"
-
 #include <vector>
 
 #include <carom/collision/json/json.hpp>
@@ -72,6 +70,10 @@ bool is_in_claimed_domain(const Collision& collision, Law law) {
 
 }  // namespace
 
+/// Gives a case to a sound built-in solver of the law in double, and judges the answer on every invariant of the law.
+/// The first byte selects the solver; the case follows. The target prints a violation as a witness that `carom replay`
+/// reads. Beyond the claimed domain, a violation is no finding, but a refusal or two different
+/// answers to one case are findings.
 void judge_law(Bytes bytes, Law law) {
   static std::vector<Solver> solvers = solvers_of(law);
   Input input(bytes);

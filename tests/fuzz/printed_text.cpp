@@ -9,7 +9,6 @@
 #include <carom/collision/json/text.hpp>
 #include <carom/subjects/protocol/command_line.hpp>
 
-#include "input.hpp"
 #include "target.hpp"
 
 namespace carom::fuzz {

@@ -9,8 +9,6 @@
 #include <carom/subjects/protocol/hex_lines.hpp>
 #include <carom/subjects/protocol/messages.hpp>
 
-#include "input.hpp"
-#include "same_numbers.hpp"
 #include "target.hpp"
 
 namespace carom::fuzz {
@@ -28,6 +26,23 @@ bool is_whole(const protocol::Introduction& introduction) {
     whole = whole && name.size() <= surely_whole_name;
   }
   return whole;
+}
+
+bool same_numbers(const ReportedOutcome& x, const ReportedOutcome& y) {
+  bool same = true;
+  const auto of_x = vectors(x);
+  const auto of_y = vectors(y);
+  for (const OutcomeVector k : all_outcome_vectors) {
+    for (int i = 0; i < 3; ++i) {
+      same &= same_number((*of_x[k])[i], (*of_y[k])[i]);
+    }
+  }
+  if (x.collision_matrix && y.collision_matrix) {
+    for (int i = 0; i < 9; ++i) {
+      same &= same_number((*x.collision_matrix)(i / 3, i % 3), (*y.collision_matrix)(i / 3, i % 3));
+    }
+  }
+  return same && x.collision_matrix.has_value() == y.collision_matrix.has_value();
 }
 
 template <class Told>

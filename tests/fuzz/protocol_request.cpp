@@ -9,7 +9,6 @@
 #include <carom/subjects/protocol/messages.hpp>
 #include <carom/subjects/protocol/serve.hpp>
 
-#include "input.hpp"
 #include "target.hpp"
 
 namespace carom::fuzz {

@@ -23,7 +23,7 @@ TEST(Coulomb, SticksWhereFrictionSuffices) {
   EXPECT_TRUE(after.a.angular_velocity.isApprox(Vector3<double>(0, 0, 2), 0x1p-50)) << after.a.angular_velocity;
 }
 
-TEST(Coulomb, SlidesWhereItDoesNot) {
+TEST(Coulomb, SlidesWhereFrictionDoesNotSuffice) {
   const Outcome<double> after = coulomb(make_contact<double>(ball_on_a_plane(0.125)));
   EXPECT_TRUE(after.a.velocity.isApprox(Vector3<double>(-2.25, 2, 0), 0x1p-50)) << after.a.velocity;
   EXPECT_TRUE(after.a.angular_velocity.isApprox(Vector3<double>(0, 0, 1.5), 0x1p-50)) << after.a.angular_velocity;
@@ -45,7 +45,7 @@ TEST(Coulomb, EndsWhereTheTraceOverflows) {
   EXPECT_TRUE(std::isfinite(after.a.velocity.norm())) << after.a.velocity;
 }
 
-TEST(Coulomb, KeepsWhatSeparates) {
+TEST(Coulomb, LeavesASeparatingContactUnchanged) {
   Collision c = ball_on_a_plane(0.5);
   c.a.velocity[1] = 4;
   EXPECT_EQ(coulomb(make_contact<double>(c)).a.velocity, c.a.velocity);
@@ -53,7 +53,7 @@ TEST(Coulomb, KeepsWhatSeparates) {
 
 /// The outcome equals an exact answer, up to rounding. The condition number of K multiplies the rounding errors of a
 /// solve. For real bodies, this number is at most 16.
-TEST(Coulomb, FindsAnAnswer) {
+TEST(Coulomb, GivesOneOfTheExactAnswers) {
   int slides = 0;
   for (const char* family : {"physical", "collinear_spheres"}) {
     for (std::uint64_t i = 0; i < 40; ++i) {

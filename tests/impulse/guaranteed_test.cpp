@@ -48,14 +48,14 @@ int approaching_outcomes(const std::string& subject) {
   return approaching;
 }
 
-TEST(Guaranteed, NeverPenetratesAndThePlainLawsDo) {
+TEST(Guaranteed, NeverLeavesAnApproachThoughThePlainSolversDo) {
   EXPECT_EQ(approaching_outcomes("frictionless-guaranteed-double"), 0);
   EXPECT_EQ(approaching_outcomes("reflection-guaranteed-double"), 0);
   EXPECT_GT(approaching_outcomes("frictionless-double"), 50);
   EXPECT_GT(approaching_outcomes("reflection-double"), 50);
 }
 
-TEST(Guaranteed, LeavesWhatDoesNotApproachUntouched) {
+TEST(Guaranteed, LeavesContactsThatDoNotApproachUnchanged) {
   for (const char* name : {"frictionless-guaranteed-double", "reflection-guaranteed-double"}) {
     Session session = subjects::subject_named(name)->open();
     int untouched = 0;
@@ -74,7 +74,7 @@ TEST(Guaranteed, LeavesWhatDoesNotApproachUntouched) {
   }
 }
 
-TEST(Guaranteed, ChangesOnlyWhatPenetrates) {
+TEST(Guaranteed, ChangesOnlyOutcomesThatApproach) {
   Session plain = subjects::subject_named("reflection-double")->open();
   int changed = 0;
   for (const auto& [family, one] : unit::valid_cases(20)) {
@@ -92,7 +92,7 @@ TEST(Guaranteed, ChangesOnlyWhatPenetrates) {
   EXPECT_GT(changed, 5);
 }
 
-TEST(Guaranteed, MendsAnOutcomeThatIsFarOff) {
+TEST(Guaranteed, StopsTheApproachOfAnOutcomeThatIsFarOff) {
   for (const auto& [family, one] : unit::valid_cases(20)) {
     const Outcome<double> idle = unchanged(one.collision);
     if (!one.collision.a.immovable || !one.collision.b.immovable) {
@@ -101,7 +101,7 @@ TEST(Guaranteed, MendsAnOutcomeThatIsFarOff) {
   }
 }
 
-TEST(NormalVelocitySign, IsThatOfRationals) {
+TEST(NormalVelocitySign, EqualsTheSignInRationalArithmetic) {
   int zeros = 0;
   for (const auto& [family, one] : unit::valid_cases(cases_of_each)) {
     const Outcome<double> before = unchanged(one.collision);
@@ -114,7 +114,7 @@ TEST(NormalVelocitySign, IsThatOfRationals) {
 }
 
 /// N·V rounds to zero in binary64, so the size of the needed correction is unknown.
-TEST(Guaranteed, ComesToAnEndWhereTheNormalVelocityUnderflows) {
+TEST(Guaranteed, EndsWhereTheNormalVelocityUnderflows) {
   Collision collision;
   collision.b.immovable = true;
   collision.normal = {0, 1e-320, 0};

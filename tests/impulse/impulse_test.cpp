@@ -200,39 +200,6 @@ TEST(Reflection, EqualsFrictionlessForSpheres) {
   EXPECT_GT(colliding, 450);  // touching_spheres approach unless V·N = 0
 }
 
-TEST(Reflection, DiffersFromFrictionlessForGeneralBodies) {
-  const auto contact = exact_contact(unit::case_of("elastic", 0).collision);
-  EXPECT_FALSE(same(reflection<Ldlt>(contact), frictionless(contact)));
-}
-
-/// F depends on V⁻ only through N·V⁻.
-TEST(Reflection, AddsATangentialVelocityAndChangesNothingElse) {
-  for (std::uint64_t i = 0; i < 50; ++i) {
-    properties::Stream stream = stream_of(i);
-    const Collision head_on = unit::small_collision(stream);
-    auto contact = exact_contact(head_on);
-    const ExactVector n = contact.normal;
-    const ExactVector slip = n.cross(unit::exact_eighths3(stream, 9)) / Rational(1 << 20);
-    const Outcome<Rational> before = reflection<Ldlt>(contact);
-    contact.a.velocity += slip;
-    Outcome<Rational> expected = before;
-    expected.a.velocity += slip;
-    EXPECT_TRUE(same(reflection<Ldlt>(contact), expected)) << i;
-  }
-}
-
-TEST(Solvers, GiveTheSameForANormalOfAnyLength) {
-  for (std::uint64_t i = 0; i < 50; ++i) {
-    properties::Stream stream = stream_of(i);
-    auto contact = exact_contact(unit::small_collision(stream));
-    const Outcome<Rational> by_frictionless = frictionless(contact);
-    const Outcome<Rational> by_reflection = reflection<Adjugate>(contact);
-    contact.normal *= ratio(11, 7);
-    EXPECT_TRUE(same(frictionless(contact), by_frictionless)) << i;
-    EXPECT_TRUE(same(reflection<Adjugate>(contact), by_reflection)) << i;
-  }
-}
-
 template <class S>
 void expect_rough_to_be_frictionless(const Collision& collision, std::string_view family) {
   const auto contact = make_contact<S>(collision);

@@ -156,7 +156,7 @@ TYPED_TEST(NotSlender, TurnsBallsThatAreStruckASmallDistanceFromTheirRadius) {
 }
 
 /// |r × N| |r| of the wall overflows in float, but its J⁻¹ is 0.
-TEST(TurnsNoBody, LeavesOutAFarWall) {
+TEST(TurnsNoBody, IgnoresTheLeverArmOfAFarWall) {
   properties::Stream stream = properties::stream_from(1);
   Contact<float> contact = touching_balls<float>(stream, 0.5);
   contact.b.inertia = PrincipalInertia<float>::immovable();

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: BSL-1.0
-#include "one_property_broken.hpp"
-
-#include <array>
 #include <optional>
 #include <string>
-#include <utility>
 
 #include <carom/impulse/collision_matrix.hpp>
 #include <carom/impulse/frictionless.hpp>
 #include <carom/impulse/reflection.hpp>
 #include <carom/subjects/session.hpp>
+
+#include "catalogue.hpp"
 
 namespace carom::mutants {
 namespace {
@@ -19,25 +17,6 @@ using Matrix = Matrix3<double>;
 using Contact = impulse::Contact<double>;
 using ContactBody = impulse::ContactBody<double>;
 using Solved = SolvedOutcome<double>;
-
-Subject claiming_any(std::string name, bool shows_matrix, Solved (*solve)(const Contact&)) {
-  Subject subject;
-  subject.name = std::move(name);
-  subject.law = Law::any;
-  subject.precision = Precision::binary64;
-  subject.shows_collision_matrix = shows_matrix;
-  subject.open = [solve] {
-    return subjects::session_of([solve](const Collision& collision) -> Answer {
-      return reported(solve(impulse::make_contact<double>(collision)));
-    });
-  };
-  return subject;
-}
-
-Subject without_restitution(Subject subject) {
-  subject.deviates.emplace_back("restitution");
-  return subject;
-}
 
 Solved solve_frictionless(const Contact& contact) { return impulse::frictionless(contact); }
 
@@ -120,49 +99,41 @@ Solved spin_about_normal_halved(const Contact& contact) {
 
 // The matrix.
 
-struct Reflected {
-  Outcome<double> outcome;
-  Vector impulse = Vector::Zero();
-  std::optional<Matrix> matrix;
-};
-
-Reflected reflected(const Contact& contact) {
-  Reflected result;
+/// Reflects, and reports the collision matrix after `damage(matrix, impulse)`.
+template <class Damage>
+Solved reflected(const Contact& contact, const Damage& damage) {
+  std::optional<Matrix> shown;
   const auto impulse = impulse::reflection_impulse(contact, impulse::normal_velocity(contact),
-                                                   [&](const Matrix& matrix) { result.matrix = matrix; });
-  result.outcome = impulse::apply_impulse(contact, impulse);
-  result.impulse = impulse.on_a;
-  return result;
+                                                   [&](const Matrix& matrix) { shown = matrix; });
+  if (shown) {
+    damage(*shown, impulse.on_a);
+  }
+  return {impulse::apply_impulse(contact, impulse), shown};
 }
 
 Solved solve_reflection(const Contact& contact) {
-  const Reflected answer = reflected(contact);
-  return {answer.outcome, answer.matrix};
+  return reflected(contact, [](Matrix&, const Vector&) {});
 }
 
 /// Reports (K F)(K F)ᵀ / (F·K F). This matrix maps the impulse F to K F, as K does.
 Solved guessed_from_one_impulse(const Contact& contact) {
-  Reflected answer = reflected(contact);
-  if (answer.matrix) {
-    const Vector change = *answer.matrix * answer.impulse;
+  return reflected(contact, [](Matrix& matrix, const Vector& impulse) {
+    const Vector change = matrix * impulse;
     const double size = change.stableNorm();
     const Vector along = change / size;
-    answer.matrix = along * along.transpose() * (size / along.dot(answer.impulse));
-  }
-  return {answer.outcome, answer.matrix};
+    matrix = along * along.transpose() * (size / along.dot(impulse));
+  });
 }
 
 /// Reports a matrix with the wrong sign in one direction orthogonal to the impulse.
 Solved reversed_across_impulse(const Contact& contact) {
-  Reflected answer = reflected(contact);
-  if (answer.matrix) {
-    const Vector f = answer.impulse.stableNormalized();
+  return reflected(contact, [](Matrix& matrix, const Vector& impulse) {
+    const Vector f = impulse.stableNormalized();
     int least = 0;
     f.cwiseAbs().minCoeff(&least);
     const Vector across = f.cross(Vector::Unit(least)).stableNormalized();
-    *answer.matrix -= across * across.transpose() * (2 * across.dot(*answer.matrix * across));
-  }
-  return {answer.outcome, answer.matrix};
+    matrix -= across * across.transpose() * (2 * across.dot(matrix * across));
+  });
 }
 
 /// Solves without friction, so that F is parallel to N. Reports K without half of its Schur complement across N. The
@@ -180,80 +151,64 @@ Solved halved_across_normal(const Contact& contact) {
 
 /// Reports λI with λ = 1/m_A + 1/m_B, as if no impulse turned a body.
 Solved matrix_of_masses_alone(const Contact& contact) {
-  Reflected answer = reflected(contact);
-  if (answer.matrix) {
-    answer.matrix = Matrix::Identity() * impulse::inverse_mass(contact);
-  }
-  return {answer.outcome, answer.matrix};
+  return reflected(
+      contact, [&](Matrix& matrix, const Vector&) { matrix = Matrix::Identity() * impulse::inverse_mass(contact); });
 }
 
 /// Reports K + [f]× with f parallel to F. The impulse does not show the error, because f × F = 0.
 Solved not_symmetric(const Contact& contact) {
-  Reflected answer = reflected(contact);
-  if (answer.matrix) {
-    const Vector f = answer.impulse.stableNormalized() * answer.matrix->trace();
+  return reflected(contact, [](Matrix& matrix, const Vector& impulse) {
+    const Vector f = impulse.stableNormalized() * matrix.trace();
     Matrix skew;
     skew << 0, -f[2], f[1], f[2], 0, -f[0], -f[1], f[0], 0;
-    *answer.matrix += skew;
-  }
-  return {answer.outcome, answer.matrix};
+    matrix += skew;
+  });
 }
 
-const std::array defects{
-    BrokenProperty{"stopped_short",
-                   "non_penetrating_post_velocity",
-                   "the impulse is nine tenths of what stops the approach",
-                   {"non_penetration"},
-                   [] { return without_restitution(claiming_any("stopped_short", false, stopped_short)); }},
-    BrokenProperty{
-        "ground_taken_as_at_rest",
-        "non_penetrating_post_velocity",
-        "a moving immovable body is taken to be at rest",
-        {"non_penetration", "parting_speed", "impulse_bound"},
-        [] { return without_restitution(claiming_any("ground_taken_as_at_rest", false, ground_taken_as_at_rest)); }},
-    BrokenProperty{"guessed_from_one_impulse",
-                   "positive_definiteness",
-                   "C is guessed from the one impulse, and has rank one",
-                   {"definite", "matrix_used"},
-                   [] { return claiming_any("guessed_from_one_impulse", true, guessed_from_one_impulse); }},
-    BrokenProperty{"reversed_across_impulse",
-                   "positive_definiteness",
-                   "C has the wrong sign in a direction across the impulse",
-                   {"definite", "matrix_used"},
-                   [] { return claiming_any("reversed_across_impulse", true, reversed_across_impulse); }},
-    BrokenProperty{"halved_across_normal",
-                   "positive_definiteness",
-                   "C lacks half of its Schur complement across the normal",
-                   {"definite", "matrix_used"},
-                   [] { return claiming_any("halved_across_normal", true, halved_across_normal); }},
-    BrokenProperty{"matrix_of_masses_alone",
-                   "positive_definiteness",
-                   "C is shown as if no body turned",
-                   {"matrix_used"},
-                   [] { return claiming_any("matrix_of_masses_alone", true, matrix_of_masses_alone); }},
-    BrokenProperty{"not_symmetric",
-                   "positive_definiteness",
-                   "C has a skew part about the impulse",
-                   {"matrix_used"},
-                   [] { return claiming_any("not_symmetric", true, not_symmetric); }},
-    BrokenProperty{"heavier_gets_less",
-                   "momentum_conservation",
-                   "the heavier body gets nine tenths of the impulse on the lighter one",
-                   {"linear_momentum", "angular_momentum", "impulse_bound"},
-                   [] { return claiming_any("heavier_gets_less", false, heavier_gets_less); }},
-    BrokenProperty{"spin_about_normal_halved",
-                   "momentum_conservation",
-                   "each body's spin about the normal is halved, and nothing takes it up",
-                   {"angular_momentum"},
-                   [] { return claiming_any("spin_about_normal_halved", false, spin_about_normal_halved); }},
+constexpr BrokenProperty defects[]{
+    {"stopped_short", "non_penetrating_post_velocity", "non_penetration", stopped_short},
+    {"ground_taken_as_at_rest", "non_penetrating_post_velocity", "non_penetration parting_speed impulse_bound",
+     ground_taken_as_at_rest},
+    {"guessed_from_one_impulse", "positive_definiteness", "definite matrix_used", guessed_from_one_impulse},
+    {"reversed_across_impulse", "positive_definiteness", "definite matrix_used", reversed_across_impulse},
+    {"halved_across_normal", "positive_definiteness", "definite matrix_used", halved_across_normal},
+    {"matrix_of_masses_alone", "positive_definiteness", "matrix_used", matrix_of_masses_alone},
+    {"not_symmetric", "positive_definiteness", "matrix_used", not_symmetric},
+    {"heavier_gets_less", "momentum_conservation", "linear_momentum angular_momentum impulse_bound", heavier_gets_less},
+    {"spin_about_normal_halved", "momentum_conservation", "angular_momentum", spin_about_normal_halved},
 };
+
+Subject claiming_any(std::string_view name, Solved (*solve)(const Contact&)) {
+  Subject subject;
+  subject.name = name;
+  subject.law = Law::any;
+  subject.precision = Precision::binary64;
+  subject.open = [solve] {
+    return subjects::session_of([solve](const Collision& collision) -> Answer {
+      return reported(solve(impulse::make_contact<double>(collision)));
+    });
+  };
+  return subject;
+}
 
 }  // namespace
 
 std::span<const BrokenProperty> broken_properties() { return defects; }
 
+Subject subject_of(const BrokenProperty& broken) {
+  Subject subject = claiming_any(broken.name, broken.solve);
+  subject.shows_collision_matrix = broken.property == "positive_definiteness";
+  if (broken.property == "non_penetrating_post_velocity") {
+    subject.deviates.emplace_back("restitution");
+  }
+  return subject;
+}
+
 std::vector<Subject> unbroken_subjects() {
-  return {claiming_any("frictionless", false, solve_frictionless), claiming_any("reflection", true, solve_reflection)};
+  std::vector<Subject> subjects{claiming_any("frictionless", solve_frictionless),
+                                claiming_any("reflection", solve_reflection)};
+  subjects[1].shows_collision_matrix = true;
+  return subjects;
 }
 
 }  // namespace carom::mutants

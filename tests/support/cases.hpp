@@ -2,15 +2,15 @@
 #pragma once
 
 #include <bit>
+#include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include <carom/properties/cases/family.hpp>
-
-#include "effort.hpp"
 
 /// The collisions of the tests. The seeds are fixed, so a failure is reproducible.
 namespace carom::unit {
@@ -37,7 +37,14 @@ inline constexpr std::uint64_t seed = 20240607;
   return cases;
 }
 
-/// Like valid_cases, with fewer cases of each family if the test is sampled (effort.hpp).
+/// The number of cases of a heavy test: `full` times the environment variable CAROM_EFFORT, rounded up, or `full` if
+/// the variable is not set. CTest sets the variable for SAMPLED tests (tests/CMakeLists.txt).
+[[nodiscard]] inline int effort(int full) {
+  const char* const share = std::getenv("CAROM_EFFORT");
+  return share == nullptr ? full : static_cast<int>(std::ceil(full * std::strtod(share, nullptr)));
+}
+
+/// Like valid_cases, with fewer cases of each family if the test is sampled.
 [[nodiscard]] inline std::vector<std::pair<std::string_view, properties::Case>> sampled_cases(int of_each) {
   return valid_cases(static_cast<std::uint64_t>(effort(of_each)));
 }

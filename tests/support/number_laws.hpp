@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <functional>
+
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
@@ -114,39 +116,23 @@ TYPED_TEST_P(NumberLaws, ContainTheIntegers) {
   }
 }
 
-TYPED_TEST_P(NumberLaws, AssignAsTheyCompute) {
+/// `x += y` gives x + y, and `x += x` gives x + x.
+TYPED_TEST_P(NumberLaws, AssignAsTheyComputeAlsoToThemselves) {
   this->for_each_triple([&](const TypeParam& x, const TypeParam& y, const TypeParam&) {
-    TypeParam sum = x;
-    TypeParam difference = x;
-    TypeParam product = x;
-    EXPECT_TRUE(this->same(sum += y, x + y));
-    EXPECT_TRUE(this->same(difference -= y, x - y));
-    EXPECT_TRUE(this->same(product *= y, x * y));
-    if (!NumberType<TypeParam>::is_zero(y)) {
-      TypeParam quotient = x;
-      EXPECT_TRUE(this->same(quotient /= y, x / y));
-    }
-  });
-}
-
-TYPED_TEST_P(NumberLaws, SurviveBeingTheirOwnOperand) {
-  // `sum += sum` would cause a compiler warning.
-  const auto itself = [](const TypeParam& x) -> const TypeParam& { return x; };
-  this->for_each_triple([&](const TypeParam& x, const TypeParam&, const TypeParam&) {
-    TypeParam sum = x;
-    TypeParam difference = x;
-    TypeParam product = x;
-    sum += itself(sum);
-    difference -= itself(difference);
-    product *= itself(product);
-    EXPECT_TRUE(this->same(sum, x + x));
-    EXPECT_TRUE(this->same(difference, x - x));
-    EXPECT_TRUE(this->same(product, x * x));
-    if (!NumberType<TypeParam>::is_zero(x)) {
-      TypeParam quotient = x;
-      quotient /= itself(quotient);
-      EXPECT_TRUE(this->same(quotient, x / x));
-    }
+    const auto expect_same = [&](const auto& assign, const auto& compute, bool divides) {
+      if (!divides || !NumberType<TypeParam>::is_zero(y)) {
+        TypeParam assigned = x;
+        EXPECT_TRUE(this->same(assign(assigned, y), compute(x, y)));
+      }
+      if (!divides || !NumberType<TypeParam>::is_zero(x)) {
+        TypeParam own = x;
+        EXPECT_TRUE(this->same(assign(own, own), compute(x, x)));
+      }
+    };
+    expect_same([](TypeParam& to, const TypeParam& by) { return to += by; }, std::plus<>(), false);
+    expect_same([](TypeParam& to, const TypeParam& by) { return to -= by; }, std::minus<>(), false);
+    expect_same([](TypeParam& to, const TypeParam& by) { return to *= by; }, std::multiplies<>(), false);
+    expect_same([](TypeParam& to, const TypeParam& by) { return to /= by; }, std::divides<>(), true);
   });
 }
 
@@ -175,6 +161,6 @@ TYPED_TEST_P(NumberLaws, GoThroughEigen) {
 }
 
 REGISTER_TYPED_TEST_SUITE_P(NumberLaws, CommuteBitForBit, Associate, Distribute, HaveNeutralNumbers, HaveInverses,
-                            ContainTheIntegers, AssignAsTheyCompute, SurviveBeingTheirOwnOperand, GoThroughEigen);
+                            ContainTheIntegers, AssignAsTheyComputeAlsoToThemselves, GoThroughEigen);
 
 }  // namespace carom::unit

@@ -9,6 +9,7 @@
 #include <boost/process/child.hpp>
 #include <boost/process/exe.hpp>
 #include <boost/process/io.hpp>
+#include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -27,6 +28,22 @@ RunResult run_program(const std::string& program, const std::vector<std::string>
                   bp::std_err > errors.string());
   child.wait();
   return {child.exit_code(), content_of(output), content_of(errors)};
+}
+
+std::vector<std::string> accepted_by(const std::string& schema, std::vector<std::string> files) {
+  std::vector<std::string> arguments{"-W", "ignore", "-m", "jsonschema", "--output", "pretty"};
+  for (const std::string& file : files) {
+    arguments.insert(arguments.end(), {"-i", file});
+  }
+  arguments.push_back(schema);
+  const RunResult result = run_program("/usr/bin/python3", arguments);
+  std::erase_if(files, [&](const std::string& file) {
+    const bool is_rejected = result.errors.find("===[ValidationError]===(" + file + ")===") != std::string::npos;
+    const bool is_accepted = result.output.find("===[SUCCESS]===(" + file + ")===") != std::string::npos;
+    EXPECT_NE(is_rejected, is_accepted) << file << ": " << result.errors;
+    return is_rejected;
+  });
+  return files;
 }
 
 pid_t start_carom(const std::vector<std::string>& arguments) {

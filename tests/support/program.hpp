@@ -25,6 +25,10 @@ inline constexpr const char* few_families_judge_no =
 
 [[nodiscard]] RunResult run_program(const std::string& program, const std::vector<std::string>& arguments);
 
+/// The files that the JSON schema accepts, in order. One process of python3-jsonschema reads all files, because its
+/// start takes a second.
+[[nodiscard]] std::vector<std::string> accepted_by(const std::string& schema, std::vector<std::string> files);
+
 /// Starts `carom ARG…` and discards its output.
 [[nodiscard]] pid_t start_carom(const std::vector<std::string>& arguments);
 

@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "support/program.hpp"
-#include "support/schema.hpp"
 
 namespace carom::tests {
 namespace {

@@ -8,7 +8,6 @@
 #include <pugixml.hpp>
 
 #include "support/program.hpp"
-#include "support/schema.hpp"
 
 namespace carom::tests {
 namespace {

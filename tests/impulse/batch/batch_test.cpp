@@ -47,6 +47,15 @@ std::vector<Contact<S>> mixed_contacts(std::size_t count) {
 }
 
 template <class S>
+ContactBatch<S> batch_of(const std::vector<Contact<S>>& contacts) {
+  ContactBatch<S> batch(contacts.size());
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    batch.set(i, contacts[i]);
+  }
+  return batch;
+}
+
+template <class S>
 Outcome<S> solved_alone(const Contact<S>& contact, Law law) {
   Outcome<S> outcome;
   with_law(law, [&](const auto& solver) { outcome = apply_impulse(contact, solver(contact)); });
@@ -89,10 +98,7 @@ TYPED_TEST_SUITE(Batch, Scalars);
 TYPED_TEST(Batch, GivesTheBitsOfTheScalarSolvers) {
   using S = TypeParam;
   const auto contacts = mixed_contacts<S>(4801);
-  ContactBatch<S> batch(contacts.size());
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    batch.set(i, contacts[i]);
-  }
+  ContactBatch<S> batch = batch_of(contacts);
   for (const InstructionSet set : available_instruction_sets()) {
     for (const Law law : laws_with_truth) {
       OutcomeBatch<S> outcomes(contacts.size());
@@ -174,7 +180,7 @@ struct Guarded {
   std::size_t offset;
 };
 
-TYPED_TEST(Batch, TakesEveryLengthAndAlignment) {
+TYPED_TEST(Batch, AcceptsEveryLengthAndAlignment) {
   using S = TypeParam;
   constexpr std::size_t widest = 64 / sizeof(S);
   const auto contacts = mixed_contacts<S>(2 * widest + 1);
@@ -206,10 +212,7 @@ TYPED_TEST(Batch, MayReplaceTheVelocitiesThatItReads) {
   const auto contacts = mixed_contacts<S>(101);
   for (const InstructionSet set : available_instruction_sets()) {
     for (const Law law : laws_with_truth) {
-      ContactBatch<S> batch(contacts.size());
-      for (std::size_t i = 0; i < contacts.size(); ++i) {
-        batch.set(i, contacts[i]);
-      }
+      ContactBatch<S> batch = batch_of(contacts);
       const ContactArrays<S> arrays = batch.arrays();
       solve(read_only(arrays), law,
             {{arrays.a.velocity, arrays.a.angular_velocity}, {arrays.b.velocity, arrays.b.angular_velocity}}, set);
@@ -220,7 +223,7 @@ TYPED_TEST(Batch, MayReplaceTheVelocitiesThatItReads) {
   }
 }
 
-TYPED_TEST(Batch, TakesALawThatMakesAnImpulseOrAnOutcome) {
+TYPED_TEST(Batch, AcceptsASolverThatReturnsAnImpulseOrAnOutcome) {
   using S = TypeParam;
   const auto contacts = mixed_contacts<S>(4 * Pack<S>::size() - 1);
   ContactBatch<S> batch(contacts.size());
@@ -265,10 +268,7 @@ TYPED_TEST(Batch, BoundsEachNumberFromBelowAsTheScalarDoes) {
 
 TEST(ContactBatch, GivesBackWhatWasSet) {
   const auto contacts = mixed_contacts<double>(50);
-  ContactBatch<double> batch(contacts.size());
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    batch.set(i, contacts[i]);
-  }
+  ContactBatch<double> batch = batch_of(contacts);
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const Contact<double> back = batch.at(i);
     EXPECT_EQ(back.a.inertia.axes, contacts[i].a.inertia.axes) << i;
@@ -309,7 +309,7 @@ TEST(ContactBatch, KeepsApartWithinPagesWhatIsReadAndWrittenTogether) {
   }
 }
 
-TEST(BatchErrors, AreThrown) {
+TEST(ContactBatch, IsNotSolvedForAnotherSizeALawWithoutSolverOrAnAbsentInstructionSet) {
   ContactBatch<double> contacts(3);
   OutcomeBatch<double> outcomes(3);
   OutcomeBatch<double> shorter(2);

@@ -11,7 +11,7 @@
 #include <carom/oracles/laws/certify.hpp>
 #include <carom/oracles/truths/models.hpp>
 
-#include "support/effort.hpp"
+#include "support/cases.hpp"
 #include "support/exact.hpp"
 
 namespace carom::oracles {

@@ -16,7 +16,7 @@
 #include <carom/subjects/catalogue.hpp>
 
 #include "io/threads.hpp"
-#include "support/effort.hpp"
+#include "support/cases.hpp"
 
 namespace carom::properties {
 namespace {

@@ -13,7 +13,6 @@
 #include <carom/subjects/catalogue.hpp>
 
 #include "support/cases.hpp"
-#include "support/effort.hpp"
 
 namespace carom::properties {
 namespace {

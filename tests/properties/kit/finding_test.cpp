@@ -254,7 +254,7 @@ INSTANTIATE_TEST_SUITE_P(Of, SoundSuite,
 class MutantSuite : public testing::TestWithParam<mutants::Mutant> {};
 
 TEST_P(MutantSuite, FailsInTheTestsOfTheInvariantsThatSpeakOfTheDefect) {
-  for (const std::string_view expected : GetParam().rejected_by) {
+  for (const std::string_view expected : mutants::names_in(GetParam().rejected_by)) {
     bool failed = false;
     for (const Statement& statement : statements(mutants::subject_of(GetParam()))) {
       statement.suite->diagnosed_in = "";  // other tests examine the diagnosis

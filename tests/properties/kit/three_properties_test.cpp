@@ -24,7 +24,7 @@
 #include <carom/rapidcheck.hpp>
 #include <carom/subjects/catalogue.hpp>
 
-#include "mutants/one_property_broken.hpp"
+#include "mutants/catalogue.hpp"
 #include "support/planted_formula.hpp"
 
 /// Every sound built-in solver has the three properties. Each solver with a planted defect lacks exactly one.
@@ -133,7 +133,7 @@ TEST(EverySolver, IsJudged) {
 class PlantedDefect : public testing::TestWithParam<mutants::BrokenProperty> {};
 
 TEST_P(PlantedDefect, LacksThatPropertyAlone) {
-  Solver solver(GetParam().subject());
+  Solver solver(subject_of(GetParam()));
   for (const properties::Property& property : properties::three_properties()) {
     const bool is_found = conformance::falsified(
         "", [&](const Collision& collision) { RC_ASSERT(solver.violation(property.name, collision) == ""); });

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <iostream>
 #include <limits>
 #include <string_view>
@@ -11,8 +12,11 @@
 
 #include <carom/impulse/guaranteed.hpp>
 #include <carom/impulse/laws.hpp>
+#include <carom/impulse/refined.hpp>
 #include <carom/impulse/reflection_in_basis.hpp>
+#include <carom/impulse/sticking.hpp>
 #include <carom/impulse/world_inertia.hpp>
+#include <carom/oracles/exact/rational.hpp>
 #include <carom/oracles/judge/accuracy.hpp>
 #include <carom/oracles/judge/compare.hpp>
 #include <carom/oracles/laws/kinematics.hpp>
@@ -26,6 +30,8 @@
 /// this error is u ρ. In the body frame, the error is only that of a rotation by the angle u.
 namespace carom::impulse {
 namespace {
+
+using oracles::Rational;
 
 double ratio_of_moments(const Body& body) {
   return body.principal_inertia.maxCoeff() / body.principal_inertia.minCoeff();
@@ -148,14 +154,19 @@ Collision rod_on_its_tip(properties::Stream& stream, double ratio) {
 }
 
 template <class S>
-double backward_error(const Collision& c, Law law, const Outcome<S>& outcome) {
-  const auto yardstick = oracles::Yardstick::of(precision_of<S>);
+oracles::Accuracy accuracy_of(const Collision& c, Law law, const Outcome<S>& outcome) {
   const auto reported = map_outcome<long double>(outcome, [](S x) { return static_cast<long double>(x); });
-  return oracles::accuracy(oracles::ExactCase(c), law, oracles::LiftedOutcome(reported), yardstick)
-      .backward_error(yardstick.unit_roundoff());
+  return oracles::accuracy(oracles::ExactCase(c), law, oracles::LiftedOutcome(reported),
+                           oracles::Yardstick::of(precision_of<S>));
 }
 
-/// Whether the rod is thinner than the rounding of its position. If so, any spin about its long axis is permitted.
+template <class S>
+double backward_error(const Collision& c, Law law, const Outcome<S>& outcome) {
+  return accuracy_of(c, law, outcome).backward_error(oracles::Yardstick::of(precision_of<S>).unit_roundoff());
+}
+
+/// Whether the rounding of the positions decides the outcome. For a rod that is thinner than this rounding, any spin
+/// about its long axis is permitted.
 template <class S>
 bool is_blind(const Collision& c) {
   const double allowance = oracles::default_limit_ulps * std::numeric_limits<S>::epsilon() / 2;
@@ -257,7 +268,7 @@ TEST(SlenderBodies, KeepTheirSpinWhereTheApproachIsRoundedAway) {
 }
 
 /// The family `physical` also draws slender bodies, with ρ > 10⁷.
-TEST(PhysicalBodies, AreSlenderToo) {
+TEST(PhysicalBodies, IncludeSlenderOnes) {
   properties::Stream stream = properties::stream_from(96);
   double largest = 0;
   int beyond_world_coordinates = 0;
@@ -269,6 +280,135 @@ TEST(PhysicalBodies, AreSlenderToo) {
   }
   EXPECT_GT(largest, 1e7);
   EXPECT_GT(beyond_world_coordinates, count / 20);
+}
+
+// A body that is struck on its tip along its lever arm. The collision matrix K has the eigenvalue λ = 1/m_A + 1/m_B
+// along N, and eigenvalues up to 16 λ across N.
+
+template <class S>
+class Tips : public testing::Test {};
+TYPED_TEST_SUITE(Tips, Scalars);
+
+/// The cases of `needle_tip` in which the rounding of the positions does not decide the outcome.
+template <class S>
+std::vector<Collision> struck_tips(std::uint64_t count) {
+  std::vector<Collision> tips;
+  for (std::uint64_t i = 0; i < count; ++i) {
+    const Collision c = unit::case_of("needle_tip", i).collision;
+    if (!is_blind<S>(c)) {
+      tips.push_back(c);
+    }
+  }
+  return tips;
+}
+
+template <class S, class Solver>
+double worst_missed_restitution(const std::vector<Collision>& tips, const Solver& solver) {
+  double worst = 0;
+  for (const Collision& c : tips) {
+    const Contact<S> contact = make_contact<S>(c);
+    worst = std::max(worst, missed(oracles::equation::Restitution{}, c, apply_impulse(contact, solver(contact))));
+  }
+  return worst;
+}
+
+/// Reflection by one solve without refinement.
+template <class S>
+ContactImpulse<S> solved_once(const Contact<S>& contact) {
+  const S approach = normal_velocity(contact);
+  const Vector3<S> change =
+      contact.normal * S(-(S(1) + contact.restitution) * approach / dot(contact.normal, contact.normal));
+  return contact_impulse(contact, approach < S(0),
+                         Ldlt::solve<S>(collision_matrix(contact), change, inverse_mass(contact)));
+}
+
+TYPED_TEST(Tips, HoldTheRestitution) {
+  const std::vector<Collision> tips = struck_tips<TypeParam>(4000);
+  const double once = worst_missed_restitution<TypeParam>(tips, solved_once<TypeParam>);
+  std::cout << "worst residual of N·V⁺ in " << tips.size() << " cases: reflection solved once " << once << " ulps";
+  for (const Law law : {Law::reflection, Law::sticking, Law::rough}) {
+    with_law(law, [&](const auto& solver) {
+      const double worst = worst_missed_restitution<TypeParam>(tips, solver);
+      std::cout << ", " << name_of(law) << ' ' << worst;
+      EXPECT_GT(worst, 0) << name_of(law);
+      EXPECT_LT(worst, oracles::default_limit_ulps * 3 / 8) << name_of(law);
+      if (law == Law::reflection) {
+        EXPECT_LT(worst, once);
+      }
+    });
+  }
+  std::cout << '\n';
+}
+
+/// The error of J⁻¹ (r × F) × r would be thousands of ulps.
+TYPED_TEST(Tips, RespondAsInExactArithmetic) {
+  for (std::uint64_t i = 0; i < 500; ++i) {
+    const Contact<TypeParam> contact = make_contact<TypeParam>(unit::case_of("needle_tip", i).collision);
+    const Contact<Rational> exact = rounded<Rational>(contact);
+    const Vector3<Rational> expected = response(exact, exact.normal);
+    const Vector3<TypeParam> computed = response(contact, contact.normal);
+    double error = 0;
+    double size = 0;
+    for (int k = 0; k < 3; ++k) {
+      error += std::abs(oracles::to_double(Rational(Rational(computed[k]) - expected[k])));
+      size += std::abs(oracles::to_double(expected[k]));
+    }
+    // K has eigenvalues up to 16 λ, and K N is at least λ N. A sum of products has an error of a few roundings.
+    EXPECT_LT(error, 4 * 16 * size * std::numeric_limits<TypeParam>::epsilon() / 2) << i;
+  }
+}
+
+/// A matrix that is singular up to rounding gives no correction, so the impulse stays that of the solve.
+TEST(SolvedImpulse, KeepsTheSolutionIfTheCorrectionIsLong) {
+  Contact<double> contact = make_contact<double>(unit::ball_on_a_plane(0.5, 0));
+  const Matrix3<double> wrong = Matrix3<double>::Identity() * 64;
+  const Vector3<double> change{1, 2, 3};
+  EXPECT_EQ((solved_impulse<Ldlt>(contact, wrong, change)), (Ldlt::solve<double>(wrong, change, 1)));
+}
+
+/// The matrix is 2 % too large, and the change lies along N, where K is small.
+TEST(SolvedImpulse, IsRefinedAgainstTheResponseOfTheBodies) {
+  Collision c;
+  c.b.immovable = true;
+  c.a.position = {0, 1, 0};
+  c.a.principal_inertia.setConstant(0.05);  // K = diag(21, 1, 21)
+  c.a.velocity = {0, -1, 0};
+  const Contact<double> contact = make_contact<double>(c);
+  const Matrix3<double> exact = collision_matrix(contact);
+  const Vector3<double> change{0.125, 2, 0.25};
+  const Matrix3<double> greater = exact * 1.02;
+  const Vector3<double> impulse = solved_impulse<Ldlt>(contact, greater, change);
+  const Vector3<double> missed = exact * impulse - change;
+  EXPECT_LT(missed.norm(), 0.001 * change.norm());  // 0.02² of the change, in place of 0.02
+  EXPECT_GT(missed.norm(), 0.0001 * change.norm());
+}
+
+/// B spins fast about its lever arm of 10⁷ m. The rounding errors of w × r are about 200 times as large along z as
+/// along x and y. So a correction of N·V must be larger along z.
+Collision fast_spin_along_lever_arm() {
+  Collision c;
+  c.a.mass = 512;
+  c.a.orientation = {-0.2805385574660211, -0.9092547649170164, -0.6811453929265183, -0.1235343516134777};
+  c.a.position = {0.0018157958984375, 0.000316619873046875, -0.001434326171875};
+  c.a.velocity = {8.298861757793929e-07, 0, 7.315584298339672e-07};
+  c.a.angular_velocity = {-0.00025776028633117676, 0, 0.00029240548610687256};
+  c.b.mass = 0.0007790509322512005;
+  c.b.principal_inertia = {302294859575.22064, 399531582996.65027, 315576961550.046};
+  c.b.orientation = {-0.9289351327930861, -0.5953484391371062, -0.5, 0.95261826273103};
+  c.b.position = {-12996943.508340143, 17029800.38885631, 59839.72675346838};
+  c.b.velocity = {0, 2.4563632905483246e-08, 0};
+  c.b.angular_velocity = {-3249235.8775389846, 4257450.097134923, 14959.931558667387};
+  c.point = {0.0018157958984375, 0.000316619873046875, 0.000518798828125};
+  c.normal = {-0.750149026066112, 0, -0.6612688097075679};
+  c.restitution = 0.0005363347445979721;
+  return c;
+}
+
+TEST(Sticking, KeepsTheDigitsOfEachComponentOfV) {
+  const Collision c = fast_spin_along_lever_arm();
+  const Outcome<double> outcome = sticking<Ldlt>(make_contact<double>(c));
+  EXPECT_TRUE(accuracy_of(c, Law::sticking, outcome).is_decided);
+  EXPECT_LT(backward_error(c, Law::sticking, outcome), oracles::default_limit_ulps / 2);
 }
 
 }  // namespace
