@@ -32,7 +32,7 @@ void expect_schema_accepts(json record) {
 }
 
 /// J⁻¹ in world axes loses the angular momentum of slender bodies.
-TEST(DomainCommand, MeasuresWhereASolverFailsAndWritesTheDomain) {
+TEST(DomainCommand, MeasuresWhereASolverFailsAndTheDomainThatItWritesIsSound) {
   const TemporaryDirectory directory;
   const std::string file = (directory.path() / "domain.json").string();
   const RunResult result = domain({"reflection-world-double", "--out", file, "--format", "json"});
@@ -55,7 +55,7 @@ TEST(DomainCommand, MeasuresWhereASolverFailsAndWritesTheDomain) {
   EXPECT_EQ(run_carom({"gate", "reflection-world-double", "--within", file, "--cases", "5"}).exit_status, 0);
 }
 
-TEST(DomainCommand, SaysInWordsWhatItFoundAndDrawsTwoPartsWithoutDigits) {
+TEST(DomainCommand, PrintsTheEndsOfEachRangeAndDrawsThem) {
   const TemporaryDirectory directory;
   const std::string file = (directory.path() / "domain.svg").string();
   const RunResult result = domain({"frictionless-double", "--picture", file, "--deviates", "backward_error"});
@@ -72,7 +72,7 @@ TEST(DomainCommand, SaysInWordsWhatItFoundAndDrawsTwoPartsWithoutDigits) {
   EXPECT_NE(picture.find(">games<"), std::string::npos);
 }
 
-TEST(DomainCommand, ShowsAViolationWhereTheSearchStartsAndLeavesDeviationsOut) {
+TEST(DomainCommand, EndsInOneIfTheSubjectFailsWhereTheSearchStarts) {
   const TemporaryDirectory directory;
   const std::string file = (directory.path() / "domain.json").string();
   const std::vector<std::string> subject{"reflection-in-basis-double", "--core", "speed=1:2,spin=0:0"};
@@ -99,7 +99,7 @@ TEST(DomainCommand, ShowsAViolationWhereTheSearchStartsAndLeavesDeviationsOut) {
 }
 
 /// In binary32, rounding passes 32 ulps of itself long before it passes three digits.
-TEST(DomainCommand, DrawsWhereASubjectHoldsLosesDigitsAndFails) {
+TEST(DomainCommand, WithDigitsDrawsWhereASubjectHoldsLosesDigitsAndFails) {
   const TemporaryDirectory directory;
   const std::string file = (directory.path() / "domain.svg").string();
   const RunResult result = domain({"reflection-world-float", "--digits", "3", "--picture", file, "--beside",

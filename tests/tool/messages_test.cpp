@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -11,7 +10,6 @@
 namespace carom::tests {
 namespace {
 
-namespace fs = std::filesystem;
 using nlohmann::json;
 
 struct UserError {
@@ -38,7 +36,7 @@ std::string collision_with(const Change& change) {
   return collision.dump();
 }
 
-TEST(Messages, OfTheCommandLineSayWhatWhereAndWhatToDo) {
+TEST(Messages, OnTheCommandLineNameTheOptionTheErrorAndTheRemedy) {
   const std::string scene = std::string(CAROM_SOURCE_DIR) + "/docs/examples/scenes/cradle.json";
   expect_messages({
       {"no command", {}, {"no command is given", "expected one of the subcommands", "gate"}},
@@ -73,6 +71,11 @@ TEST(Messages, OfTheCommandLineSayWhatWhereAndWhatToDo) {
       {"a limit and digits", {"gate", "--digits", "3", "--limit-ulps", "32"}, {"--limit-ulps excludes --digits"}},
       {"bad format", {"gate", "--format", "xml"}, {"--format", "xml not in"}},
       {"bad timeout", {"gate", "--timeout", "0"}, {"--timeout", "expected a number from 0.001"}},
+      {"unknown service of annotations", {"gate", "--annotations", "nobody"}, {"--annotations", "nobody not in"}},
+      {"a baseline and a first violation",
+       {"gate", "--baseline", "x", "--fail-fast"},
+       {"--baseline excludes --fail-fast"}},
+      {"bad digits of a plan", {"plan", "x", "--digits", "0"}, {"--digits", "0 not in range 1 to 18"}},
       {"annotations in JSON",
        {"gate", "frictionless-double", "--annotations", "github", "--format", "json"},
        {"--annotations", "needs --format text", "found --format json"}},
@@ -80,6 +83,9 @@ TEST(Messages, OfTheCommandLineSayWhatWhereAndWhatToDo) {
        {"gate", "--within", "colour=1:2"},
        {"--within", "'colour=1:2' names no quantity", "one of size"}},
       {"a range that is no range", {"gate", "--within", "size=2:1"}, {"--within", "size", "the lesser first", "2:1"}},
+      {"no baseline",
+       {"gate", "frictionless-double", "--baseline", "/no/report.json"},
+       {"/no/report.json", "does not exist", "check the path"}},
       {"no domain", {"gate", "--within", "/no/domain.json"}, {"/no/domain.json", "does not exist", "check the path"}},
       {"an empty domain",
        {"gate", "--within", "size=1:2,size_ratio=3:"},
@@ -125,7 +131,7 @@ TEST(Messages, OfTheCommandLineSayWhatWhereAndWhatToDo) {
   });
 }
 
-TEST(Messages, OfAFileNameTheFileThePlaceAndTheExpectedValue) {
+TEST(Messages, OnAFileNameTheFileThePlaceAndTheExpectedValue) {
   const TemporaryDirectory directory;
   const std::string cut = directory.write("cut.json", R"({"a": )");
   const std::string empty = directory.write("empty.json", "");
@@ -138,6 +144,7 @@ TEST(Messages, OfAFileNameTheFileThePlaceAndTheExpectedValue) {
   const std::string restitution =
       directory.write("restitution.json", collision_with([](json& c) { c["restitution"] = 1.5; }));
   const std::string unknown = directory.write("unknown.json", collision_with([](json& c) { c["speed"] = 1; }));
+  const std::string bad_class = directory.write("class.json", collision_with([](json& c) { c["class"] = 3; }));
   const std::string huge = directory.write("huge.json", R"({"a": 1e999})");
   const std::string twice = directory.write("twice.json", R"({"a": 1, "a": 2})");
   const std::string folder = directory.path().string();
@@ -168,13 +175,14 @@ TEST(Messages, OfAFileNameTheFileThePlaceAndTheExpectedValue) {
       {"missing file", {"replay", folder + "/no.json"}, {"/no.json", "does not exist", "check the path"}},
       {"a directory", {"replay", folder}, {folder, "expected a file, found a directory"}},
       {"unreadable file", {"replay", "/proc/self/mem"}, {"/proc/self/mem", "the file cannot be read", "error"}},
+      {"a class that is no text", {"plan", bad_class}, {"class.json", "/class", "expected a string"}},
       {"no witness",
        {"replay", nan, "--drawn"},
        {"nan.json", "/drawn", "only a witness", "use --drawn with a witness"}},
   });
 }
 
-TEST(Messages, OfASceneNameTheFileThePlaceAndTheExpectedValue) {
+TEST(Messages, OnASceneNameTheFileThePlaceAndTheExpectedValue) {
   const TemporaryDirectory directory;
   const json valid = json::parse(content_of(std::string(CAROM_SOURCE_DIR) + "/docs/examples/scenes/cradle.json"));
   json scene = valid;
@@ -205,19 +213,6 @@ TEST(Messages, OfASceneNameTheFileThePlaceAndTheExpectedValue) {
        {"/polyhedra/1: polyhedron 1 (polyhedron 1) may overlap polyhedron 0 (polyhedron 0)"}},
       {"no scene", {"scene", directory.path().string() + "/no.json"}, {"/no.json", "does not exist"}},
       {"no collision", {"plan", alone}, {"alone.json", "has no collisions", "needs at least one"}},
-  });
-}
-
-TEST(Messages, OfAReportNameTheFileAndTheReason) {
-  const TemporaryDirectory directory;
-  const auto path = [&](const std::string& name) { return (directory.path() / name).string(); };
-  const std::string collision = directory.write("collision.json", collision_with([](json&) {}));
-  const std::vector<std::string> no_report{"this is not a report.json of `carom gate --out`", "/carom", "is missing"};
-  expect_messages({
-      {"compare", {"compare", collision, collision}, no_report},
-      {"baseline of nothing",
-       {"gate", "frictionless-double", "--baseline", path("no.json")},
-       {"no.json", "does not exist", "check the path"}},
   });
 }
 

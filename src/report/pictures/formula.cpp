@@ -4,7 +4,6 @@
 #include <map>
 #include <string>
 
-#include <carom/report/pictures/formula.hpp>
 #include <carom/report/pictures/markup.hpp>
 
 namespace carom::report {
