@@ -55,20 +55,17 @@ TEST(DomainCommand, MeasuresWhereASolverFailsAndTheDomainThatItWritesIsSound) {
   EXPECT_EQ(run_carom({"gate", "reflection-world-double", "--within", file, "--cases", "5"}).exit_status, 0);
 }
 
-TEST(DomainCommand, PrintsTheEndsOfEachRangeAndDrawsThem) {
+TEST(DomainCommand, WithoutDigitsPrintsAndDrawsOnlyWhereASubjectHolds) {
   const TemporaryDirectory directory;
   const std::string file = (directory.path() / "domain.svg").string();
   const RunResult result = domain({"frictionless-double", "--picture", file, "--deviates", "backward_error"});
   EXPECT_EQ(result.exit_status, 0) << result.errors;
-  for (const char* said :
-       {"the domain of frictionless-double, seed 1, limit 32 ulps", "The search starts from size=0.5:2",
-        "moment_ratio            most      1e+08          1e+08  the search ends here", "fresh cases of this domain",
-        "\nNot judged: backward_error.\n"}) {
+  for (const char* said : {"moment_ratio            most      1e+08          1e+08  the search ends here",
+                           "\nNot judged: backward_error.\n"}) {
     EXPECT_NE(result.output.find(said), std::string::npos) << said << '\n' << result.output;
   }
   const std::string picture = content_of(file);
   EXPECT_EQ(picture.find("loses digits"), std::string::npos);
-  EXPECT_NE(picture.find("holds to 32 ulps"), std::string::npos);
   EXPECT_NE(picture.find(">games<"), std::string::npos);
 }
 

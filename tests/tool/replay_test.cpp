@@ -96,38 +96,6 @@ TEST(Replay, ReadsArraysAndJsonLines) {
   }
 }
 
-/// messages_test.cpp has the messages about collisions, and tests/collision/json_test.cpp those about JSON.
-TEST(Replay, RefusesAWrongLineElementOrWitnessAndNamesItsPlace) {
-  const std::string good = cube_on_floor().dump();
-  json heavy = cube_on_floor();
-  heavy["a"]["mass"] = -1;
-  struct Malformed {
-    std::string text;
-    std::vector<std::string> said;
-  };
-  const std::vector<Malformed> table{
-      {"3", {"expected an object"}},
-      {std::string(100000, '[') + std::string(100000, ']'), {"nested levels"}},
-      {good + "\n" + heavy.dump() + "\n", {":2", "a.mass", "greater than 0"}},
-      {good + "\n" + good.substr(0, 40) + "\n", {":2", "not JSON"}},
-      {"[" + good + "," + heavy.dump() + "]", {"element 1", "a.mass"}},
-      {R"({"collision": )" + good + R"(, "invariant": "no_such"})", {"/invariant", "no_such"}},
-      {R"({"collision": )" + good + R"(, "invariant": 3})", {"/invariant", "expected a string"}},
-      {R"({"collision": )" + good + R"(, "invariant": "push", "subject": 3})", {"/subject", "expected an object"}},
-      {R"({"collision": )" + good + R"(, "subject": {"name": "x", "model": "smooth"}})",
-       {"/subject/model", "'smooth'", "expected one of frictionless"}},
-  };
-  const TemporaryDirectory directory;
-  for (const Malformed& malformed : table) {
-    const RunResult result = run_carom({"replay", directory.write("input.json", malformed.text)});
-    EXPECT_EQ(result.exit_status, 2) << malformed.text << result.output;
-    EXPECT_NE(result.errors.find("input.json"), std::string::npos) << result.errors;
-    for (const std::string& said : malformed.said) {
-      EXPECT_NE(result.errors.find(said), std::string::npos) << "not said: " << said << "\nin: " << result.errors;
-    }
-  }
-}
-
 TEST(Replay, FindsASoundSolverSoundAtTheEndsOfBinary64) {
   // A ball hits a floor. At every power of two, the frictionless answer is exact in binary64.
   const TemporaryDirectory directory;

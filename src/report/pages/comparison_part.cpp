@@ -25,7 +25,7 @@ std::string counts_in_short(const ComparedViolation& violation) {
 }
 
 Row row_of(const ComparedSubject& subject, std::string_view change, bool is_news, std::string what, std::string where) {
-  return {{name_cell(subject.name + (subject.counts || !subject.is_now ? "" : " (does not count)")),
+  return {{subject.name + (subject.counts || !subject.is_now ? "" : " (does not count)"),
            Cell(std::string(change), is_news ? "word violated" : "word"), Cell(std::move(what), "word"),
            Cell(std::move(where), "text")}};
 }

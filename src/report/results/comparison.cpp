@@ -180,22 +180,6 @@ nlohmann::json subject_names(const Comparison& comparison, bool (*is_listed)(con
 
 }  // namespace
 
-std::string_view in_words(Change change) {
-  switch (change) {
-    case Change::newly_violated:
-      return "new";
-    case Change::violated_unknown:
-      return "new, not judged before";
-    case Change::known:
-      return "known";
-    case Change::fixed:
-      return "fixed";
-    case Change::no_longer_judged:
-      break;
-  }
-  return "no longer judged";
-}
-
 bool is_new(Change change) { return change == Change::newly_violated || change == Change::violated_unknown; }
 
 std::size_t Comparison::count_new(bool counting_alone) const {

@@ -87,7 +87,11 @@ enum class Change {
 };
 
 /// "new", "new, not judged before", "known", "fixed" or "no longer judged".
-[[nodiscard]] std::string_view in_words(Change change);
+[[nodiscard]] constexpr std::string_view in_words(Change change) {
+  constexpr EnumArray<Change, std::string_view, 5> words{"new", "new, not judged before", "known", "fixed",
+                                                         "no longer judged"};
+  return words[change];
+}
 [[nodiscard]] bool is_new(Change change);
 
 struct ComparedViolation {

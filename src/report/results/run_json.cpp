@@ -85,24 +85,6 @@ struct Json<oracles::JudgeError> {
 };
 
 template <>
-struct Json<properties::AdjustmentCounts> {
-  static json write(const properties::AdjustmentCounts& counts) {
-    json record = json::object();
-    for (const properties::Adjustment adjustment : properties::all_adjustments) {
-      record[std::string(name_of(adjustment))] = counts[adjustment];
-    }
-    return record;
-  }
-  static properties::AdjustmentCounts read(const Field& field) {
-    properties::AdjustmentCounts counts{};
-    for (const properties::Adjustment adjustment : properties::all_adjustments) {
-      counts[adjustment] = field.at(std::string(name_of(adjustment))).count();
-    }
-    return counts;
-  }
-};
-
-template <>
 struct Json<DigitsHistogram> {
   static json write(const DigitsHistogram& digits) {
     json bins = json::array();

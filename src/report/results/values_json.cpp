@@ -213,22 +213,6 @@ oracles::Limits Json<oracles::Limits>::read(const Field& record) {
   return limits;
 }
 
-json Json<properties::UnjudgedCounts>::write(const properties::UnjudgedCounts& counts) {
-  json record = json::object();
-  for (const properties::Unjudged reason : properties::all_reasons_unjudged) {
-    record[properties::name_of(reason)] = counts[reason];
-  }
-  return record;
-}
-
-properties::UnjudgedCounts Json<properties::UnjudgedCounts>::read(const Field& record) {
-  properties::UnjudgedCounts counts{};
-  for (const properties::Unjudged reason : properties::all_reasons_unjudged) {
-    counts[reason] = record.at(std::string(properties::name_of(reason))).count();
-  }
-  return counts;
-}
-
 namespace {
 
 template <class T>

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <span>
+#include <string>
 
 #include <carom/collision/declared_effects.hpp>
+#include <carom/collision/enum_array.hpp>
 #include <carom/oracles/judge/coulomb_answers.hpp>
 #include <carom/properties/cases/domain.hpp>
 #include <carom/properties/gate/declared_effects.hpp>
@@ -34,10 +38,25 @@ struct Json<oracles::Limits> {
   static oracles::Limits read(const Field& field);
 };
 
-template <>
-struct Json<properties::UnjudgedCounts> {
-  static nlohmann::json write(const properties::UnjudgedCounts& counts);
-  static properties::UnjudgedCounts read(const Field& field);
+/// A count for each enumerator, by its name.
+template <class Enum, std::size_t count>
+struct Json<EnumArray<Enum, std::uint64_t, count>> {
+  using Counts = EnumArray<Enum, std::uint64_t, count>;
+
+  static nlohmann::json write(const Counts& counts) {
+    nlohmann::json record = nlohmann::json::object();
+    for (std::size_t i = 0; i < count; ++i) {
+      record[std::string(name_of(static_cast<Enum>(i)))] = counts.values[i];
+    }
+    return record;
+  }
+  static Counts read(const Field& field) {
+    Counts counts{};
+    for (std::size_t i = 0; i < count; ++i) {
+      counts.values[i] = field.at(std::string(name_of(static_cast<Enum>(i)))).count();
+    }
+    return counts;
+  }
 };
 
 /// Throws FormatError at the place if there is no such invariant.
