@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 #include <pugixml.hpp>
 
+#include <carom/properties/invariants/invariant.hpp>
 #include <carom/report/pages/document.hpp>
+#include <carom/report/pictures/markup.hpp>
 
 /// Text of third parties is safe in every format.
 namespace carom::report {
@@ -56,6 +58,15 @@ TEST(Document, AsAPageIsWellFormedWithEveryBlock) {
     EXPECT_TRUE(section.select_node(path)) << path;
   }
   EXPECT_EQ(section.select_nodes(".//dd").size(), 1U) << "a fact without a value is left out";
+}
+
+TEST(Formula, OfEveryInvariantHasNoCommandThatIsNotUnderstood) {
+  for (const properties::Invariant& invariant : properties::all_invariants()) {
+    pugi::xml_document document;
+    add_formula(document.append_child("p"), invariant.formula);
+    EXPECT_TRUE(document.select_node("//math")) << invariant.name;
+    EXPECT_FALSE(document.select_node("//*[contains(text(), '\\')]")) << invariant.name;
+  }
 }
 
 }  // namespace

@@ -78,7 +78,7 @@ TEST(Messages, OnTheCommandLineNameTheOptionTheErrorAndTheRemedy) {
       {"gate --budget 10", {"--budget", "expected a number and a unit, for example 500ms"}},
       {"gate --budget 1s --cases 5", {"--cases excludes --budget"}},
       {"gate --digits 3 --limit-ulps 32", {"--limit-ulps excludes --digits"}},
-      {"gate --baseline x --fail-fast", {"--baseline excludes --fail-fast"}},
+      {"gate --baseline x --fail-fast", {"--fail-fast excludes --baseline"}},
       {"gate frictionless-double --baseline /no/report.json", {"/no/report.json", "does not exist", "check the path"}},
       {"gate --format xml", {"--format", "xml not in"}},
       {"gate --timeout 0", {"--timeout", "expected a number from 0.001"}},

@@ -8,9 +8,6 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <carom/collision/json/json.hpp>
-
-#include "support/cases.hpp"
 #include "support/program.hpp"
 #include "support/schema.hpp"
 
@@ -43,17 +40,7 @@ std::string lines_of(const std::vector<json>& records) {
   return text;
 }
 
-std::string crates_and_spheres() {
-  std::vector<json> records;
-  for (int i = 0; i < 5; ++i) {
-    json record = crate(i);
-    record["class"] = "crates";
-    records.push_back(record);
-    records.push_back(collision_to_json(unit::case_of("collinear_spheres", static_cast<std::uint64_t>(i)).collision));
-  }
-  records.push_back({{"class", "crates"}, {"collision", crate(9)}});
-  return lines_of(records);
-}
+const std::string example = std::string(CAROM_SOURCE_DIR) + "/docs/examples/contacts.jsonl";
 
 /// Plans without timings unless a test asks for them, so that no other test depends on a clock.
 RunResult plan(const std::string& file, std::vector<std::string> more = {}) {
@@ -68,31 +55,6 @@ const json& part_named(const json& record, const std::string& beginning) {
   return *std::ranges::find_if(record.at("classes"), [&](const json& part) {
     return part.at("name").get<std::string>().starts_with(beginning);
   });
-}
-
-TEST(Plan, NamesTheCheapestMethodAndItsHeaderForEachClassAndForAllContacts) {
-  const TemporaryDirectory directory;
-  const RunResult result =
-      plan(directory.write("lines", crates_and_spheres()), {"--law", "reflection", "--format", "json"});
-  EXPECT_EQ(result.exit_status, 0) << result.errors;
-  const json record = json::parse(result.output);
-  EXPECT_EQ(record.at("demand"), json({{"law", "reflection"}, {"limit_ulps", 32}, {"exact_law", false}}));
-  EXPECT_EQ(part_named(record, "crates").at("contacts"), 6);
-  const json& crates = part_named(record, "crates").at("one_at_a_time");
-  EXPECT_EQ(crates.at("law"), "reflection");
-  EXPECT_EQ(crates.at("precision"), "double");
-  EXPECT_EQ(crates.at("certificate").at("failures"), 0);
-  const json& spheres = part_named(record, "central");
-  EXPECT_EQ(spheres.at("one_at_a_time").at("subject"), "frictionless-double");
-  EXPECT_EQ(spheres.at("one_at_a_time").at("header"), "carom/impulse/frictionless.hpp");
-  EXPECT_EQ(spheres.at("in_batches").at("subject"), "frictionless-batch-double");
-  EXPECT_EQ(spheres.at("in_batches").at("header"), "carom/impulse/batch/solve.hpp");
-  EXPECT_EQ(spheres.at("laws")[0].at("reasons"), json({{"N is an eigenvector of K", spheres.at("contacts")}}));
-  EXPECT_EQ(spheres.at("torque_forms"), json({{"equal", spheres.at("contacts")}, {"plain", 0}, {"accurate", 0}}));
-  EXPECT_EQ(part_named(record, "crates").at("torque_forms").at("plain"), 6);
-  EXPECT_EQ(record.at("whole").at("contacts"), 11);
-  EXPECT_EQ(record.at("whole").at("one_at_a_time").at("law"), "reflection");
-  EXPECT_TRUE(record.at("whole").at("baseline_nanoseconds").is_null());
 }
 
 TEST(Plan, EndsInOneIfNoMethodServesEveryContact) {
@@ -137,25 +99,36 @@ TEST(Plan, ListsTheFindingsOfTheLintAndLeavesOutContactsWithoutALaw) {
   }
 }
 
-TEST(Plan, OfTheExampleIsAsItsPageSays) {
-  const std::string file = std::string(CAROM_SOURCE_DIR) + "/docs/examples/contacts.jsonl";
-  const RunResult result = plan(file, {"--law", "reflection", "--format", "json"});
+TEST(Plan, NamesTheCheapestMethodAndItsHeaderForEachClassAndForAllContacts) {
+  const RunResult result = plan(example, {"--law", "reflection", "--format", "json"});
   EXPECT_EQ(result.exit_status, 0) << result.errors;
   const json record = json::parse(result.output);
+  EXPECT_EQ(record.at("demand"), json({{"law", "reflection"}, {"limit_ulps", 32}, {"exact_law", false}}));
+  const json& balls = part_named(record, "balls");
   EXPECT_EQ(
-      part_named(record, "balls").at("laws")[0],
+      balls.at("laws")[0],
       json({{"law", "frictionless"}, {"served", 12}, {"exactly", 4}, {"reasons", {{"N is an eigenvector of K", 4}}}}));
-  EXPECT_EQ(part_named(record, "balls").at("one_at_a_time").at("law"), "frictionless");
-  EXPECT_EQ(part_named(record, "crate on floor").at("one_at_a_time").at("law"), "reflection");
+  EXPECT_EQ(balls.at("torque_forms"), json({{"equal", 12}, {"plain", 0}, {"accurate", 0}}));
+  EXPECT_EQ(balls.at("one_at_a_time").at("subject"), "frictionless-double");
+  EXPECT_EQ(balls.at("one_at_a_time").at("header"), "carom/impulse/frictionless.hpp");
+  EXPECT_EQ(balls.at("in_batches").at("subject"), "frictionless-batch-double");
+  EXPECT_EQ(balls.at("in_batches").at("header"), "carom/impulse/batch/solve.hpp");
+  const json& crates = part_named(record, "crate on floor").at("one_at_a_time");
+  EXPECT_EQ(crates.at("law"), "reflection");
+  EXPECT_EQ(crates.at("precision"), "double");
+  EXPECT_EQ(crates.at("certificate").at("failures"), 0);
   for (const json& candidate : part_named(record, "rod on floor").at("candidates")) {
     if (candidate.at("subject") == "reflection-world-double") {
       EXPECT_FALSE(candidate.at("serves").get<bool>());
     }
   }
-  EXPECT_EQ(run_carom({"replay", file}).exit_status, 0) << "the field `class` is no error for replay";
+  EXPECT_EQ(record.at("whole").at("contacts"), 30);
+  EXPECT_EQ(record.at("whole").at("one_at_a_time").at("law"), "reflection");
+  EXPECT_TRUE(record.at("whole").at("baseline_nanoseconds").is_null());
   ASSERT_EQ(record.at("findings").size(), 1U);
-  EXPECT_EQ(record.at("findings")[0].at("place"), file + ":19");
+  EXPECT_EQ(record.at("findings")[0].at("place"), example + ":19");
   EXPECT_EQ(record.at("findings")[0].at("lint"), "condition");
+  EXPECT_EQ(run_carom({"replay", example}).exit_status, 0) << "the field `class` is no error for replay";
 }
 
 TEST(Plan, NamesAHeaderThatExistsForEveryCandidate) {
@@ -174,10 +147,9 @@ TEST(Plan, NamesAHeaderThatExistsForEveryCandidate) {
 
 TEST(PlanSchema, DescribesEveryPlanAndRejectsWhatDiffers) {
   const TemporaryDirectory directory;
-  const std::string lines = directory.write("lines", crates_and_spheres());
   std::vector<std::string> files;
   const auto planned = [&](const std::vector<std::string>& arguments) {
-    const std::string text = plan(lines, arguments).output;
+    const std::string text = plan(example, arguments).output;
     files.push_back(directory.write("plan" + std::to_string(files.size()) + ".json", text));
     return json::parse(text);
   };
