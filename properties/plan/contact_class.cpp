@@ -78,18 +78,6 @@ std::string contact_class_of(const Collision& collision) {
   return std::string(kind_of(oracles::lift(collision))) + (is_against_immovable ? ", one immovable" : ", both movable");
 }
 
-std::string_view name_of(TorqueForm form) {
-  switch (form) {
-    case TorqueForm::equal:
-      return "equal";
-    case TorqueForm::plain:
-      return "plain";
-    case TorqueForm::accurate:
-      break;
-  }
-  return "accurate";
-}
-
 TorqueForm torque_form_of(const Collision& collision) {
   CAROM_EXPECTS(validate(collision).empty(), describe(validate(collision)));
   return form_of(oracles::lift(collision));

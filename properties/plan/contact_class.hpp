@@ -33,7 +33,10 @@ enum class TorqueForm {
 inline constexpr std::array all_torque_forms{TorqueForm::equal, TorqueForm::plain, TorqueForm::accurate};
 static_assert(counts_from_zero_to(all_torque_forms, TorqueForm::accurate));
 
-[[nodiscard]] std::string_view name_of(TorqueForm form);
+[[nodiscard]] constexpr std::string_view name_of(TorqueForm form) {
+  constexpr EnumArray<TorqueForm, std::string_view, all_torque_forms.size()> names{"equal", "plain", "accurate"};
+  return names[form];
+}
 
 /// Precondition: the collision is valid.
 [[nodiscard]] TorqueForm torque_form_of(const Collision& collision);

@@ -1,13 +1,61 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <array>
+#include <string>
+#include <string_view>
 #include <vector>
 
+#include <carom/collision/collision.hpp>
+#include <carom/collision/enum_array.hpp>
 #include <carom/collision/validate.hpp>
-#include <carom/properties/plan/classed_collision.hpp>
-#include <carom/properties/plan/lint_finding.hpp>
 
 namespace carom::properties::plan {
+
+/// A collision that a plan must serve.
+struct ClassedCollision {
+  std::string contact_class;  // empty: `contact_class_of` names one
+  Collision collision;
+  std::string place = {};          // its source, "FILE:7", for messages
+  bool is_normal_derived = false;  // from the bodies' positions, so its length is not a user's mistake
+};
+
+enum class Lint {
+  condition,          // K exceeds 16 λ
+  lever_arm,          // [r]ᵀ J⁻¹ [r] of one body exceeds 15/m
+  moments,            // a principal moment exceeds the sum of the others
+  centre_of_mass,     // a centre of mass lies on the other body's side of the plane at P across N
+  normal_length,      // far from 1
+  quaternion_length,  // far from 1
+  coefficient,        // ε, μ or e_t is out of range, or μ beyond measured values
+  mass_ratio,
+};
+inline constexpr std::array all_lints{Lint::condition,      Lint::lever_arm,     Lint::moments,
+                                      Lint::centre_of_mass, Lint::normal_length, Lint::quaternion_length,
+                                      Lint::coefficient,    Lint::mass_ratio};
+static_assert(counts_from_zero_to(all_lints, Lint::mass_ratio));
+
+[[nodiscard]] constexpr std::string_view name_of(Lint lint) {
+  constexpr EnumArray<Lint, std::string_view, all_lints.size()> names{
+      "condition",     "lever_arm",         "moments",     "centre_of_mass",
+      "normal_length", "quaternion_length", "coefficient", "mass_ratio"};
+  return names[lint];
+}
+
+/// A note is worth knowing. A warning is most likely a mistake.
+enum class Severity { note, warning };
+
+[[nodiscard]] constexpr std::string_view name_of(Severity severity) {
+  return severity == Severity::note ? "note" : "warning";
+}
+
+struct LintFinding {
+  Lint lint;
+  Severity severity;
+  std::string place;  // of the collision, "FILE:7"
+  std::string field;  // "a.principal_inertia"
+  std::string text;
+};
 
 inline constexpr int largest_condition = 16;       // of K/λ, for uniform bodies star-shaped from the contact point
 inline constexpr double length_noted = 0x1p-20;    // from here on, |length − 1| exceeds some ulps of binary32

@@ -12,9 +12,8 @@
 
 #include <carom/properties/gate/workers.hpp>
 #include <carom/properties/plan/certificate.hpp>
-#include <carom/properties/plan/classed_collision.hpp>
 #include <carom/properties/plan/contact_class.hpp>
-#include <carom/properties/plan/lint_finding.hpp>
+#include <carom/properties/plan/lint.hpp>
 #include <carom/properties/plan/reduction.hpp>
 
 /// The cheapest law, precision, 3×3 solve and frame for each class of contacts, and for all contacts.

@@ -102,25 +102,16 @@ std::optional<Reduction> to_sticking(const ExactCase& c, Law law) {
 }  // namespace
 
 std::string_view in_words(Reduction reduction) {
-  switch (reduction) {
-    case Reduction::same_law:
-      return "it is the requested law";
-    case Reduction::untouched:
-      return "the contact does not collide";
-    case Reduction::eigenvector:
-      return "N is an eigenvector of K";
-    case Reduction::no_friction:
-      return "μ = 0";
-    case Reduction::no_share:
-      return "e_t = −1";
-    case Reduction::no_slip:
-      return "the frictionless outcome has no slip";
-    case Reduction::sticks:
-      return "the contact sticks, inside the friction cone";
-    case Reduction::isotropic:
-      break;
-  }
-  return "K is the same in all directions across N, and e_t = 0";
+  constexpr EnumArray<Reduction, std::string_view, all_reductions.size()> words{
+      "it is the requested law",
+      "the contact does not collide",
+      "N is an eigenvector of K",
+      "μ = 0",
+      "e_t = −1",
+      "the frictionless outcome has no slip",
+      "the contact sticks, inside the friction cone",
+      "K is the same in all directions across N, and e_t = 0"};
+  return words[reduction];
 }
 
 std::span<const Law> lesser_laws(Law law) {

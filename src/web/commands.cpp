@@ -15,10 +15,10 @@
 #include <carom/properties/gate/gate.hpp>
 #include <carom/properties/gate/posed_families.hpp>
 #include <carom/report/pages/pages.hpp>
-#include <carom/report/results/answer_json.hpp>
 #include <carom/report/results/lists.hpp>
-#include <carom/report/results/report_sum.hpp>
+#include <carom/report/results/merged_run.hpp>
 #include <carom/report/results/run_json.hpp>
+#include <carom/report/results/values_json.hpp>
 #include <carom/report/results/version.hpp>
 #include <carom/web/arbitrary.hpp>
 #include <carom/web/commands.hpp>

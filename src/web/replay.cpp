@@ -9,9 +9,8 @@
 #include <carom/collision/json/text.hpp>
 #include <carom/properties/gate/restarts.hpp>
 #include <carom/properties/gate/witness.hpp>
-#include <carom/report/pages/case_drawing.hpp>
 #include <carom/report/pages/shown_case.hpp>
-#include <carom/report/results/answer_json.hpp>
+#include <carom/report/results/values_json.hpp>
 #include <carom/web/replay.hpp>
 #include <carom/web/request.hpp>
 

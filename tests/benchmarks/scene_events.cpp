@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // Events per second of a gas of elastic spheres, by the number of spheres: scene_events [EVENTS [VOLUME_FRACTION
-// [CSV]]]. Each round has EVENTS events. tests/figures/scene_events_chart draws the file CSV.
+// [CSV]]]. Each round has EVENTS events. tests/figures/figures.py draws the file CSV.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -18,7 +18,7 @@ int main() {
       carom::properties::run_gate({carom::conformance::subject("mine", carom::Law::frictionless, solver)}, options);
   const carom::report::Run run = carom::report::diagnosed({found, {}, {}, {}, {true}, {}});
   const carom::report::RecordedRun read = carom::report::recorded_run(carom::report::report_record(run), "report");
-  return run.exit_status() == 0 && is_sound_throughout(overall_of(read)) &&
+  return run.exit_status() == 0 && is_sound_throughout(overall_of(run)) && read.subjects.size() == 1 &&
                  carom::report::run_html(run, "").find("mine") != std::string::npos
              ? 0
              : 1;

@@ -17,9 +17,9 @@ RecordedRun report_with(std::map<std::string, Count> in_x, std::map<std::string,
   run.families = {"x", "y"};
   RecordedSubject subject;
   subject.name = "solver";
-  subject.families = {{"x", 0, std::move(in_x)}, {"y", 0, std::move(in_y)}};
+  subject.families = {{"x", std::move(in_x)}, {"y", std::move(in_y)}};
   subject.counts = true;
-  subject.summary.status = SubjectStatus::violated;
+  subject.status = SubjectStatus::violated;
   run.subjects = {subject};
   return run;
 }
@@ -39,7 +39,7 @@ std::vector<Change> changes_between(Count before, Count now) {
   return changes;
 }
 
-TEST(Comparison, TellsWhatBecameOfAnInvariantInAFamily) {
+TEST(Comparison, TellsTheChangeOfAnInvariantInAFamily) {
   using Changes = std::vector<Change>;
   EXPECT_EQ(changes_between(held, violated), Changes{Change::newly_violated});
   EXPECT_EQ(changes_between(not_judged, violated), Changes{Change::violated_unknown});
@@ -51,7 +51,7 @@ TEST(Comparison, TellsWhatBecameOfAnInvariantInAFamily) {
   EXPECT_EQ(changes_between(held, not_judged), Changes{});
 }
 
-TEST(Comparison, CountsWhatIsNewAlsoWhereItWasNotJudgedBefore) {
+TEST(Comparison, CountsAViolationThatWasNotJudgedBeforeAsNew) {
   const Comparison comparison = compare_runs(report_with({{"push", held}}, {{"push", violated}}),
                                              report_with({{"push", violated}, {"energy", violated}}, {{"push", held}}));
   EXPECT_EQ(comparison.count_new(false), 2U);
@@ -61,7 +61,7 @@ TEST(Comparison, CountsWhatIsNewAlsoWhereItWasNotJudgedBefore) {
   EXPECT_EQ(summary_of(comparison), "2 new, 0 known, 1 fixed");
 }
 
-TEST(Comparison, ASubjectThatDoesNotCountIsNewForACompareAlone) {
+TEST(Comparison, CountsNewViolationsOfSubjectsThatDoNotCountOnlyWithoutABaseline) {
   RecordedRun now = report_with({{"push", violated}}, {});
   now.subjects[0].counts = false;
   const Comparison comparison = compare_runs(report_with({{"push", held}}, {}), now);
@@ -70,7 +70,7 @@ TEST(Comparison, ASubjectThatDoesNotCountIsNewForACompareAlone) {
   EXPECT_EQ(baseline_verdict(comparison), "nothing new in subjects that count (1 in others), 0 known, 0 fixed");
 }
 
-TEST(Comparison, KnownIsAnInvariantThatIsNewInNoFamily) {
+TEST(Comparison, CallsAnInvariantKnownIfItIsNewInNoFamily) {
   const properties::Invariant& push = *properties::invariant_named("push");
   const RecordedRun before = report_with({{"push", violated}}, {{"push", held}});
   const Comparison same = compare_runs(before, before);
@@ -81,25 +81,25 @@ TEST(Comparison, KnownIsAnInvariantThatIsNewInNoFamily) {
   EXPECT_FALSE(is_known(worse, "solver", push));
 }
 
-TEST(Comparison, TellsSubjectsThatCameAndWent) {
+TEST(Comparison, ListsSubjectsThatOnlyOneReportHas) {
   const RecordedRun before = report_with({{"push", violated}}, {});
   RecordedRun now = before;
   now.subjects[0].name = "other";
   const Comparison comparison = compare_runs(before, now);
   ASSERT_EQ(comparison.subjects.size(), 2U);
   EXPECT_EQ(comparison.subjects[0].name, "other");
-  EXPECT_FALSE(comparison.subjects[0].before);
+  EXPECT_FALSE(comparison.subjects[0].was_before);
   EXPECT_EQ(comparison.subjects[0].violations.at(0).change, Change::violated_unknown);
   EXPECT_EQ(comparison.subjects[1].name, "solver");
-  EXPECT_FALSE(comparison.subjects[1].now);
+  EXPECT_FALSE(comparison.subjects[1].is_now);
 }
 
-TEST(Comparison, AProgramThatCannotSayItsNameIsKnownByItsCommand) {
+TEST(Comparison, RecognisesAProgramThatCannotStateItsNameByItsCommand) {
   RecordedRun before = report_with({{"push", held}}, {});
   before.subjects[0].specification = "exec:./solver";
   RecordedRun now = before;
   now.subjects[0].name = "exec:./solver";
-  now.subjects[0].summary.status = SubjectStatus::error;
+  now.subjects[0].status = SubjectStatus::error;
   now.subjects[0].families.clear();
   const Comparison comparison = compare_runs(before, now);
   ASSERT_EQ(comparison.subjects.size(), 1U);
@@ -108,10 +108,10 @@ TEST(Comparison, AProgramThatCannotSayItsNameIsKnownByItsCommand) {
   EXPECT_EQ(compare_runs(now, now).count_new(true), 0U);
 }
 
-TEST(Comparison, TellsWhatIsNoLongerClaimed) {
+TEST(Comparison, ListsInvariantsThatAreNoLongerClaimed) {
   const RecordedRun before = report_with({{"push", violated}}, {});
   RecordedRun now = report_with({{"push", not_judged}}, {});
-  now.subjects[0].summary.deviates = {"push@x"};
+  now.subjects[0].deviates = {"push@x"};
   EXPECT_EQ(compare_runs(before, now).subjects[0].no_longer_claimed, std::vector<std::string>{"push@x"});
   EXPECT_TRUE(compare_runs(now, before).subjects[0].no_longer_claimed.empty());
 }
@@ -128,7 +128,7 @@ TEST(Comparison, NamesEachSettingInWhichTheRunsDiffer) {
       {"yardstick", [](RecordedRun& run) { run.yardstick = "4 digits"; }},
       {"interval between the cases on which relations are judged", [](RecordedRun& run) { run.relations_every = "4"; }},
       {"ended early", [](RecordedRun& run) { run.ended_early = "interrupted"; }},
-      {"shard", [](RecordedRun& run) { run.heading.shard = "1/3"; }}};
+      {"shard", [](RecordedRun& run) { run.shard = "1/3"; }}};
   for (const auto& [what, change] : changes) {
     RecordedRun now = before;
     change(now);

@@ -8,7 +8,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-TEST(Duration, IsANumberAndItsUnit) {
+TEST(Duration, IsReadFromANumberAndItsUnit) {
   EXPECT_EQ(duration_from("500ms"), 500ms);
   EXPECT_EQ(duration_from("10s"), 10s);
   EXPECT_EQ(duration_from("2m"), 2min);
@@ -18,7 +18,7 @@ TEST(Duration, IsANumberAndItsUnit) {
   EXPECT_EQ(duration_from("1000h"), 1000h);
 }
 
-TEST(Duration, IsNothingElse) {
+TEST(Duration, IsReadFromNoOtherText) {
   for (const char* text :
        {"",   "s",   "10",   "10 s", " 10s", "10s ",    "-1s",  "+1s",   "0s",    "0.5ms",
         "5d", "10S", "1e3s", "nans", "infs", "1s500ms", "1,5s", "0x10s", "1001h", "99999999999999999999h"}) {
@@ -26,7 +26,7 @@ TEST(Duration, IsNothingElse) {
   }
 }
 
-TEST(Duration, IsSaidInTheLargestUnitThatLeavesNoFraction) {
+TEST(Duration, IsWrittenInTheLargestUnitThatLeavesNoFraction) {
   EXPECT_EQ(in_words(500ms), "500 ms");
   EXPECT_EQ(in_words(10s), "10 s");
   EXPECT_EQ(in_words(90s), "90 s");

@@ -7,8 +7,8 @@
 
 #include <carom/properties/gate/gate.hpp>
 #include <carom/report/pages/pages.hpp>
-#include <carom/report/results/exit_status.hpp>
 #include <carom/report/results/merged_run.hpp>
+#include <carom/report/results/run.hpp>
 #include <carom/report/results/run_json.hpp>
 
 namespace carom::report {
@@ -35,10 +35,9 @@ Subject idle_subject() {
   return subject;
 }
 
-properties::GateReport judged_report(properties::Shard shard = {}) {
+properties::GateReport judged_report() {
   properties::GateOptions options;
   options.cases = 30;
-  options.shard = shard;
   for (const char* name : {"generic", "separating"}) {
     options.families.push_back(properties::family_named(name));
   }
@@ -64,7 +63,7 @@ ReadShard read_back(const properties::GateReport& report) {
   return shard;
 }
 
-TEST(JudgeFault, GivesExitStatusTwoAndStandsInEachFormOfTheReport) {
+TEST(JudgeFault, GivesExitStatusTwoAndIsInEachFormOfTheReport) {
   properties::GateReport report = judged_report();
   Collision collision;
   collision.a.mass = 1234.5;
@@ -85,26 +84,14 @@ TEST(JudgeFault, GivesExitStatusTwoAndStandsInEachFormOfTheReport) {
   EXPECT_EQ(read->collision().a.mass, 1234.5);
 }
 
-TEST(RunJson, IsTheSameOfAShardThatIsTheWhole) {
+TEST(MergedRun, OfOneShardIsTheWholeRun) {
   const properties::GateReport report = judged_report();
   ASSERT_FALSE(report.results[0].witnesses.empty()) << "what does nothing violates something";
   EXPECT_EQ(report_record(merged_run({read_back(report)})), report_record(run_with(report, false)));
 }
 
-TEST(RunJson, IsTheSameOfAllShardsTogether) {
-  const json whole = report_record(run_with(judged_report(), false));
-  json merged = report_record(merged_run({read_back(judged_report({2, 2})), read_back(judged_report({1, 2}))}));
-  for (const char* name : {"families", "features"}) {
-    EXPECT_EQ(merged.at(name), whole.at(name)) << name;
-  }
-  for (const char* name : {"status", "families", "digits", "cases"}) {
-    EXPECT_EQ(merged.at("subjects").at(0).at(name), whole.at("subjects").at(0).at(name)) << name;
-  }
-}
-
-TEST(RunJson, KeepsWhatAComparisonNeeds) {
-  const report::Run run = run_with(judged_report(), false);
-  const json record = report_record(run);
+TEST(RecordedRun, ComparedWithItselfHasNoDifference) {
+  const json record = report_record(run_with(judged_report(), false));
   const Comparison comparison =
       compare_runs(recorded_run(record, "run"), recorded_run(json::parse(record.dump()), "read"));
   EXPECT_TRUE(comparison.differences.empty());
@@ -112,13 +99,11 @@ TEST(RunJson, KeepsWhatAComparisonNeeds) {
   EXPECT_EQ(comparison.count(Change::fixed), 0U);
   EXPECT_GT(comparison.count(Change::known), 0U);
   ASSERT_EQ(comparison.subjects.size(), 1U);
-  EXPECT_EQ(comparison.subjects[0].before->cases, comparison.subjects[0].now->cases);
-  EXPECT_EQ(comparison.subjects[0].before->worst_backward_error, comparison.subjects[0].now->worst_backward_error);
-  EXPECT_EQ(comparison.subjects[0].now->cases, run.results[0].cases());
+  EXPECT_TRUE(comparison.subjects[0].was_before && comparison.subjects[0].is_now);
 }
 
 /// The baseline contains all violations of the run, so only the error makes the run fail.
-TEST(RunJson, KeepsTheErrorOfAShardThatAlsoViolatesSomething) {
+TEST(MergedRun, KeepsTheErrorOfAShardThatAlsoViolatesSomething) {
   properties::GateReport report = judged_report();
   const report::Run baseline = run_with(report, false);
   report.results[0].error = "it ended in the middle";
@@ -129,17 +114,6 @@ TEST(RunJson, KeepsTheErrorOfAShardThatAlsoViolatesSomething) {
       compare_runs(recorded_run(report_record(baseline), "baseline"), recorded_run(report_record(merged), "merged"));
   EXPECT_EQ(merged.baseline->count_new(true), 0U);
   EXPECT_EQ(merged.exit_status(), exit_violated);
-}
-
-TEST(RunJson, NamesThePlaceOfWhatIsWrong) {
-  json record = report_record(run_with(judged_report(), false));
-  record["subjects"][0]["families"][1]["violated"] = -1;
-  try {
-    (void)recorded_run(record, "file");
-    FAIL() << "it was read";
-  } catch (const FormatError& error) {
-    EXPECT_NE(std::string(error.what()).find("/subjects/0/families/1/violated"), std::string::npos) << error.what();
-  }
 }
 
 }  // namespace

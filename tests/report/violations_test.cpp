@@ -73,7 +73,7 @@ TEST(Violations, AreCountedOutOfTheJudgedCasesInEachForm) {
   expect_in("The subject violates this in 12 of 60 judged cases.", run_html(run, ""));
 }
 
-TEST(Violations, OfFamiliesHaveTheirShareOfJudgedCasesAndTheBackwardErrorInUlps) {
+TEST(Violations, AreListedByFamilyWithTheirShareAndTheBackwardErrorInUlps) {
   for (const std::string& text : {run_text(violated_run(), ""), run_markdown(violated_run(), "")}) {
     expect_in("in: 78 % of the judged cases of invalid, 25 % of slow (backward error up to 1.9e+03 ulps)\n", text);
   }
@@ -90,7 +90,7 @@ TEST(Violations, AreAnnotatedWithWhatTheDiagnosisSays) {
 }
 
 /// Each of several faults has a number, its place and its own witness.
-TEST(Violations, OfSeveralFaultsShowEachWithItsOwnWitness) {
+TEST(Violations, OfSeveralFaultsAreShownEachWithItsOwnWitness) {
   report::Run run = violated_run();
   run.options.seed = 5;
   run.diagnoses[0] = {restitution,

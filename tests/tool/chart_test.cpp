@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: BSL-1.0
+#include "commands/chart.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <memory>
 #include <sstream>
+#include <variant>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
+
+#include <carom/subjects/methods.hpp>
 
 #include "support/program.hpp"
 
@@ -15,6 +21,56 @@ namespace carom::tests {
 namespace {
 
 using nlohmann::json;
+
+using namespace tool::chart;
+
+/// A solver that halves all velocities after the impulse, as linear damping by 1/2 does.
+Subject damped() {
+  Subject subject = subjects::methods().front().subject;
+  subject.open = [open = subject.open] {
+    return Session([session = std::make_shared<Session>(open())](std::span<const Collision> collisions) {
+      std::vector<Answer> answers = (*session)(collisions);
+      for (Answer& answer : answers) {
+        if (auto* outcome = std::get_if<ReportedOutcome>(&answer)) {
+          outcome->a.velocity /= 2;
+          outcome->b.velocity /= 2;
+        }
+      }
+      return answers;
+    });
+  };
+  return subject;
+}
+
+TEST(MeasuredExactness, LeavesOutCasesThatLeaveTheRangeOfAPrecision) {
+  std::vector<subjects::Method> methods = subjects::methods();
+  std::erase_if(methods, [](const subjects::Method& one) {
+    return one.subject.name != "frictionless-float" && one.subject.name != "frictionless-double";
+  });
+  ASSERT_EQ(methods.size(), 2U);
+  Collision c;
+  c.a.position = {0, 1, 0};
+  c.a.velocity = {0, -1, 0};
+  c.a.principal_inertia.setConstant(1e37);
+  c.b.position = {0, -1, 0};
+  ChartedSubjects charted({methods[0].subject, methods[1].subject});
+  const std::vector<report::Exactness> measured =
+      measured_exactness(charted, std::vector{c}, 32, {}, AnswersOfCoulomb::found);
+  EXPECT_EQ(measured[0].cases, 0U);
+  EXPECT_EQ(measured[1].cases, 1U);
+}
+
+TEST(MeasuredExactness, TakesOutDeclaredEffects) {
+  const std::vector<Collision> collisions = colliding_cases(*properties::family_named("generic"), 1, 20);
+  Subject declares = damped();
+  declares.effects[DeclaredEffect::linear_damping] = 0.5;
+  ChartedSubjects charted({declares, damped()});
+  const std::vector<report::Exactness> measured =
+      measured_exactness(charted, collisions, 32, {}, AnswersOfCoulomb::found);
+  EXPECT_GT(measured[0].cases, 15U);
+  EXPECT_EQ(measured[0].failures, 0U);
+  EXPECT_EQ(measured[1].failures, measured[1].cases);
+}
 
 const std::vector<std::string> methods{"frictionless-double", "reflection-double", "reflection-in-basis-double",
                                        "coulomb-double"};
@@ -112,7 +168,7 @@ TEST_F(Chart, EveryPictureIsSvgWithoutScriptsAndReadableAtTheWidthOfAReadme) {
   EXPECT_EQ(pictures, 3 * 3 + 2 * record().at("sweeps").size());
 }
 
-TEST_F(Chart, NamesEveryMethodInTheSummaryAndLinesAtTheirEnds) {
+TEST_F(Chart, NamesEveryMethodInTheTableAndInThePictures) {
   const std::string picture = content_of(out() / "work-precision-reflection.svg");
   for (const char* name : {"reflection-double", "reflection-in-basis-double", "fails in"}) {
     EXPECT_NE(picture.find(name), std::string::npos) << name;
@@ -126,7 +182,7 @@ TEST_F(Chart, NamesEveryMethodInTheSummaryAndLinesAtTheirEnds) {
   }
 }
 
-TEST_F(Chart, ShowsWhereTheNotesMethodFails) {
+TEST_F(Chart, FindsThatTheNotesMethodFailsNearHeadOnAndTheBasisFreeMethodNowhere) {
   const json note = method("reflection-in-basis-double").at("families");
   const json basis_free = method("reflection-double").at("families");
   EXPECT_GT(note.at("near_head_on").at("failures"), 0);
@@ -147,7 +203,7 @@ TEST_F(Chart, ShowsWhereTheNotesMethodFails) {
   EXPECT_TRUE(sweep_line("condition_number", "frictionless-double").at("leaves_limit_at").is_null());
 }
 
-TEST_F(Chart, TablesHaveALineForEachMeasurement) {
+TEST_F(Chart, DataFilesHaveALineForEachMeasurement) {
   const auto lines = [](const std::string& text) { return std::count(text.begin(), text.end(), '\n'); };
   const auto families = static_cast<long>(method("reflection-double").at("families").size());
   EXPECT_EQ(lines(content_of(out() / "work-precision.csv")), 1 + 4 * families);
@@ -166,7 +222,7 @@ TEST_F(Chart, TablesHaveALineForEachMeasurement) {
   EXPECT_TRUE(std::getline(steps, line));
 }
 
-TEST_F(Chart, MeasuresTheNearestOfTheAnswersOfCoulomb) {
+TEST_F(Chart, MeasuresTheLawCoulombByItsNearestAnswer) {
   const json families = method("coulomb-double").at("families");
   EXPECT_FALSE(families.empty());
   for (const auto& [family, measured] : families.items()) {
@@ -224,7 +280,7 @@ TEST(ChartOfSubjects, AProgramThatFailsAgainAndAgainLosesNoOtherPoint) {
   EXPECT_GT(of_bullet, 100U);
 }
 
-TEST(ChartUsage, ASubjectThatCannotBeChartedIsNamed) {
+TEST(ChartUsage, RefusesASubjectThatCannotBeChartedAndNamesIt) {
   const TemporaryDirectory directory;
   const auto errors_of = [&](const std::string& subject) {
     const RunResult run = run_carom({"chart", subject, "--out", directory.path().string()});

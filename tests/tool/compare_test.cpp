@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
+// Two reports: `carom compare`, and a gate with a baseline.
+#include <filesystem>
 #include <functional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -12,155 +17,187 @@ namespace {
 
 using nlohmann::json;
 
-const json& real_report() {
-  static const json report = json::parse(
-      run_carom({"gate", "frictionless-double", "reflection-in-basis-double", "--families", "head_on,generic",
-                 "--deviates", few_families_judge_no, "--cases", "30", "--format", "json"})
-          .output);
-  return report;
-}
+const std::vector<std::string> of_a_faulty_subject{
+    "gate", "reflection-in-basis-double", "--families", "head_on,generic", "--cases", "30"};
 
-json& count_of(json& report, const char* invariant) {
-  return report.at("subjects").at(0).at("families").at(0).at("invariants").at(invariant);
-}
-
-json with_a_violation(json report) {
-  count_of(report, "restitution") = {{"holds", 29}, {"violated", 1}, {"skipped", 0}};
-  report.at("subjects").at(0)["status"] = "violated";
-  report.at("subjects").at(0)["violations"] = {{{"invariant", "restitution"},
-                                                {"count", 1},
-                                                {"family", "head_on"},
-                                                {"case", 3},
-                                                {"witness", "witnesses/frictionless-double.restitution.json"}}};
-  return report;
-}
-
-class CompareCommand : public testing::Test {
+/// The report of a run that violates invariants, and reports that differ from it.
+class TwoReports : public testing::Test {
  protected:
-  [[nodiscard]] RunResult compare(const json& before, const json& now, const std::string& format = "text") const {
-    return run_carom({"compare", directory_.write("old.json", before.dump()), directory_.write("new.json", now.dump()),
-                      "--format", format});
+  static void SetUpTestSuite() {
+    shared_ = new TemporaryDirectory;
+    EXPECT_EQ(gate({"--out", old()}).exit_status, 1);
+  }
+  static void TearDownTestSuite() { delete shared_; }
+
+  [[nodiscard]] static std::string old() { return (shared_->path() / "old").string(); }
+  [[nodiscard]] static json report() { return json::parse(content_of(shared_->path() / "old" / "report.json")); }
+
+  [[nodiscard]] static RunResult gate(const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = of_a_faulty_subject;
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_carom(arguments);
+  }
+
+  [[nodiscard]] static json& count_of(json& report, std::size_t family, const std::string& invariant) {
+    return report.at("subjects").at(0).at("families").at(family).at("invariants").at(invariant);
+  }
+
+  /// The report, as if `restitution` held in every family.
+  [[nodiscard]] static json without_violation() {
+    json changed = report();
+    for (const std::size_t family : {0U, 1U}) {
+      json& count = count_of(changed, family, "restitution");
+      count["holds"] = count.at("holds").get<int>() + count.at("violated").get<int>();
+      count["violated"] = 0;
+    }
+    return changed;
+  }
+
+  [[nodiscard]] RunResult compare(const json& before, const json& now) const {
+    return run_carom(
+        {"compare", directory_.write("before.json", before.dump()), directory_.write("now.json", now.dump())});
   }
 
   TemporaryDirectory directory_;
+
+ private:
+  static inline TemporaryDirectory* shared_ = nullptr;
 };
 
-TEST_F(CompareCommand, EndsInZeroWhereNothingIsNew) {
-  const RunResult same = compare(real_report(), real_report());
+TEST_F(TwoReports, ComparedGiveExitStatusOneOnlyIfAViolationIsNew) {
+  const RunResult same = run_carom({"compare", old(), old()});
   EXPECT_EQ(same.exit_status, 0) << same.output << same.errors;
-  EXPECT_NE(same.output.find("0 new, "), std::string::npos) << same.output;
   EXPECT_EQ(same.output.find("Not comparable"), std::string::npos) << same.output;
-  EXPECT_EQ(compare(with_a_violation(real_report()), real_report()).exit_status, 0) << "what is fixed is no failure";
+  EXPECT_EQ(same.output.find("\n0 new, "), same.output.rfind('\n', same.output.size() - 2)) << same.output;
+  EXPECT_EQ(compare(report(), without_violation()).exit_status, 0) << "what is fixed is no failure";
+  const RunResult worse = compare(without_violation(), report());
+  EXPECT_EQ(worse.exit_status, 1);
+  EXPECT_TRUE(worse.errors.empty()) << worse.errors;
 }
 
-TEST_F(CompareCommand, EndsInOneWhereSomethingIsNew) {
-  for (const char* format : {"text", "markdown", "html", "json"}) {
-    const RunResult result = compare(real_report(), with_a_violation(real_report()), format);
-    EXPECT_EQ(result.exit_status, 1) << format;
-    EXPECT_NE(result.output.find("restitution"), std::string::npos) << format;
-    EXPECT_TRUE(result.errors.empty()) << result.errors;
-  }
-}
-
-TEST_F(CompareCommand, HasTheSameInEachForm) {
-  const json now = with_a_violation(real_report());
-  const json record = json::parse(compare(real_report(), now, "json").output);
-  ASSERT_EQ(record.at("new").size(), 1U);
-  EXPECT_EQ(record.at("new").at(0).at("subject"), "frictionless-double");
-  EXPECT_EQ(record.at("new").at(0).at("family"), "head_on");
-  EXPECT_EQ(record.at("new").at(0).at("judged_before"), true);
-  EXPECT_GT(record.at("known").size(), 0U);
-  EXPECT_TRUE(record.at("comparable").get<bool>());
-  const std::string known = std::to_string(record.at("known").size()) + " known";
-  for (const char* format : {"text", "markdown", "html"}) {
-    const std::string output = compare(real_report(), now, format).output;
-    EXPECT_NE(output.find("1 new, " + known), std::string::npos) << output;
-  }
-}
-
-TEST_F(CompareCommand, HasALineAnInvariant) {
-  json now = with_a_violation(real_report());
-  now.at("subjects").at(0).at("families").at(1).at("invariants")["restitution"] = {
-      {"holds", 0}, {"violated", 30}, {"skipped", 0}};
-  for (const char* format : {"text", "html"}) {
-    const std::string output = compare(real_report(), now, format).output;
-    EXPECT_NE(output.find("head_on (1 of 30), generic (30 of 30)"), std::string::npos) << output;
-  }
-  const std::string back = compare(now, real_report()).output;
-  EXPECT_NE(back.find("head_on (1 of 30 before), generic (30 of 30 before)"), std::string::npos) << back;
-}
-
-TEST_F(CompareCommand, TakesDirectories) {
-  (void)directory_.write("report.json", real_report().dump());
-  const RunResult result = run_carom({"compare", directory_.path().string(), directory_.path().string()});
-  EXPECT_EQ(result.exit_status, 0) << result.errors;
-}
-
-TEST_F(CompareCommand, SaysWhereTheRunsAreNotComparable) {
-  json other = real_report();
+TEST_F(TwoReports, ComparedAreATableWithARowForEachChangedInvariant) {
+  json now = report();
+  count_of(now, 0, "restitution") = {{"holds", 29}, {"violated", 1}, {"skipped", 0}};
+  count_of(now, 1, "restitution") = {{"holds", 0}, {"violated", 30}, {"skipped", 0}};
+  const std::string of_new = compare(without_violation(), now).output;
+  EXPECT_NE(of_new.find("reflection-in-basis-double  new"), std::string::npos) << of_new;
+  EXPECT_NE(of_new.find("restitution"), std::string::npos) << of_new;
+  EXPECT_NE(of_new.find("head_on (1 of 30), generic (30 of 30)"), std::string::npos) << of_new;
+  EXPECT_NE(of_new.find("\n2 new, "), std::string::npos) << "a row is an invariant, a count is one of a family";
+  const std::string of_fixed = compare(now, without_violation()).output;
+  EXPECT_NE(of_fixed.find("head_on (1 of 30 before), generic (30 of 30 before)"), std::string::npos) << of_fixed;
+  json other = report();
   other["seed"] = 2;
   other["cases_of_each_family"] = 20;
-  const RunResult result = compare(real_report(), other);
-  EXPECT_NE(result.output.find("Not comparable"), std::string::npos);
-  EXPECT_NE(result.output.find("seed: 1 before, 2 now"), std::string::npos);
-  EXPECT_NE(result.output.find("cases of each family: 30 before, 20 now"), std::string::npos);
-}
-
-TEST_F(CompareCommand, MakesAPageThatIsWellFormedAndRunsNothing) {
-  json hostile = real_report();
-  hostile.at("subjects").at(0)["name"] = "<script>alert(1)</script>\x1b[31m|`&";
-  const std::string page = compare(real_report(), hostile, "html").output;
-  pugi::xml_document document;
-  EXPECT_TRUE(document.load_string(page.c_str())) << page;
-  EXPECT_EQ(page.find("<script"), std::string::npos);
-  EXPECT_NE(page.find("Content-Security-Policy"), std::string::npos);
-  for (const char* format : {"text", "markdown", "html", "json"}) {
-    EXPECT_EQ(compare(real_report(), hostile, format).output.find('\x1b'), std::string::npos) << format;
+  const std::string of_other = compare(report(), other).output;
+  for (const char* part : {"Not comparable", "seed: 1 before, 2 now", "cases of each family: 30 before, 20 now"}) {
+    EXPECT_NE(of_other.find(part), std::string::npos) << of_other;
   }
-  const std::string markdown = compare(real_report(), hostile, "markdown").output;
-  EXPECT_NE(markdown.find("| `<script>alert(1)</script>"), std::string::npos) << "as code:\n" << markdown;
 }
 
-TEST_F(CompareCommand, PassesOverFieldsThatItDoesNotKnow) {
-  json newer = real_report();
-  newer["diagnosis"] = {{"more", 1}};
+TEST_F(TwoReports, MayHaveFieldsThatThisVersionDoesNotKnow) {
+  json newer = report();
+  newer["more"] = {{"more", 1}};
   newer.at("subjects").at(0)["mood"] = "good";
   newer.at("subjects").at(0).at("families").at(0)["violated_cases"] = json::array({1, 2});
-  EXPECT_EQ(compare(real_report(), newer).exit_status, 0);
+  EXPECT_EQ(compare(report(), newer).exit_status, 0);
 }
 
-TEST_F(CompareCommand, NamesFileAndPlaceOfWhatIsWrong) {
+TEST_F(TwoReports, ThatCannotBeReadAreAnErrorThatNamesFileAndPlace) {
   const std::vector<std::pair<std::string, std::function<void(json&)>>> changes{
       {"/seed: is missing", [](json& r) { r.erase("seed"); }},
       {"/seed: expected a count", [](json& r) { r["seed"] = -1; }},
+      {"/cases_of_each_family: expected a count", [](json& r) { r["cases_of_each_family"] = true; }},
       {"/subjects: expected an array", [](json& r) { r["subjects"] = 3; }},
+      {"/subjects/0: expected an object", [](json& r) { r["subjects"][0] = "text"; }},
       {"/subjects/0/name: expected a string", [](json& r) { r["subjects"][0]["name"] = 3; }},
-      {"/subjects/1/name: 'frictionless-double' occurs twice",
-       [](json& r) { r["subjects"][1]["name"] = "frictionless-double"; }},
+      {"/subjects/1/name: 'reflection-in-basis-double' occurs twice",
+       [](json& r) { r["subjects"].push_back(r["subjects"][0]); }},
       {"/subjects/0/families/1/family: expected the family \"generic\"",
        [](json& r) { r["subjects"][0]["families"][1]["family"] = "head_on"; }},
       {"/subjects/0/families/0/invariants/restitution/holds: expected a count",
-       [](json& r) { count_of(r, "restitution")["holds"] = 1.5; }},
+       [](json& r) { count_of(r, 0, "restitution")["holds"] = 1.5; }},
       {"/environment/date: is missing", [](json& r) { r["environment"].erase("date"); }},
       {"/yardstick/limit_ulps: ", [](json& r) { r["yardstick"]["limit_ulps"] = "many"; }},
+      {"/carom: is missing",
+       [](json& r) {
+         r = json::object({{"families", json::array()}});
+       }},
+      {"/families: expected an array", [](json& r) { r["families"] = "text"; }},
   };
   for (const auto& [place, change] : changes) {
-    json bad = real_report();
+    json bad = report();
     change(bad);
-    const RunResult result = compare(bad, real_report());
+    const RunResult result = compare(bad, report());
     EXPECT_EQ(result.exit_status, 2) << place;
-    EXPECT_NE(result.errors.find("old.json: this is not a report.json"), std::string::npos) << result.errors;
+    EXPECT_NE(result.errors.find("before.json: this is not a report.json"), std::string::npos) << result.errors;
     EXPECT_NE(result.errors.find(place), std::string::npos) << place << '\n' << result.errors;
     EXPECT_TRUE(result.output.empty());
   }
-  for (const std::string& text : {std::string(), std::string("{"), std::string("[]"), std::string("3")}) {
-    const RunResult result =
-        run_carom({"compare", directory_.write("old.json", text), directory_.write("new.json", real_report().dump())});
-    EXPECT_EQ(result.exit_status, 2) << text;
-    EXPECT_NE(result.errors.find("old.json"), std::string::npos) << result.errors;
-  }
+  EXPECT_EQ(run_carom({"compare", directory_.write("bad.json", "{"), old()}).exit_status, 2);
   EXPECT_EQ(run_carom({"compare", "/no/such", "/no/such"}).exit_status, 2);
-  EXPECT_EQ(run_carom({"compare", "/no/such"}).exit_status, 2);
+}
+
+TEST_F(TwoReports, AreABaselineWithWhichAGateOfKnownViolationsEndsInZero) {
+  const std::filesystem::path out = directory_.path() / "second";
+  const RunResult result = gate({"--baseline", old(), "--out", out.string(), "--summary",
+                                 (directory_.path() / "summary.md").string(), "--annotations", "github"});
+  EXPECT_EQ(result.exit_status, 0) << result.output;
+  EXPECT_NE(result.output.find("Against the baseline " + old()), std::string::npos) << result.output;
+  EXPECT_EQ(result.output.find("::error "), std::string::npos) << result.output;
+  EXPECT_NE(result.output.find("(known from the baseline)"), std::string::npos) << result.output;
+  EXPECT_NE(content_of(directory_.path() / "summary.md").find("Against the baseline: nothing new, "),
+            std::string::npos);
+  const json report = json::parse(content_of(out / "report.json"));
+  EXPECT_EQ(report.at("exit_status"), 0);
+  EXPECT_TRUE(report.at("baseline").at("new").empty());
+  EXPECT_FALSE(report.at("baseline").at("known").empty());
+  EXPECT_EQ(report.at("subjects").at(0).at("status"), "violated") << "the verdict stays what it is";
+  pugi::xml_document junit;
+  ASSERT_TRUE(junit.load_file((out / "junit.xml").c_str()));
+  EXPECT_EQ(junit.child("testsuites").attribute("failures").as_int(-1), 0);
+  EXPECT_TRUE(junit.select_node("//skipped[contains(@message, 'known from the baseline')]"));
+  EXPECT_NE(content_of(out / "report.html").find("Against the baseline"), std::string::npos);
+}
+
+TEST_F(TwoReports, AreABaselineWithWhichAGateOfANewViolationEndsInOne) {
+  const std::filesystem::path out = directory_.path() / "second";
+  const RunResult result =
+      gate({"--baseline", directory_.write("baseline.json", without_violation().dump()), "--out", out.string()});
+  EXPECT_EQ(result.exit_status, 1);
+  const json report = json::parse(content_of(out / "report.json"));
+  EXPECT_EQ(report.at("exit_status"), 1);
+  const json& added = report.at("baseline").at("new");
+  ASSERT_FALSE(added.empty());
+  EXPECT_EQ(added.at(0).at("invariant"), "restitution");
+  EXPECT_EQ(added.at(0).at("family"), "head_on");
+  EXPECT_EQ(added.at(0).at("judged_before"), true);
+  pugi::xml_document junit;
+  ASSERT_TRUE(junit.load_file((out / "junit.xml").c_str()));
+  EXPECT_TRUE(junit.select_node("//testcase[@name = 'restitution']/failure"));
+  EXPECT_TRUE(junit.select_node("//testcase[@name = 'backward_error']/skipped"));
+}
+
+TEST_F(TwoReports, AreABaselineWithWhichASubjectThatCannotBeJudgedStillFails) {
+  std::vector<std::string> arguments = of_a_faulty_subject;
+  const std::string out = (directory_.path() / "second").string();
+  arguments.insert(arguments.begin() + 1, "exec:/no/such");
+  arguments.insert(arguments.end(), {"--out", out});
+  EXPECT_EQ(run_carom(arguments).exit_status, 2);
+  arguments.insert(arguments.end(), {"--baseline", out});
+  EXPECT_EQ(run_carom(arguments).exit_status, 2) << "also where it could not before";
+}
+
+TEST_F(TwoReports, AreABaselineThatIsReadBeforeAnyProgramIsStarted) {
+  const std::string started = (directory_.path() / "started").string();
+  const std::string script = directory_.write("solver.sh", "touch " + started + "\n");
+  const std::string bad = directory_.write("bad.json", R"({"carom": "0.1.0"})");
+  const RunResult result = run_carom({"gate", "exec:/bin/sh " + script, "--baseline", bad});
+  EXPECT_EQ(result.exit_status, 2);
+  EXPECT_NE(result.errors.find("bad.json"), std::string::npos) << result.errors;
+  EXPECT_FALSE(std::filesystem::exists(started));
+  (void)run_carom({"gate", "exec:/bin/sh " + script, "--cases", "1"});
+  EXPECT_TRUE(std::filesystem::exists(started)) << "else the test could not fail";
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ void expect_schema_accepts(json record) {
 }
 
 /// J⁻¹ in world axes loses the angular momentum of slender bodies.
-TEST(DomainCommand, MeasuresWhereASolverFailsAndWritesTheDomain) {
+TEST(DomainCommand, MeasuresWhereASolverFailsAndTheDomainThatItWritesIsSound) {
   const TemporaryDirectory directory;
   const std::string file = (directory.path() / "domain.json").string();
   const RunResult result = domain({"reflection-world-double", "--out", file, "--format", "json"});
@@ -54,24 +54,21 @@ TEST(DomainCommand, MeasuresWhereASolverFailsAndWritesTheDomain) {
   EXPECT_EQ(run_carom({"gate", "reflection-world-double", "--within", file, "--cases", "5"}).exit_status, 0);
 }
 
-TEST(DomainCommand, SaysInWordsWhatItFoundAndDrawsTwoPartsWithoutDigits) {
+TEST(DomainCommand, WithoutDigitsPrintsAndDrawsOnlyWhereASubjectHolds) {
   const TemporaryDirectory directory;
   const std::string file = (directory.path() / "domain.svg").string();
   const RunResult result = domain({"frictionless-double", "--picture", file, "--deviates", "backward_error"});
   EXPECT_EQ(result.exit_status, 0) << result.errors;
-  for (const char* said :
-       {"the domain of frictionless-double, seed 1, limit 32 ulps", "The search starts from size=0.5:2",
-        "moment_ratio            most      1e+08          1e+08  the search ends here", "fresh cases of this domain",
-        "\nNot judged: backward_error.\n"}) {
+  for (const char* said : {"moment_ratio            most      1e+08          1e+08  the search ends here",
+                           "\nNot judged: backward_error.\n"}) {
     EXPECT_NE(result.output.find(said), std::string::npos) << said << '\n' << result.output;
   }
   const std::string picture = content_of(file);
   EXPECT_EQ(picture.find("loses digits"), std::string::npos);
-  EXPECT_NE(picture.find("holds to 32 ulps"), std::string::npos);
   EXPECT_NE(picture.find(">games<"), std::string::npos);
 }
 
-TEST(DomainCommand, ShowsAViolationWhereTheSearchStartsAndLeavesDeviationsOut) {
+TEST(DomainCommand, EndsInOneIfTheSubjectFailsWhereTheSearchStarts) {
   const TemporaryDirectory directory;
   const std::string file = (directory.path() / "domain.json").string();
   const std::vector<std::string> subject{"reflection-in-basis-double", "--core", "speed=1:2,spin=0:0"};
@@ -98,7 +95,7 @@ TEST(DomainCommand, ShowsAViolationWhereTheSearchStartsAndLeavesDeviationsOut) {
 }
 
 /// In binary32, rounding passes 32 ulps of itself long before it passes three digits.
-TEST(DomainCommand, DrawsWhereASubjectHoldsLosesDigitsAndFails) {
+TEST(DomainCommand, WithDigitsDrawsWhereASubjectHoldsLosesDigitsAndFails) {
   const TemporaryDirectory directory;
   const std::string file = (directory.path() / "domain.svg").string();
   const RunResult result = domain({"reflection-world-float", "--digits", "3", "--picture", file, "--beside",

@@ -12,22 +12,10 @@ namespace {
 
 using nlohmann::json;
 
-TEST(GateCommand, SoundSubjectsEndInZero) {
+TEST(GateCommand, EndsInZeroForSoundSubjects) {
   const RunResult result = run_carom({"gate", "frictionless-double", "reflection-float", "--cases", "20"});
   EXPECT_EQ(result.exit_status, 0) << result.output;
   EXPECT_TRUE(result.errors.empty()) << "progress belongs on a terminal alone: " << result.errors;
-}
-
-TEST(GateCommand, DefaultDoesNotCountWhatIsExpectedToFail) {
-  const RunResult result = run_carom(
-      {"gate", "--cases", "20", "--families", "near_head_on", "--deviates", few_families_judge_no, "--format", "json"});
-  EXPECT_EQ(result.exit_status, 0);
-  bool saw_violated = false;
-  const json report = json::parse(result.output);
-  for (const json& subject : report.at("subjects")) {
-    saw_violated = saw_violated || (subject.at("status") == "violated" && !subject.at("counts").get<bool>());
-  }
-  EXPECT_TRUE(saw_violated) << "the subjects that are kept because they fail are shown";
 }
 
 TEST(GateCommand, JudgesOneSolverOfEachLawUnlessAllAreAskedFor) {
@@ -46,7 +34,7 @@ TEST(GateCommand, JudgesOneSolverOfEachLawUnlessAllAreAskedFor) {
   EXPECT_TRUE(judges({"gate", "rough-float", "--all"}, "rough-double"));
 }
 
-TEST(GateCommand, NoteMethodViolatesRestitutionNearHeadOnAndItsWitnessReplaysShrunkAndDrawn) {
+TEST(GateCommand, FindsTheNotesMethodFaultyNearHeadOnAndItsWitnessReplaysShrunkAndDrawn) {
   const TemporaryDirectory out;
   const RunResult result = run_carom({"gate", "reflection-in-basis-double", "--families", "near_head_on", "--cases",
                                       "200", "--out", out.path().string()});
@@ -81,7 +69,7 @@ TEST(GateCommand, NoteMethodViolatesRestitutionNearHeadOnAndItsWitnessReplaysShr
   EXPECT_EQ(json::parse(numbered.output).at("collision"), witness.at("drawn"));
 }
 
-TEST(GateCommand, SameSeedGivesTheSameReportOnAnyNumberOfThreads) {
+TEST(GateCommand, GivesTheSameReportForTheSameSeedOnAnyNumberOfThreads) {
   const auto report = [](const std::string& seed, const std::string& jobs) {
     const RunResult result =
         run_carom({"gate", "frictionless-float", "reflection-in-basis-double", "--cases", "120", "--families",
@@ -97,7 +85,7 @@ TEST(GateCommand, SameSeedGivesTheSameReportOnAnyNumberOfThreads) {
   EXPECT_NE(report("5", "1").at("subjects"), report("6", "1").at("subjects"));
 }
 
-TEST(GateCommand, EndsAtTheFirstViolationWhereAskedAndItsWitnessReplays) {
+TEST(GateCommand, WithFailFastEndsAtTheFirstViolationAndItsWitnessReplays) {
   const TemporaryDirectory out;
   const RunResult result =
       run_carom({"gate", "reflection-in-basis-double", "--fail-fast", "--out", out.path().string()});
@@ -108,13 +96,9 @@ TEST(GateCommand, EndsAtTheFirstViolationWhereAskedAndItsWitnessReplays) {
   const std::string witness = (out.path() / subject.at("violations").at(0).at("witness").get<std::string>()).string();
   EXPECT_EQ(run_carom({"replay", witness}).exit_status, 1);
   EXPECT_NE(result.output.find("to its first violation"), std::string::npos) << result.output;
-  EXPECT_NE(result.output.find("what is wrong: Only 1 violated case was examined"), std::string::npos) << result.output;
-  for (const char* hint : {"where:", "look at:"}) {
-    EXPECT_EQ(result.output.find(hint), std::string::npos) << "one case gives no hint: " << result.output;
-  }
 }
 
-TEST(GateCommand, SaysHowManyCasesABudgetWasEnoughFor) {
+TEST(GateCommand, WithABudgetSaysHowManyCasesItWasEnoughFor) {
   const RunResult result = run_carom({"gate", "frictionless-double", "--families", "generic,separating", "--deviates",
                                       few_families_judge_no, "--budget", "0.2s"});
   EXPECT_EQ(result.exit_status, 0) << result.output;
@@ -122,7 +106,7 @@ TEST(GateCommand, SaysHowManyCasesABudgetWasEnoughFor) {
   EXPECT_NE(result.output.find("cases in 200 ms; the fewest cases are"), std::string::npos) << result.output;
 }
 
-TEST(GateCommand, DigitsDecideInPlaceOfUlps) {
+TEST(GateCommand, WithDigitsJudgesByDigitsInPlaceOfUlps) {
   // The limit of a hundredth of an ulp is less than any rounding. Three digits are half of the digits of binary32.
   const std::vector<std::string> strict{"gate", "frictionless-float", "--families",          "elastic",      "--cases",
                                         "40",   "--deviates",         few_families_judge_no, "--limit-ulps", "0.01"};
@@ -132,7 +116,7 @@ TEST(GateCommand, DigitsDecideInPlaceOfUlps) {
   EXPECT_EQ(run_carom(lenient).exit_status, 0);
 }
 
-TEST(GateCommand, JudgesExactlyWhereAskedAndSaysSo) {
+TEST(GateCommand, WithExactGivesTheSameCountsAndSaysSo) {
   const std::vector<std::string> arguments{
       "gate", "reflection-in-basis-double", "--families", "near_head_on", "--cases", "10", "--format"};
   const auto with = [&](std::initializer_list<const char*> more) {
@@ -152,7 +136,7 @@ TEST(GateCommand, JudgesExactlyWhereAskedAndSaysSo) {
   EXPECT_EQ(with({"text"}).find("exact arithmetic"), std::string::npos);
 }
 
-TEST(GateCommand, AnOptionForNamesTakesOneWord) {
+TEST(GateCommand, TakesOneWordForAnOptionOfNamesSoThatASubjectMayFollow) {
   const RunResult run = run_carom({"gate", "--families", "generic,head_on", "frictionless-double", "--families",
                                    "elastic", "--deviates", few_families_judge_no, "--cases", "2", "--format", "json"});
   EXPECT_EQ(run.exit_status, 0) << run.errors;
@@ -161,7 +145,7 @@ TEST(GateCommand, AnOptionForNamesTakesOneWord) {
   EXPECT_EQ(report.at("subjects").at(0).at("families").size(), 3U);
 }
 
-TEST(GateCommand, SaysThatTheWorkingDirectoryIsGone) {
+TEST(GateCommand, NamesAWorkingDirectoryThatDoesNotExistAnyMore) {
   const RunResult run = run_program(
       "/bin/sh", {"-c", R"(gone=$(mktemp -d); cd "$gone"; rmdir "$gone"; exec "$0" gate frictionless-double --out r)",
                   carom_program()});

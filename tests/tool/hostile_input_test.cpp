@@ -48,23 +48,7 @@ RunResult compared(const TemporaryDirectory& directory, const std::string& repor
   return run_carom({"compare", file, file});
 }
 
-TEST(HostileInput, ComparisonSaysWhatIsNoReport) {
-  const TemporaryDirectory directory;
-  EXPECT_EQ(compared(directory, report_of_one_subject().dump()).exit_status, 0);
-  for (const char* pointer : {"/subjects/0/name", "/subjects/0/model", "/subjects/0/digits", "/subjects/0/digits/p50",
-                              "/subjects/0/worst_backward_error/ulps", "/subjects/0/families", "/subjects",
-                              "/subjects/0", "/cases_of_each_family"}) {
-    for (const json& wrong : std::vector<json>{"text", true, json::array({json::array()})}) {
-      json report = report_of_one_subject();
-      report[json::json_pointer(pointer)] = wrong;
-      const RunResult run = compared(directory, report.dump());
-      EXPECT_TRUE(run.exit_status == 2 || (run.exit_status == 0 && wrong.is_string())) << pointer << wrong;
-      EXPECT_EQ(run.exit_status == 2, run.errors.find("report.json") != std::string::npos) << run.errors;
-    }
-  }
-}
-
-TEST(HostileInput, NothingFromAFileDrivesTheTerminal) {
+TEST(HostileInput, ReachesTheTerminalWithoutControlCharacters) {
   const TemporaryDirectory directory;
   json report = report_of_one_subject();
   for (const char* field : {"name", "version", "precision", "status"}) {
@@ -79,11 +63,9 @@ TEST(HostileInput, NothingFromAFileDrivesTheTerminal) {
   json named = ball();
   named["class"] = std::string("crate\n") + controls;
   const std::string contacts = directory.write("contacts.json", named.dump());
-  for (const char* format : {"text", "markdown"}) {
-    const RunResult run = run_carom({"plan", contacts, "--repetitions", "0", "--format", format});
-    EXPECT_NE(run.output.find("crate ?[31m?31m???"), std::string::npos) << run.output << run.errors;
-    expect_harmless(run);
-  }
+  const RunResult planned = run_carom({"plan", contacts, "--repetitions", "0"});
+  EXPECT_NE(planned.output.find("crate ?[31m?31m???"), std::string::npos) << planned.output << planned.errors;
+  expect_harmless(planned);
   for (const char* field : {"name", "specification"}) {
     const json witness{{"collision", ball()}, {"subject", {{"name", "x"}, {field, std::string("exec:") + controls}}}};
     expect_harmless(run_carom({"replay", directory.write("witness.json", witness.dump())}));
@@ -109,7 +91,7 @@ RunResult in_bounded_memory(const std::string& script) {
   return run_program("/bin/sh", {"-c", "ulimit -v 1000000; exec 2>&1; " + script, carom_program()});
 }
 
-TEST(HostileInput, FilesWithoutEndAreReadSoFarAndNoFurther) {
+TEST(HostileInput, WithoutAnEndIsReadToALimitInLittleMemory) {
   for (const char* command : {"compare /dev/zero", "replay", "scene", "plan"}) {
     const RunResult run = in_bounded_memory(std::string(R"("$0" )") + command + " /dev/zero");
     EXPECT_EQ(run.exit_status, 2);
@@ -118,14 +100,14 @@ TEST(HostileInput, FilesWithoutEndAreReadSoFarAndNoFurther) {
   }
 }
 
-TEST(HostileInput, ThatTakesAllMemoryEndsInAMessage) {
+TEST(HostileInput, ThatTakesAllMemoryEndsInAMessageWithTheLimit) {
   const RunResult run =
       run_program("/bin/sh", {"-c", R"(ulimit -v 200000; exec "$0" replay /dev/zero)", carom_program()});
   EXPECT_EQ(run.exit_status, 2);
   EXPECT_EQ(run.errors, "carom: memory is short: at most 200000 KiB may be used (ulimit -v)\n");
 }
 
-TEST(Shortage, OfOpenFilesIsNamedWithItsLimit) {
+TEST(ShortageOfOpenFiles, IsNamedWithItsLimit) {
   const TemporaryDirectory out;
   const RunResult run = run_program(
       "/bin/sh", {"-c", R"(exec 3>&- 4>&-; ulimit -n 5; exec "$0" "$@")", carom_program(), "gate",
@@ -136,7 +118,7 @@ TEST(Shortage, OfOpenFilesIsNamedWithItsLimit) {
 
 #endif
 
-TEST(HostileInput, JsonLinesAreReadAsTheyCome) {
+TEST(JsonLines, AreJudgedAsTheyComeAndAWrongLineIsNamed) {
   const TemporaryDirectory directory;
   const std::string line = directory.write("line.json", ball().dump() + '\n');
   const std::string invalid = directory.write("invalid.json", "{}\n");
@@ -154,7 +136,7 @@ TEST(HostileInput, JsonLinesAreReadAsTheyCome) {
   EXPECT_NE(long_line.output.find("/dev/stdin:3: the line is longer than 16 MiB"), std::string::npos);
 }
 
-TEST(HostileInput, ALongFileOfOneLineIsReadAsAWhole) {
+TEST(HostileInput, OfOneLongLineIsReadAsAWhole) {
   const TemporaryDirectory directory;
   std::string text = "[" + ball().dump() + std::string(17 << 20, ' ') + "]\n";
   const RunResult run = run_carom({"replay", directory.write("long.json", text), "--format", "json"});
@@ -163,7 +145,7 @@ TEST(HostileInput, ALongFileOfOneLineIsReadAsAWhole) {
 }
 
 /// Each command waits for a pipe, first without a writer, then with a silent writer.
-TEST(HostileInput, ThatNeverComesIsNotAwaitedAfterASignal) {
+TEST(InputThatNeverComes, IsNotAwaitedAfterASignal) {
   for (const char* command : {"replay", "plan", "scene"}) {
     const TemporaryDirectory directory;
     const std::string pipe = (directory.path() / "pipe").string();

@@ -86,7 +86,7 @@ bool is_requested_soon(const std::stop_token& stop) {
   std::_Exit(stop.stop_requested() ? 0 : 3);
 }
 
-TEST(InterruptDeathTest, TheLimitOnProcessorTimeIsAWish) {
+TEST(InterruptDeathTest, TheLimitOnProcessorTimeRequestsOneStop) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   EXPECT_EXIT(use_up_processor_time(), testing::ExitedWithCode(0), "");
 }
@@ -98,13 +98,13 @@ TEST(InterruptDeathTest, ASignalThatTheParentLeftIgnoredIsIgnored) {
   }
 }
 
-TEST(InterruptDeathTest, TellsThatThreadsAreShort) {
+TEST(InterruptDeathTest, AShortageOfThreadsIsNamedWithItsLimit) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   EXPECT_EXIT(start_where_no_thread_may(), testing::ExitedWithCode(0),
               "processes and threads are short: this user may have at most 1 \\(ulimit -u\\)");
 }
 
-TEST(InterruptDeathTest, SignalsAtOnceAreOneWish) {
+TEST(InterruptDeathTest, SignalsWithinASecondRequestOneStop) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   EXPECT_EXIT(be_signalled_at_once(), testing::ExitedWithCode(0), "");
 }

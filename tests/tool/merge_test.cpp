@@ -94,7 +94,7 @@ json without_what_may_differ(json report) {
   return report;
 }
 
-TEST_F(Merge, IsTheReportOfTheWholeRun) {
+TEST_F(Merge, OfAllShardsIsTheReportOfTheWholeRun) {
   const RunResult result = merge(all_shards());
   EXPECT_EQ(result.exit_status, 1) << result.errors;
   const json whole = report_in("whole");
@@ -106,7 +106,7 @@ TEST_F(Merge, IsTheReportOfTheWholeRun) {
   EXPECT_GT(whole.at("subjects").at(0).at("digits").at("p50").get<double>(), 0);
 }
 
-TEST_F(Merge, ShardsShareTheCasesOutAmongThem) {
+TEST_F(Merge, TakesShardsThatShareTheCasesWithoutOverlap) {
   std::uint64_t cases = 0;
   for (const char* shard : {"shard1", "shard2", "shard3"}) {
     const json report = report_in(shard);
@@ -121,7 +121,7 @@ TEST_F(Merge, ShardsShareTheCasesOutAmongThem) {
   EXPECT_EQ(cases, report_in("whole").at("subjects").at(0).at("cases").get<std::uint64_t>());
 }
 
-TEST_F(Merge, WritesWitnessesThatReplayAndAllForms) {
+TEST_F(Merge, WritesWitnessesThatReplayAndEveryFormOfTheReport) {
   (void)merge(all_shards());
   const json merged = report_in("merged");
   std::size_t witnesses = 0;
@@ -151,7 +151,7 @@ TEST_F(Merge, WritesWitnessesThatReplayAndAllForms) {
   EXPECT_TRUE(page.load_file((path("merged") + "/report.html").c_str()));
 }
 
-TEST_F(Merge, TakesABaseline) {
+TEST_F(Merge, WithTheWholeRunAsItsBaselineFindsNothingNew) {
   const RunResult result = merge(all_shards(), {"--baseline", path("whole")});
   EXPECT_EQ(result.exit_status, 0) << result.output;
   EXPECT_NE(result.output.find("nothing new"), std::string::npos);
@@ -159,7 +159,7 @@ TEST_F(Merge, TakesABaseline) {
       << report_in("merged").at("baseline").at("differences");
 }
 
-TEST_F(Merge, WantsEachShardOnce) {
+TEST_F(Merge, RefusesAMissingShardARepeatedShardAndAWholeRun) {
   const RunResult missing = merge({path("shard1"), path("shard3")});
   EXPECT_EQ(missing.exit_status, 2);
   EXPECT_NE(missing.errors.find("shard 2 of 3 is missing; give the directories of all shards"), std::string::npos)
@@ -173,7 +173,7 @@ TEST_F(Merge, WantsEachShardOnce) {
   EXPECT_EQ(merge({}).exit_status, 2);
 }
 
-TEST_F(Merge, SaysInWhichFieldShardsDoNotBelongTogether) {
+TEST_F(Merge, RefusesShardsOfDifferentRunsAndNamesTheField) {
   const std::vector<std::pair<std::string, std::function<void(json&)>>> changes{
       {"seed: 3 in", [](json& r) { r["seed"] = 4; }},
       {"cases of each family: 20 in", [](json& r) { r["cases_of_each_family"] = 21; }},
@@ -202,7 +202,7 @@ TEST_F(Merge, SaysInWhichFieldShardsDoNotBelongTogether) {
   }
 }
 
-TEST_F(Merge, NamesFileAndPlaceOfWhatIsWrong) {
+TEST_F(Merge, RefusesAWrongShardAndNamesFileAndPlace) {
   const std::vector<std::pair<std::string, std::function<void(json&)>>> changes{
       {"/carom: expected", [](json& r) { r["carom"] = "9.9.9"; }},
       {"/interrupted: expected", [](json& r) { r["interrupted"] = true; }},
@@ -235,7 +235,7 @@ TEST_F(Merge, NamesFileAndPlaceOfWhatIsWrong) {
   EXPECT_NE(result.errors.find("this file does not exist"), std::string::npos) << result.errors;
 }
 
-TEST_F(Merge, ReplacesNoShard) {
+TEST_F(Merge, RefusesTheDirectoryOfAShardAsItsOutput) {
   const std::string before = content_of(path("shard1") + "/report.json");
   std::vector<std::string> arguments{"merge", "--out", path("shard1")};
   for (const std::string& shard : all_shards()) {
@@ -245,7 +245,7 @@ TEST_F(Merge, ReplacesNoShard) {
   EXPECT_EQ(content_of(path("shard1") + "/report.json"), before);
 }
 
-TEST(Shard, OfABatchSystemHasAFolderOfItsOwn) {
+TEST(Shard, OfABatchSystemIsWrittenToAFolderOfItsOwn) {
   const TemporaryDirectory out;
   std::vector<std::string> arguments{"OMPI_COMM_WORLD_RANK=1",
                                      "OMPI_COMM_WORLD_SIZE=3",

@@ -157,7 +157,7 @@ cmp "$OUT/report.json" "$COPY" || exit 5
   EXPECT_NE(run.errors.find("No space left"), std::string::npos) << run.errors;
 }
 
-TEST(Reports, StandWithTheirWitnessesWheneverARunIsKilled) {
+TEST(Reports, HaveAllTheirWitnessesWheneverARunIsKilled) {
   const TemporaryDirectory out;
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
@@ -233,7 +233,7 @@ TEST(Reports, AreNotPutInPlaceIfADirectoryHasTheNameOfOne) {
   EXPECT_TRUE(fs::is_empty(out.path() / "witnesses"));
 }
 
-TEST(Reports, MayHaveTheirWitnessesOnAnotherFileSystem) {
+TEST(Reports, AreWrittenIfTheWitnessesAreOnAnotherFileSystem) {
   const fs::path other = fs::path("/dev/shm") / ("carom-test-" + std::to_string(getpid()));
   std::error_code error;
   fs::create_directories(other, error);
@@ -280,7 +280,7 @@ TEST(OutputLock, KeepsOtherRunsOutOfTheDirectory) {
 }
 
 /// Two runs at once find different witnesses, because their families differ. One of them may be refused.
-TEST(OutputLock, LetsRunsAtOnceLoseNoWitness) {
+TEST(OutputLock, KeepsEveryWitnessOfTwoRunsAtOnce) {
   const TemporaryDirectory out;
   for (int round = 0; round < 4; ++round) {
     std::vector<pid_t> gates;
@@ -301,7 +301,7 @@ TEST(OutputLock, LetsRunsAtOnceLoseNoWitness) {
   EXPECT_TRUE(hidden(out.path()).empty());
 }
 
-TEST(FilesOfAScene, ComeTogetherOrNotAtAll) {
+TEST(FilesOfAScene, AppearTogetherOrNotAtAll) {
   const TemporaryDirectory out;
   const std::vector<std::string> arguments{"scene", cradle, "--events", "5", "--out", out.path().string()};
   ASSERT_NE(run_carom(arguments).exit_status, 2);

@@ -82,6 +82,22 @@ class Pages(unittest.TestCase):
             self.assertEqual(int(match[1]), len(listed("features")), where)
         self.assertEqual(printed("features", "--format", "markdown"), PAGES["docs/reference/features.md"])
 
+    def test_list_the_invariants_with_their_theorems(self):
+        self.assertEqual(printed("invariants", "--format", "markdown"), PAGES["docs/reference/invariants.md"])
+        proofs = TOP / "properties/proofs"
+        proved = (proofs / "theorems.txt").read_text()
+        invariants = listed("invariants")
+        self.assertEqual(len({each["name"] for each in invariants}), len(invariants))
+        theorems = [theorem for each in invariants for theorem in each["theorems"]]
+        self.assertGreater(len(theorems), len(invariants))
+        for theorem in theorems:
+            text, name = (proofs / theorem["file"]).read_text(), theorem["name"]
+            self.assertRegex(text, rf"(?m)^ *(Theorem|Lemma|Corollary) {name}(?![\w'])")
+            self.assertIn(f"\n{theorem['file'].rsplit('.', 1)[0]} {name}\n", proved)
+        for each in invariants:
+            for field in ("statement", "formula", "source", "domain", "models"):
+                self.assertTrue(each[field], f"{each['name']}: {field}")
+
     def test_name_subjects_that_exist(self):
         names = {subject["name"] for subject in listed("subjects")}
         pattern = r"(?<![\w./-])(?:frictionless|reflection|sticking|rough|coulomb)-[a-z-]*(?:float|double)(?![\w*…-])"

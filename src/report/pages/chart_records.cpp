@@ -191,19 +191,21 @@ json chart_record(const Measurements& measurements) {
 }
 
 std::string tables_markdown(const Measurements& measurements) {
-  Document document;
+  std::string text;
+  const auto add = [&](const std::string& title, const Table& table) {
+    text += (text.empty() ? "## " : "\n## ") + title + "\n\n" + markdown_table(table);
+  };
   for (const Law law : charted_laws()) {
     const std::vector<MethodMeasurement> methods = of_law(measurements.methods, law);
     if (!methods.empty()) {
-      document.emplace_back(Section{fmt::format("{}: all families", name_of(law)), {methods_table(methods)}});
+      add(fmt::format("{}: all families", name_of(law)), methods_table(methods));
     }
-    if (Table leaving = leaving_table(measurements, law); !leaving.rows.empty()) {
-      document.emplace_back(Section{
-          fmt::format("{}: where each method leaves the limit of {:g} ulps", name_of(law), measurements.limit_ulps),
-          {std::move(leaving)}});
+    if (const Table leaving = leaving_table(measurements, law); !leaving.rows.empty()) {
+      add(fmt::format("{}: where each method leaves the limit of {:g} ulps", name_of(law), measurements.limit_ulps),
+          leaving);
     }
   }
-  return in_markdown(document);
+  return text;
 }
 
 }  // namespace carom::report

@@ -4,14 +4,15 @@
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include <pugixml.hpp>
 
-/// The content of a page. It can be written as text for a terminal, as Markdown or as HTML. Each form escapes the
-/// texts, which may come from third parties.
+/// The content of a page. It can be written as text for a terminal or as HTML, and a table as Markdown. Each form
+/// escapes the texts, which may come from third parties.
 namespace carom::report {
 
 struct Block;
@@ -21,7 +22,6 @@ using Document = std::vector<Block>;
 struct Paragraph {
   std::string text;
   std::string look = {};
-  bool is_strong = false;
 };
 
 /// Lines that are shown unchanged.
@@ -83,7 +83,6 @@ struct Section {
   std::string anchor = {};
   std::string element = "section";
   std::string look = {};
-  bool is_code = false;  // shows the title as code, as in a cell
 };
 
 /// A name that a third party chose.
@@ -118,8 +117,8 @@ struct Block {
 /// once below the table, with the first cells of its rows.
 [[nodiscard]] std::string in_text(const Document& document);
 
-/// The document as Markdown, with headings of this level.
-[[nodiscard]] std::string in_markdown(const Document& document, int level = 2);
+/// The table as Markdown, without its notes.
+[[nodiscard]] std::string markdown_table(const Table& table);
 
 /// Appends the document to an element, with headings of this level.
 void add_html(pugi::xml_node parent, const Document& document, int level = 2);
@@ -133,5 +132,8 @@ struct Page {
   std::string footer = {};
 };
 [[nodiscard]] std::string html_page(const Page& page);
+
+/// The style sheet of every page. It must not contain <, > or &, because HTML does not unescape the content of <style>.
+extern const std::string_view report_style;
 
 }  // namespace carom::report

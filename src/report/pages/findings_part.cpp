@@ -151,7 +151,7 @@ Section findings_part(const Run& run, std::size_t s, const std::string& out_dire
     content.emplace_back(Paragraph{"To replay the other witnesses:"});
     content.emplace_back(Code{std::move(lines)});
   }
-  return {result.subject.name, std::move(content), "", "section", "", true};
+  return {result.subject.name, std::move(content)};
 }
 
 Document diagnoses_part(const Run& run) {

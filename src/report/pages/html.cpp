@@ -4,7 +4,6 @@
 #include <string_view>
 
 #include <carom/report/pages/document.hpp>
-#include <carom/report/pages/report_style.hpp>
 #include <carom/report/pictures/markup.hpp>
 
 namespace carom::report {

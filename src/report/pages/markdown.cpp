@@ -1,40 +1,31 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <cctype>
 #include <limits>
 #include <string_view>
 
+#include <fmt/format.h>
+
 #include <carom/collision/json/text.hpp>
-#include <carom/report/pages/document.hpp>
+#include <carom/report/pages/pages.hpp>
+#include <carom/report/pages/parts.hpp>
+#include <carom/report/results/words.hpp>
 
 namespace carom::report {
 namespace {
 
+constexpr std::size_t longest_page = 1'000'000;
 constexpr std::size_t longest_line = 4000;
 
-bool is_in_word(const std::string& line, std::size_t at) {
-  const auto is_word = [](char letter) { return std::isalnum(static_cast<unsigned char>(letter)) != 0; };
-  return at > 0 && at + 1 < line.size() && is_word(line[at - 1]) && is_word(line[at + 1]);
-}
-
-/// Escapes a line, so that it contains no markup and does not end the cell of a table. Within a word, _ is no markup. A
-/// bracket is markup only if the next letter makes a link or a link definition.
+/// Escapes a line, so that it contains no markup and does not end the cell of a table.
 std::string escaped(const std::string& text) {
-  constexpr std::string_view markup = "\\`*|~";
-  constexpr std::string_view makes_a_link = "([:";
-  const std::string line = printable_line(text, longest_line);
+  constexpr std::string_view markup = "\\`*_|~[]#";
   std::string result;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const char letter = line[i];
-    const bool is_link =
-        letter == ']' && i + 1 < line.size() && makes_a_link.find(line[i + 1]) != std::string_view::npos;
+  for (const char letter : printable_line(text, longest_line)) {
     if (letter == '<') {
       result += "&lt;";
     } else if (letter == '&') {
       result += "&amp;";
     } else {
-      const bool is_markup =
-          markup.find(letter) != std::string_view::npos || is_link || (letter == '_' && !is_in_word(line, i));
-      result += (is_markup ? "\\" : "") + std::string(1, letter);
+      result += (markup.find(letter) == std::string_view::npos ? "" : "\\") + std::string(1, letter);
     }
   }
   return result;
@@ -48,106 +39,88 @@ std::string in_code(const std::string& text) {
   return '`' + code + '`';
 }
 
-std::string cell_text(const Cell& cell) { return cell.is_code ? in_code(cell.text) : escaped(cell.text); }
-
-/// Also escapes a first letter that would make the paragraph a heading or a list.
-std::string paragraph_text(const std::string& text) {
-  const std::string line = escaped(text);
-  return (!line.empty() && std::string_view("#+-=>").find(line.front()) != std::string_view::npos ? "\\" : "") + line;
+/// The text as a block of code. Each line is moved in, because no text can end such a block.
+std::string code_block(const std::string& text) {
+  std::string block = "\n";
+  bool begins = true;
+  for (const char letter : printable(text, std::numeric_limits<std::size_t>::max())) {
+    block += begins && letter != '\n' ? "    " : "";
+    block += letter;
+    begins = letter == '\n';
+  }
+  return block + (begins ? "" : "\n");
 }
 
-struct MarkdownWriter {
-  int level;
-  std::string text = {};
+std::string block_of(const Document& document) { return document.empty() ? "" : code_block(in_text(document)); }
 
-  /// Starts a block: an empty line separates blocks.
-  void part() { text += text.empty() ? "" : "\n"; }
-
-  void operator()(const Paragraph& paragraph) {
-    part();
-    const std::string line = paragraph_text(paragraph.text);
-    text += (paragraph.is_strong ? "**" + line + "**" : line) + '\n';
+std::string opening(const Run& run) {
+  const Overall overall = overall_of(run);
+  std::string text = fmt::format("## {}\n\n{}\n", escaped("Carom: " + in_words(overall)),
+                                 escaped(fmt::format("{} of {} subjects that count are sound; {}, seed {}, limit {}; "
+                                                     "Carom {}.",
+                                                     overall.sound, overall.subjects, extent_of(run), run.options.seed,
+                                                     limit_in_words(run.options.limits), version)));
+  if (run.baseline) {
+    text += '\n' + escaped(fmt::format("Against the baseline: {}.", baseline_verdict(*run.baseline))) + '\n';
   }
-
-  void operator()(const List& list) {
-    part();
-    for (const Cell& item : list.items) {
-      text += "- " + cell_text(item) + '\n';
-    }
+  if (run.interrupted) {
+    text += "\n**The run was interrupted. These are the results so far.**\n";
   }
+  return text + block_of(judge_error_part(run)) + '\n' + markdown_table(subjects_table(run, Subjects::counting)) +
+         block_of(beyond_domain_part(run, Subjects::counting));
+}
 
-  /// Indents each line. No text can end a code block made by indentation.
-  void operator()(const Code& code) {
-    part();
-    bool begins = true;
-    for (const char letter : printable(code.text, std::numeric_limits<std::size_t>::max())) {
-      text += begins ? "    " : "";
-      text += letter;
-      begins = letter == '\n';
-    }
-    text += begins ? "" : "\n";
+std::string of_subject(const Run& run, std::size_t s, const std::string& out_directory) {
+  const properties::SubjectResult& result = run.results[s];
+  const std::string& why = why_not_judged(result);
+  Document document;
+  if (const auto never = never_judged(run, result); status_of(result) == SubjectStatus::violated && !never.empty()) {
+    document.emplace_back(Paragraph{fmt::format("never judged: {}", listed(never))});
   }
-
-  void operator()(const Facts& facts) {
-    List list;
-    for (const auto& [name, value] : facts.pairs) {
-      if (!value.text.empty()) {
-        list.items.push_back(name + ": " + value.text);
-      }
-    }
-    (*this)(list);
+  if (!result.witnesses.empty()) {
+    document = with(std::move(document), findings_part(run, s, out_directory).content);
   }
-
-  void operator()(const Table& table) {
-    part();
-    text += "|";
-    for (const Column& column : table.columns) {
-      text += ' ' + escaped(column.name) + (column.name.empty() ? "|" : " |");
-    }
-    text += "\n|";
-    for (const Column& column : table.columns) {
-      text += column.is_number ? " ---: |" : " --- |";
-    }
-    text += '\n';
-    for (const Row& row : table.rows) {
-      text += "|";
-      for (const Cell& cell : row.cells) {
-        text += ' ' + cell_text(cell) + " |";
-      }
-      for (std::size_t i = row.cells.size(); i < table.columns.size(); ++i) {
-        text += " |";
-      }
-      text += '\n';
-    }
+  if (!why.empty()) {
+    document.emplace_back(Paragraph{"could not be judged: " + why});
   }
-
-  void operator()(const Picture& /*picture*/) {}
-
-  void operator()(const Section& section) {
-    part();
-    if (!section.title.empty()) {
-      text += std::string(static_cast<std::size_t>(level), '#') + ' ' +
-              (section.is_code ? in_code(section.title) : escaped(section.title)) + "\n\n";
-    }
-    text += in_markdown(section.content, level + 1);
-  }
-
-  void operator()(const Details& /*details*/) {}
-
-  void operator()(const Box& box) {
-    part();
-    text += in_markdown(box.content, level);
-  }
-};
+  return document.empty() ? "" : fmt::format("\n### {}\n{}", in_code(result.subject.name), block_of(document));
+}
 
 }  // namespace
 
-std::string in_markdown(const Document& document, int level) {
-  MarkdownWriter writer{level};
-  for (const Block& block : document) {
-    std::visit(writer, block.is);
+std::string markdown_table(const Table& table) {
+  std::string text = "|";
+  for (const Column& column : table.columns) {
+    text += ' ' + escaped(column.name) + (column.name.empty() ? "|" : " |");
   }
-  return std::move(writer.text);
+  text += "\n|";
+  for (const Column& column : table.columns) {
+    text += column.is_number ? " ---: |" : " --- |";
+  }
+  text += '\n';
+  for (const Row& row : table.rows) {
+    text += "|";
+    for (const Cell& cell : row.cells) {
+      text += ' ' + (cell.is_code ? in_code(cell.text) : escaped(cell.text)) + " |";
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+std::string run_markdown(const Run& run, const std::string& out_directory) {
+  std::string text = opening(run);
+  std::size_t left_out = 0;
+  for (std::size_t s = 0; s < run.results.size(); ++s) {
+    const std::string section = run.counts[s] ? of_subject(run, s, out_directory) : "";
+    const bool fits = text.size() + section.size() <= longest_page;
+    text += fits ? section : "";
+    left_out += fits ? 0 : 1;
+  }
+  if (left_out > 0) {
+    text += fmt::format("\nThe report holds the violations of {} more subjects.\n", left_out);
+  }
+  return text + '\n';
 }
 
 }  // namespace carom::report

@@ -148,7 +148,7 @@ Document families_part(const Run& run) {
 Document deviations_part(const Run& run) {
   Table table{"Invariants that are not claimed", {{"subject"}, {"invariant"}, {"why"}}, {}};
   const auto add_row = [&](const Subject& subject, std::string invariant, const char* why) {
-    table.rows.push_back({{name_cell(subject.name), Cell(std::move(invariant), "word"), Cell(why, "word")}});
+    table.rows.push_back({{subject.name, Cell(std::move(invariant), "word"), Cell(why, "word")}});
   };
   const std::vector<std::string>& of_command_line = run.deviates;
   for (const SubjectResult& result : run.results) {
@@ -176,7 +176,7 @@ Document never_judged_part(const Run& run) {
   Table table{"Claimed invariants that no case judged", {{"subject"}, {"invariants"}}, {}};
   for (const SubjectResult& result : run.results) {
     if (const auto never = never_judged(run, result); !never.empty()) {
-      table.rows.push_back({{name_cell(result.subject.name), Cell(listed(never), "word")}});
+      table.rows.push_back({{result.subject.name, Cell(listed(never), "word")}});
     }
   }
   if (table.rows.empty()) {
@@ -206,7 +206,7 @@ Document beyond_domain_part(const Run& run, Subjects which) {
     if (!run.counts[s] && which == Subjects::counting) {
       continue;
     }
-    Row row{{name_cell(result.subject.name)}};
+    Row row{{result.subject.name}};
     for (const FamilyResult& family : result.beyond_domain) {
       row.cells.emplace_back(boundary_in_words(family), "word");
     }

@@ -29,10 +29,7 @@ namespace carom::report {
 /// last line is a notice with the overall verdict.
 [[nodiscard]] std::string github_annotations(const Run& run, const std::string& out_directory);
 
-/// A comparison for a terminal, for a comment on a merge request, and as a page. The last line of the text is the
-/// summary.
+/// A comparison for a terminal: one table. The last line is the summary.
 [[nodiscard]] std::string comparison_text(const Comparison& comparison);
-[[nodiscard]] std::string comparison_markdown(const Comparison& comparison);
-[[nodiscard]] std::string comparison_html(const Comparison& comparison);
 
 }  // namespace carom::report

@@ -66,11 +66,8 @@ enum class Subjects { counting, all };
 /// The anchor of a witness. `subject` is its index in the run.
 [[nodiscard]] std::string witness_anchor(std::size_t subject, const properties::Invariant& invariant);
 
-/// The differences between two runs, without the summary.
-[[nodiscard]] Document comparison_part(const Comparison& comparison);
-
-/// For the end of a run: all changes since the baseline, and one line with the summary.
-[[nodiscard]] Document baseline_part(const Comparison& comparison);
+/// The differences between two runs, without the summary. `has_known` asks for the known violations too.
+[[nodiscard]] Document comparison_part(const Comparison& comparison, bool has_known);
 
 /// Why a witness was not simplified. Precondition: `not_shrunk` is not empty.
 [[nodiscard]] std::string not_shrunk_in_words(const properties::Witness& witness);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <carom/report/pages/report_style.hpp>
+#include <carom/report/pages/document.hpp>
 
 namespace carom::report {
 

@@ -3,7 +3,7 @@
 
 #include <carom/report/pages/pages.hpp>
 #include <carom/report/pages/parts.hpp>
-#include <carom/report/results/exit_status.hpp>
+#include <carom/report/results/run.hpp>
 #include <carom/report/results/version.hpp>
 #include <carom/report/results/words.hpp>
 
@@ -82,7 +82,7 @@ std::string run_html(const Run& run, const std::string& out_directory) {
   add_part("summary", "Summary", summary_part(run));
   if (run.baseline) {
     add_part("baseline", "Against the baseline",
-             with({Paragraph{summary_of(*run.baseline), "result", true}}, comparison_part(*run.baseline)));
+             with({Paragraph{summary_of(*run.baseline), "result"}}, comparison_part(*run.baseline, true)));
   }
   add_part("subjects", "Subjects", with({subjects_table(run, Subjects::all)}, errors_part(run)));
   add_part("invariants", "Invariants", with(with(invariants_part(run), never_judged_part(run)), deviations_part(run)));

@@ -26,7 +26,10 @@ std::string run_text(const Run& run, const std::string& out_directory) {
   }
   document = with(std::move(document), beyond_domain_part(run, Subjects::counting));
   document.emplace_back(
-      Section{"", run.baseline ? baseline_part(*run.baseline) : Document{Paragraph{summary_of(run)}}});
+      Section{"", run.baseline ? with(comparison_part(*run.baseline, false),
+                                      {Paragraph{fmt::format("Against the baseline {}: {}.", run.baseline->before.file,
+                                                             baseline_verdict(*run.baseline))}})
+                               : Document{Paragraph{summary_of(run)}}});
   return in_text(document);
 }
 

@@ -1,23 +1,128 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include <carom/collision/json/json.hpp>
+#include <carom/oracles/bounds/norm.hpp>
+#include <carom/oracles/judge/coulomb_answers.hpp>
 #include <carom/properties/features/coverage.hpp>
 #include <carom/properties/gate/declared_effects.hpp>
 #include <carom/properties/gate/in_words.hpp>
-#include <carom/report/pages/exact_steps.hpp>
 #include <carom/report/pages/shown_case.hpp>
-#include <carom/report/results/answer_json.hpp>
+#include <carom/report/pictures/contact_drawing.hpp>
+#include <carom/report/pictures/markup.hpp>
+#include <carom/report/results/values_json.hpp>
 
 namespace carom::report {
 namespace {
 
 using nlohmann::json;
+using oracles::Approach;
+using oracles::Rational;
 using properties::in_words;
+
+const char* name_of(oracles::Branch branch) {
+  switch (branch) {
+    case oracles::Branch::inside_cone:
+      return ", inside the friction cone";
+    case oracles::Branch::on_cone:
+      return ", on the friction cone";
+    case oracles::Branch::only:
+      break;
+  }
+  return "";
+}
+
+template <class T>
+std::string truth_steps(const BasicCollision<T>& c, const oracles::Truth<T>& truth, Approach approach) {
+  const Vector3<T> after = oracles::relative_velocity<T>(c, truth.outcome);
+  std::string text = fmt::format("  F = {}\n", in_words(truth.impulse));
+  const auto parts = vectors(truth.outcome);
+  for (const OutcomeVector k : all_outcome_vectors) {
+    text += fmt::format("  {}⁺ = {}\n", carom::name_of(k), in_words(*parts[k]));
+  }
+  text += fmt::format("  V⁺ = {}\n  N·V⁺ = {}\n", in_words(after), in_words(T(c.normal.dot(after))));
+  if (approach != Approach::inert) {
+    const auto energy = oracles::equation::Energy{}(c, truth.outcome);
+    text += fmt::format("  E⁺ − E⁻ − W = {}\n", in_words(T(energy.left[0] - energy.right[0])));
+  }
+  return text;
+}
+
+const char* in_words_of(Approach approach) {
+  switch (approach) {
+    case Approach::colliding:
+      return "colliding";
+    case Approach::resting:
+      return "resting";
+    case Approach::separating:
+      return "separating";
+    case Approach::inert:
+      break;
+  }
+  return "both bodies are immovable";
+}
+
+std::string contact_steps(const oracles::ExactCase& exact_case) {
+  const BasicCollision<Rational>& c = exact_case.exact();
+  const Outcome<Rational> before = unchanged(c);
+  const Matrix3<Rational>& k = exact_case.collision_matrix();
+  std::string text =
+      fmt::format("  r_A = P − X_A = {}\n  r_B = P − X_B = {}\n", in_words<Rational>(oracles::lever_arm(c.a, c.point)),
+                  in_words<Rational>(oracles::lever_arm(c.b, c.point)));
+  const Rational normal_velocity = oracles::normal_velocity_before(c);
+  const double length = oracles::norm_of(exact_case.collision().normal);
+  text += fmt::format(
+      "  V⁻ = {}\n  N·V⁻ = {}: {}{}\n", in_words<Rational>(oracles::relative_velocity<Rational>(c, before)),
+      in_words(normal_velocity), in_words_of(exact_case.approach()),
+      length == 1 || normal_velocity == 0 ? ""
+                                          : fmt::format(", at {:.3g} m/s along the normal",
+                                                        std::abs(oracles::nearest_double(normal_velocity)) / length));
+  if (exact_case.approach() != Approach::inert) {
+    text += fmt::format("  λ = {}\n", in_words(oracles::inverse_mass(c)));
+    for (int row = 0; row < 3; ++row) {
+      text += fmt::format("  {} {}\n", row == 0 ? "K =" : "   ", in_words<Rational>(Vector3<Rational>(k.row(row))));
+    }
+  }
+  return text;
+}
+
+std::string truth_steps(const oracles::ExactCase& exact_case, Law law) {
+  const Approach approach = exact_case.approach();
+  const bool collides = approach == Approach::colliding;
+  return fmt::format("{}, exactly{}\n", carom::name_of(law), collides ? name_of(exact_case.branch(law)) : "") +
+         exact_case.with_truth(law, approach, [&]<class T>(const oracles::Truth<T>& truth) {
+           const auto lifted = [](double number) { return T(number); };
+           return truth_steps<T>(map_numbers<T>(exact_case.collision(), lifted), truth, approach);
+         });
+}
+
+std::string answers_steps(const oracles::ExactCase& exact_case, const std::vector<oracles::CoulombAnswer>& answers) {
+  std::string text;
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    const oracles::CoulombAnswer& answer = answers[i];
+    text += fmt::format("coulomb, answer {} of {}, {}{}\n{}", i + 1, answers.size(), name_of(answer.kind),
+                        answer.is_exact() ? ", exactly" : ", with 36 digits of its resistance to slip",
+                        truth_steps(exact_case.exact(), answer.truth, exact_case.approach()));
+  }
+  return text;
+}
+
+template <class T>
+Motion motion_of(const Collision& collision, const Outcome<T>& outcome) {
+  const auto exact = map_numbers<T>(collision, [](double x) { return T(x); });
+  const Vector3<T> relative = oracles::relative_velocity<T>(exact, outcome);
+  Motion motion{map_outcome<double>(outcome, [](const T& x) { return oracles::nearest_double(x); }), {}};
+  for (int i = 0; i < 3; ++i) {
+    motion.relative_velocity[i] = oracles::nearest_double(relative[i]);
+  }
+  return motion;
+}
 
 std::string joined(const std::vector<const properties::Feature*>& features) {
   std::string text;
@@ -134,6 +239,31 @@ void show_judgement(const CaseToShow::Judged& judged, ShownCase& shown) {
 }
 
 }  // namespace
+
+void add_case_drawing(pugi::xml_node section, const properties::JudgedCase& judged_case, const Answer& answer,
+                      Law claimed, const std::string& anchor, const std::string& title) {
+  if (!judged_case.is_valid()) {
+    add(section, "p", {}, "The collision is invalid, so there is no drawing.");
+    return;
+  }
+  const oracles::ExactCase& exact_case = judged_case.exact();
+  const Collision& collision = judged_case.generated().collision;
+  ContactPicture picture{collision, motion_of(collision, unchanged(exact_case.exact())), std::nullopt, std::nullopt};
+  const auto* computed = std::get_if<ReportedOutcome>(&answer);
+  if (computed != nullptr && oracles::is_finite(*computed)) {
+    picture.computed = motion_of(collision, oracles::lift(*computed));
+  }
+  if (claimed == Law::coulomb) {
+    const std::vector<oracles::CoulombAnswer> answers = oracles::coulomb_answers(exact_case);
+    const bool is_finite = computed != nullptr && oracles::is_finite(*computed);
+    const std::size_t nearest = is_finite ? oracles::nearest_answer(exact_case, answers, *computed).number : 0;
+    picture.exact = motion_of(collision, answers[nearest].truth.outcome);
+  } else if (determines_outcome(claimed)) {
+    exact_case.with_truth(claimed, exact_case.approach(),
+                          [&](const auto& truth) { picture.exact = motion_of(collision, truth.outcome); });
+  }
+  add_contact_figure(section, picture, anchor, title);
+}
 
 bool is_violated(const properties::Judgement& judgement) {
   return std::any_of(judgement.verdicts.begin(), judgement.verdicts.end(), [](const properties::NamedVerdict& named) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include <nlohmann/json.hpp>
+#include <pugixml.hpp>
 
 #include <carom/collision/subject.hpp>
 #include <carom/properties/gate/trial.hpp>
@@ -42,5 +43,10 @@ struct ShownCase {
 };
 
 [[nodiscard]] ShownCase shown_case(const CaseToShow& to_show);
+
+/// Appends a figure of the contact: before the impulse, as the subject answered, and exactly under the law `claimed`.
+/// `anchor` is unique in its page. `title` names the contact.
+void add_case_drawing(pugi::xml_node section, const properties::JudgedCase& judged_case, const Answer& answer,
+                      Law claimed, const std::string& anchor, const std::string& title);
 
 }  // namespace carom::report

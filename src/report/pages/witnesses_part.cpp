@@ -7,9 +7,8 @@
 #include <carom/oracles/laws/kinematics.hpp>
 #include <carom/properties/gate/declared_effects.hpp>
 #include <carom/properties/gate/in_words.hpp>
-#include <carom/report/pages/case_drawing.hpp>
 #include <carom/report/pages/parts.hpp>
-#include <carom/report/pictures/formula.hpp>
+#include <carom/report/pages/shown_case.hpp>
 #include <carom/report/pictures/markup.hpp>
 #include <carom/report/results/words.hpp>
 

@@ -4,7 +4,6 @@
 #include <map>
 #include <string>
 
-#include <carom/report/pictures/formula.hpp>
 #include <carom/report/pictures/markup.hpp>
 
 namespace carom::report {
@@ -25,7 +24,7 @@ const std::map<std::string_view, Symbol>& symbols() {
       {"top", {"mo", "⊤"}},   {"partial", {"mi", "∂"}},    {"eta", {"mi", "η"}},    {"mu", {"mi", "μ"}},
       {"max", {"mi", "max"}}, {"varepsilon", {"mi", "ε"}}, {"lambda", {"mi", "λ"}}, {"Delta", {"mi", "Δ"}},
       {"min", {"mi", "min"}}, {"parallel", {"mo", "∥"}},   {"omega", {"mi", "ω"}},  {"ne", {"mo", "≠"}},
-      {"to", {"mo", "→"}},    {"pm", {"mo", "±"}},
+      {"to", {"mo", "→"}},    {"pm", {"mo", "±"}},         {"lor", {"mo", "∨"}},
   };
   return all;
 }

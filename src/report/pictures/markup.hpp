@@ -23,4 +23,8 @@ pugi::xml_node add(pugi::xml_node parent, const char* name, Attributes attribute
 
 void add_text(pugi::xml_node parent, std::string_view text);
 
+/// Appends a formula of the catalogue of invariants as MathML, so that a page shows it without a script. It reads the
+/// part of LaTeX that the catalogue uses. An unknown command is shown unchanged.
+void add_formula(pugi::xml_node parent, std::string_view latex);
+
 }  // namespace carom::report

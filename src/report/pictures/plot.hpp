@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include <carom/collision/precision.hpp>
+
 namespace carom::report {
 
 /// A place in a picture [pixels from its lower left corner].
@@ -100,6 +102,23 @@ inline constexpr std::string_view vermillion = "#d55e00";
 inline constexpr std::string_view purple = "#cc79a7";
 inline constexpr std::string_view black = "#000000";
 inline constexpr std::string_view grey = "#999999";
+
+/// The colour of a method's precision, which is the same in all pictures.
+[[nodiscard]] constexpr std::string_view colour_of(Precision precision) {
+  switch (precision) {
+    case Precision::binary32:
+      return orange;
+    case Precision::binary64:
+      return blue;
+    case Precision::extended:
+      break;
+  }
+  return green;
+}
+
+/// In a dark page a picture is dark too: this rule inverts lightness, and keeps hues.
+inline constexpr std::string_view dark_style =
+    "@media (prefers-color-scheme: dark) { svg { filter: invert(0.93) hue-rotate(180deg) } }";
 
 /// The distance of two names in a column, in font sizes.
 inline constexpr double name_distance = 1.35;

@@ -9,8 +9,8 @@
 #include <pugixml.hpp>
 
 #include <carom/collision/expects.hpp>
-#include <carom/report/pictures/colours.hpp>
 #include <carom/report/pictures/markup.hpp>
+#include <carom/report/pictures/plot.hpp>
 #include <carom/report/pictures/range_bars.hpp>
 
 namespace carom::report {

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include <carom/report/pictures/colours.hpp>
 #include <carom/report/pictures/diagrams.hpp>
+#include <carom/report/pictures/plot.hpp>
 
 namespace carom::report {
 namespace {

@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 
 #include <carom/oracles/judge/yardstick.hpp>
-#include <carom/report/pictures/colours.hpp>
 #include <carom/report/pictures/diagrams.hpp>
+#include <carom/report/pictures/plot.hpp>
 
 namespace carom::report {
 namespace {

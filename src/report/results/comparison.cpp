@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
+#include <initializer_list>
 #include <map>
 #include <set>
 #include <span>
@@ -77,8 +78,8 @@ BothCounts counts_of(const RecordedSubject* before, const RecordedSubject* now) 
   return both;
 }
 
-bool cannot_be_judged(const SubjectSummary& summary) {
-  return summary.status == SubjectStatus::error || summary.status == SubjectStatus::not_judged;
+bool cannot_be_judged(const RecordedSubject& subject) {
+  return subject.status == SubjectStatus::error || subject.status == SubjectStatus::not_judged;
 }
 
 std::size_t count_in(const ComparedSubject& subject, Change change) {
@@ -92,14 +93,10 @@ ComparedSubject compare_subjects(const RecordedSubject* before, const RecordedSu
   ComparedSubject subject;
   subject.name = (now != nullptr ? now : before)->name;
   subject.counts = now != nullptr && now->counts;
-  if (before != nullptr) {
-    subject.before = before->summary;
-  }
-  if (now != nullptr) {
-    subject.now = now->summary;
-  }
+  subject.was_before = before != nullptr;
+  subject.is_now = now != nullptr;
   if (before != nullptr && now != nullptr) {
-    subject.no_longer_claimed = without(subject.now->deviates, subject.before->deviates);
+    subject.no_longer_claimed = without(now->deviates, before->deviates);
     if (!now->effects.empty() && now->effects != before->effects) {
       subject.no_longer_claimed.push_back("the law without " + now->effects);
     }
@@ -109,7 +106,8 @@ ComparedSubject compare_subjects(const RecordedSubject* before, const RecordedSu
     }
   }
   subject.cannot_be_judged_now =
-      subject.now && cannot_be_judged(*subject.now) && !(subject.before && cannot_be_judged(*subject.before));
+      now != nullptr && cannot_be_judged(*now) && !(before != nullptr && cannot_be_judged(*before));
+  subject.error = subject.cannot_be_judged_now ? now->error : "";
   const BothCounts both = counts_of(before, now);
   for (const std::string& invariant : both.invariants) {
     for (const std::string& family : both.families) {
@@ -133,9 +131,6 @@ std::vector<Difference> differences_between(const RecordedRun& before, const Rec
       differences.push_back({what, old_value, new_value});
     }
   };
-  const auto part = [](const RecordedRun& run) {
-    return run.heading.shard.empty() ? "the whole run" : run.heading.shard;
-  };
   note("version of Carom", before.heading.carom, now.heading.carom);
   note("seed", std::to_string(before.heading.seed), std::to_string(now.heading.seed));
   note("cases of each family", before.cases, now.cases);
@@ -148,27 +143,42 @@ std::vector<Difference> differences_between(const RecordedRun& before, const Rec
   note("yardstick", before.yardstick, now.yardstick);
   note("interval between the cases on which relations are judged", before.relations_every, now.relations_every);
   note("ended early", before.ended_early, now.ended_early);
-  note("shard", part(before), part(now));
+  note("shard", before.shard, now.shard);
   return differences;
 }
 
-}  // namespace
+nlohmann::json count_record(const Count& count) { return {{"holds", count.holds}, {"violated", count.violated}}; }
 
-std::string_view in_words(Change change) {
-  switch (change) {
-    case Change::newly_violated:
-      return "new";
-    case Change::violated_unknown:
-      return "new, not judged before";
-    case Change::known:
-      return "known";
-    case Change::fixed:
-      return "fixed";
-    case Change::no_longer_judged:
-      break;
+/// The violations with these changes. A subject that can no longer be judged has no invariant, so it is not listed.
+nlohmann::json violations_record(const Comparison& comparison, std::initializer_list<Change> changes) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const ComparedSubject& subject : comparison.subjects) {
+    for (const ComparedViolation& violation : subject.violations) {
+      if (std::find(changes.begin(), changes.end(), violation.change) != changes.end()) {
+        list.push_back({{"subject", subject.name},
+                        {"invariant", violation.invariant},
+                        {"family", violation.family},
+                        {"counts", subject.counts},
+                        {"judged_before", violation.before.judged() > 0},
+                        {"before", count_record(violation.before)},
+                        {"now", count_record(violation.now)}});
+      }
+    }
   }
-  return "no longer judged";
+  return list;
 }
+
+nlohmann::json subject_names(const Comparison& comparison, bool (*is_listed)(const ComparedSubject&)) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const ComparedSubject& subject : comparison.subjects) {
+    if (is_listed(subject)) {
+      list.push_back(subject.name);
+    }
+  }
+  return list;
+}
+
+}  // namespace
 
 bool is_new(Change change) { return change == Change::newly_violated || change == Change::violated_unknown; }
 
@@ -192,7 +202,7 @@ std::size_t Comparison::count(Change change) const {
 }
 
 Comparison compare_runs(const RecordedRun& before, const RecordedRun& now) {
-  Comparison comparison{before.heading, now.heading, differences_between(before, now), {}};
+  Comparison comparison{before.heading, differences_between(before, now), {}};
   std::set<const RecordedSubject*> met;
   for (const RecordedSubject& subject : now.subjects) {
     const RecordedSubject* old_subject = found_in(before.subjects, subject);
@@ -207,6 +217,29 @@ Comparison compare_runs(const RecordedRun& before, const RecordedRun& now) {
     }
   }
   return comparison;
+}
+
+nlohmann::json baseline_record(const Comparison& comparison) {
+  nlohmann::json differences = nlohmann::json::array();
+  for (const Difference& difference : comparison.differences) {
+    differences.push_back({{"what", difference.what}, {"before", difference.before}, {"now", difference.now}});
+  }
+  const RunHeading& report = comparison.before;
+  return {{"report",
+           {{"file", report.file},
+            {"carom", report.carom},
+            {"date", report.date},
+            {"seed", report.seed},
+            {"cases_of_each_family", report.cases ? nlohmann::json(*report.cases) : nlohmann::json()}}},
+          {"comparable", comparison.differences.empty()},
+          {"differences", std::move(differences)},
+          {"new", violations_record(comparison, {Change::newly_violated, Change::violated_unknown})},
+          {"known", violations_record(comparison, {Change::known})},
+          {"fixed", violations_record(comparison, {Change::fixed})},
+          {"no_longer_judged", violations_record(comparison, {Change::no_longer_judged})},
+          {"cannot_be_judged_now", subject_names(comparison, [](const auto& one) { return one.cannot_be_judged_now; })},
+          {"came", subject_names(comparison, [](const auto& one) { return !one.was_before; })},
+          {"went", subject_names(comparison, [](const auto& one) { return !one.is_now; })}};
 }
 
 bool is_known(const Comparison& comparison, const std::string& subject, const properties::Invariant& invariant) {

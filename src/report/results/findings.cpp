@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include <carom/report/results/answer_json.hpp>
 #include <carom/report/results/findings.hpp>
+#include <carom/report/results/values_json.hpp>
 
 namespace carom::report {
 namespace {

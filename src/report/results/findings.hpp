@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <carom/properties/gate/gate_report.hpp>
-#include <carom/report/results/field.hpp>
+#include <carom/report/results/archive.hpp>
 
 namespace carom::report {
 

@@ -2,14 +2,17 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include <carom/collision/expects.hpp>
+#include <carom/properties/gate/declared_effects.hpp>
+#include <carom/properties/gate/witness.hpp>
 #include <carom/report/results/merged_run.hpp>
-#include <carom/report/results/report_sum.hpp>
-#include <carom/report/results/run_facts.hpp>
+#include <carom/report/results/values_json.hpp>
 #include <carom/report/results/words.hpp>
 
 namespace carom::report {
@@ -18,17 +21,59 @@ namespace {
 using properties::SubjectResult;
 using properties::Witness;
 
-[[noreturn]] void fail_different(const ReadShard& first, const ReadShard& other, const FactDifference& difference) {
-  throw MergeError(fmt::format(
-      "the shards do not belong to one run: {}: {} in {}, but {} in {}; merge only shards of the same run",
-      difference.field, shown(difference.first), shown(first.file), shown(difference.second), shown(other.file)));
+/// The facts that are the same in all shards of a run, in words. Each has the name of its field.
+using RunFacts = std::vector<std::pair<std::string, std::string>>;
+
+RunFacts run_facts(const Run& run) {
+  const properties::GateOptions& options = run.options;
+  std::vector<std::string> families;
+  for (const auto* of_run : {&options.families, &options.beyond_domain}) {
+    for (const properties::Family* family : *of_run) {
+      families.emplace_back(family->name);
+    }
+  }
+  RunFacts facts{{"number of shards", std::to_string(options.shard.of)},
+                 {"seed", std::to_string(options.seed)},
+                 {"cases of each family", std::to_string(options.cases)},
+                 {"families", listed(families)},
+                 {"within", properties::to_text(options.within)},
+                 {"yardstick", Json<oracles::Limits>::write(options.limits).dump()},
+                 {"relations_every", std::to_string(options.relations_every)},
+                 {"deviates", listed(run.deviates)}};
+  std::vector<std::string> names;
+  for (const properties::SubjectResult& result : run.results) {
+    names.push_back(result.subject.name);
+  }
+  for (const Subject& subject : run.absent) {
+    names.push_back(subject.name + " (absent)");
+  }
+  facts.emplace_back("subjects", listed(names));
+  for (std::size_t s = 0; s < run.results.size(); ++s) {
+    const Subject& subject = run.results[s].subject;
+    const std::string of = " of " + subject.name;
+    facts.emplace_back("specification" + of, subject.specification);
+    facts.emplace_back("version" + of, subject.version);
+    facts.emplace_back("law" + of, std::string(name_of(subject.law)));
+    facts.emplace_back("precision" + of, std::string(name_of(subject.precision)));
+    facts.emplace_back("deviates" + of, listed(subject.deviates));
+    facts.emplace_back("claims" + of, properties::to_text(subject.effects));
+    facts.emplace_back("collision matrix" + of, subject.shows_collision_matrix ? "shown" : "not shown");
+    facts.emplace_back("counts" + of, run.counts[s] ? "true" : "false");
+  }
+  return facts;
 }
 
 void require_one_run(const std::vector<ReadShard>& shards) {
   const RunFacts expected = run_facts(shards[0].run);
   for (const ReadShard& shard : shards) {
-    if (const std::optional<FactDifference> difference = first_difference(expected, run_facts(shard.run))) {
-      fail_different(shards[0], shard, *difference);
+    const RunFacts facts = run_facts(shard.run);
+    for (std::size_t i = 0; i < std::min(expected.size(), facts.size()); ++i) {
+      if (expected[i] != facts[i]) {
+        throw MergeError(fmt::format(
+            "the shards do not belong to one run: {}: {} in {}, but {} in {}; merge only shards of the same run",
+            expected[i].first, shown(expected[i].second), shown(shards[0].file), shown(facts[i].second),
+            shown(shard.file)));
+      }
     }
   }
 }
@@ -93,7 +138,88 @@ std::vector<Witness> best_witnesses(const SubjectResult& result,
   return best;
 }
 
+void add_result(SubjectResult& sum, const SubjectResult& part) {
+  CAROM_EXPECTS(sum.subject.name == part.subject.name && sum.families.size() == part.families.size(), sum.subject.name,
+                part.subject.name);
+  const auto cases = static_cast<double>(sum.cases());
+  const auto more = static_cast<double>(part.cases());
+  if (cases + more > 0) {
+    sum.nanoseconds_per_solve =
+        (sum.nanoseconds_per_solve * cases + part.nanoseconds_per_solve * more) / (cases + more);
+  }
+  if (sum.error.empty()) {
+    sum.error = part.error;
+  }
+  for (std::size_t f = 0; f < sum.families.size(); ++f) {
+    sum.families[f] += part.families[f];
+    sum.families[f].order_violated_cases();
+  }
+  if (sum.beyond_domain.size() < part.beyond_domain.size()) {
+    sum.beyond_domain.resize(part.beyond_domain.size());
+  }
+  for (std::size_t f = 0; f < part.beyond_domain.size(); ++f) {
+    sum.beyond_domain[f] += part.beyond_domain[f];
+  }
+  if (sum.error_beyond_domain.empty()) {
+    sum.error_beyond_domain = part.error_beyond_domain;
+  }
+  sum.digits += part.digits;
+  sum.witnesses.insert(sum.witnesses.end(), part.witnesses.begin(), part.witnesses.end());
+}
+
+/// The sampled cases of the family that belong to the shard. The other cases stay default-constructed.
+std::vector<properties::SampledCase> sample_of(const properties::GateOptions& options,
+                                               const properties::Family& family) {
+  std::vector<properties::SampledCase> sample = properties::drawn_sample(
+      options.within, family, options.seed, options.cases * static_cast<std::uint64_t>(family.weight));
+  for (std::size_t index = 0; index < sample.size(); ++index) {
+    if (index % options.shard.of != options.shard.number - 1) {
+      sample[index] = {};
+    }
+  }
+  return sample;
+}
+
+/// Makes the sum a report of `shard`, which consists of the added shards: draws its sample, and states if too few cases
+/// were judged.
+void complete_sum(properties::GateReport& sum, const properties::Shard& shard) {
+  sum.options.shard = shard;
+  sum.sampled.assign(sum.options.families.size(), {});
+  // Only a report of violations reads the sample.
+  const auto is_violated = [](const SubjectResult& result) { return !result.violated_invariants().empty(); };
+  if (std::any_of(sum.results.begin(), sum.results.end(), is_violated)) {
+    std::transform(sum.options.families.begin(), sum.options.families.end(), sum.sampled.begin(),
+                   [&](const properties::Family* family) { return sample_of(sum.options, *family); });
+  }
+  properties::state_what_was_not_judged(sum);
+}
+
 }  // namespace
+
+void add_report(properties::GateReport& sum, const properties::GateReport& part) {
+  CAROM_EXPECTS(sum.results.size() == part.results.size(), sum.results.size(), part.results.size());
+  for (std::size_t f = 0; f < sum.coverage.size(); ++f) {
+    sum.coverage[f] += part.coverage[f];
+  }
+  sum.features += part.features;
+  sum.judge_error = sum.judge_error ? sum.judge_error : part.judge_error;
+  for (std::size_t s = 0; s < sum.results.size(); ++s) {
+    add_result(sum.results[s], part.results[s]);
+  }
+}
+
+void complete_run(properties::GateReport& sum, const properties::GateOptions& options,
+                  const std::vector<Subject>& subjects) {
+  CAROM_EXPECTS(sum.results.size() == subjects.size(), sum.results.size(), subjects.size());
+  sum.options = options;
+  sum.interrupted = options.stop.stop_requested();
+  complete_sum(sum, options.shard);
+  for (std::size_t s = 0; s < subjects.size(); ++s) {
+    sum.results[s].subject = subjects[s];
+    sum.results[s].witnesses.clear();
+  }
+  properties::add_witnesses(sum);
+}
 
 Run merged_run(const std::vector<ReadShard>& shards) {
   if (shards.empty()) {

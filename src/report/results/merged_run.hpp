@@ -4,9 +4,21 @@
 #include <stdexcept>
 #include <vector>
 
+#include <carom/properties/gate/gate_report.hpp>
 #include <carom/report/results/run_json.hpp>
 
+/// The sum of the reports of several shards.
 namespace carom::report {
+
+/// Adds counts, coverage, worst cases, digits and witnesses, in the order of the shards. Precondition: both reports are
+/// of the same run.
+void add_report(properties::GateReport& sum, const properties::GateReport& part);
+
+/// Completes the sum of all parts of the run that `options` describe: draws its sample, states if too few cases were
+/// judged, and finds its witnesses. Preconditions:
+/// `options` have no budget, and are not `fail_fast`; `subjects` are those of the parts, and open sessions.
+void complete_run(properties::GateReport& sum, const properties::GateOptions& options,
+                  const std::vector<Subject>& subjects);
 
 /// Thrown if the shards are not exactly those of one run. A shard holds every n-th case of each family.
 class MergeError : public std::runtime_error {

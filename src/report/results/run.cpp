@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <carom/collision/json/text.hpp>
-#include <carom/report/results/exit_status.hpp>
 #include <carom/report/results/run.hpp>
 #include <carom/report/results/words.hpp>
 
@@ -66,24 +65,6 @@ int Run::exit_status() const {
   return is_new ? exit_violated : exit_all_hold;
 }
 
-void Overall::add(SubjectStatus status, std::size_t violated_invariants) {
-  ++subjects;
-  sound += status == SubjectStatus::sound ? 1 : 0;
-  violated += violated_invariants;
-  violating_subjects += status == SubjectStatus::violated ? 1 : 0;
-}
-
-Overall overall_of(const RecordedRun& run) {
-  Overall overall;
-  overall.interrupted = run.interrupted;
-  for (const RecordedSubject& subject : run.subjects) {
-    if (subject.counts) {
-      overall.add(subject.summary.status, subject.summary.violated.size());
-    }
-  }
-  return overall;
-}
-
 bool is_sound_throughout(const Overall& overall) {
   return overall.violated == 0 && overall.subjects > 0 && overall.sound == overall.subjects && !overall.interrupted;
 }
@@ -100,7 +81,11 @@ Overall overall_of(const Run& run) {
   overall.interrupted = run.interrupted;
   for (std::size_t s = 0; s < run.results.size(); ++s) {
     if (run.counts[s]) {
-      overall.add(status_of(run.results[s]), run.results[s].witnesses.size());
+      const SubjectStatus status = status_of(run.results[s]);
+      ++overall.subjects;
+      overall.sound += status == SubjectStatus::sound ? 1 : 0;
+      overall.violated += run.results[s].witnesses.size();
+      overall.violating_subjects += status == SubjectStatus::violated ? 1 : 0;
     }
   }
   return overall;

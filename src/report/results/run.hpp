@@ -12,12 +12,25 @@
 #include <carom/properties/diagnosis/diagnosis.hpp>
 #include <carom/properties/gate/gate_report.hpp>
 #include <carom/report/results/comparison.hpp>
-#include <carom/report/results/subject_status.hpp>
 #include <carom/report/results/version.hpp>
 
 /// The results of a run of the gate, as one value. report.json contains it (run_json.hpp), and all forms of a report
 /// show it.
 namespace carom::report {
+
+inline constexpr int exit_all_hold = 0;
+inline constexpr int exit_violated = 1;
+inline constexpr int exit_usage = 2;  // usage, environment, or input that cannot be read
+
+/// The text for a missing number.
+inline constexpr const char* no_number = "–";
+
+/// The numbers of correct digits that 50 %, 99 % and 100 % of the cases reach. None if no digits were measured.
+struct Digits {
+  std::optional<double> p50;
+  std::optional<double> p99;
+  std::optional<double> worst;
+};
 
 /// The environment of a run, which a reader needs to repeat it. A field is empty if the system does not provide it.
 struct Environment {
@@ -68,7 +81,22 @@ struct Run : properties::GateReport {
 /// The reason why properties::not_claimed_without_matrix lists an invariant, in words.
 inline constexpr const char* shows_no_matrix = "because it shows no collision matrix";
 
+/// The totals of a run over the subjects that count.
+struct Overall {
+  std::size_t subjects = 0;
+  std::size_t sound = 0;
+  std::size_t violated = 0;            // invariants, each counted once for each subject that violates it
+  std::size_t violating_subjects = 0;  // subjects with any violation
+  bool interrupted = false;
+};
+
 [[nodiscard]] Overall overall_of(const Run& run);
+
+/// Whether the run ended, and found every subject sound.
+[[nodiscard]] bool is_sound_throughout(const Overall& overall);
+
+/// "sound", "3 violated" or "not judged". Violations are reported even if something was not judged.
+[[nodiscard]] std::string in_words(const Overall& overall);
 
 /// A subject's name, as a part of a file's name.
 [[nodiscard]] std::string file_name_of(std::string name);

@@ -10,12 +10,9 @@
 
 #include <carom/properties/cases/draw_within.hpp>
 #include <carom/properties/gate/in_words.hpp>
-#include <carom/report/results/answer_json.hpp>
-#include <carom/report/results/comparison_record.hpp>
-#include <carom/report/results/declared_effects_json.hpp>
-#include <carom/report/results/domain_json.hpp>
 #include <carom/report/results/findings.hpp>
 #include <carom/report/results/run_json.hpp>
+#include <carom/report/results/values_json.hpp>
 #include <carom/report/results/version.hpp>
 #include <carom/report/results/words.hpp>
 
@@ -84,24 +81,6 @@ struct Json<oracles::JudgeError> {
   }
   static oracles::JudgeError read(const Field& field) {
     return {field.at("what").text(), Json<Collision>::read(field.at("collision"))};
-  }
-};
-
-template <>
-struct Json<properties::AdjustmentCounts> {
-  static json write(const properties::AdjustmentCounts& counts) {
-    json record = json::object();
-    for (const properties::Adjustment adjustment : properties::all_adjustments) {
-      record[std::string(name_of(adjustment))] = counts[adjustment];
-    }
-    return record;
-  }
-  static properties::AdjustmentCounts read(const Field& field) {
-    properties::AdjustmentCounts counts{};
-    for (const properties::Adjustment adjustment : properties::all_adjustments) {
-      counts[adjustment] = field.at(std::string(name_of(adjustment))).count();
-    }
-    return counts;
   }
 };
 
@@ -585,21 +564,18 @@ json report_record(const Run& run) {
 }
 
 RecordedSubject recorded_subject(const Field& record, const std::vector<std::string>& families) {
-  const auto texts = [&](const Field& list) {
+  const auto texts = [](const Field& list) {
     std::vector<std::string> lines;
     for (const Field& text : list.elements()) {
       lines.push_back(text.line());
     }
     return lines;
   };
-  const auto text_or_none = [&](const char* name) {
-    const std::optional<Field> text = record.find(name);
-    return text ? text->line() : std::string();
-  };
-  const Law law = Json<Law>::read(record.at("model"));
   RecordedSubject subject;
   subject.name = record.at("name").line();
-  subject.specification = text_or_none("specification");
+  if (const std::optional<Field> specification = record.find("specification")) {
+    subject.specification = specification->line();
+  }
   subject.counts = record.at("counts").flag();
   if (const std::optional<Field> effects = record.find("claims")) {
     subject.effects = properties::to_text(Json<DeclaredEffects>::read(*effects));
@@ -607,14 +583,10 @@ RecordedSubject recorded_subject(const Field& record, const std::vector<std::str
   if (const std::optional<Field> not_claimed = record.find("not_claimed")) {
     subject.not_claimed = texts(*not_claimed);
   }
-  SubjectSummary& summary = subject.summary;
-  summary.status = Json<SubjectStatus>::read(record.at("status"));
-  summary.error = record.at("error").line();
-  summary.version = text_or_none("version");
-  summary.law = name_of(law);
-  summary.precision = name_of(Json<Precision>::read(record.at("precision")));
-  summary.deviates = texts(record.at("deviates"));
-  if (summary.status == SubjectStatus::absent) {
+  subject.status = Json<SubjectStatus>::read(record.at("status"));
+  subject.error = record.at("error").line();
+  subject.deviates = texts(record.at("deviates"));
+  if (subject.status == SubjectStatus::absent) {
     return subject;
   }
   for (const Field& family : record.at("families").elements()) {
@@ -623,22 +595,14 @@ RecordedSubject recorded_subject(const Field& record, const std::vector<std::str
     }
     const std::string& name = families[subject.families.size()];
     require_family_at(family, name);
-    subject.families.push_back({name, family.at("violated").count(), {}});
-    summary.cases += family.at("cases").count();
-    summary.violated_cases += subject.families.back().violated;
+    subject.families.push_back({name, {}});
     for (const auto& [invariant, count] : family.at("invariants").members()) {
       subject.families.back().counts[shown(invariant)] = {count.at("holds").count(), count.at("violated").count(), 0};
     }
   }
   for (const Field& violation : record.at("violations").elements()) {
-    summary.violated.push_back(violation.at("invariant").line());
+    subject.violated.push_back(violation.at("invariant").line());
   }
-  const Field worst = record.at("worst_backward_error");
-  if (const double error = worst.at("ulps").number(); determines_outcome(law)) {
-    summary.worst_backward_error = error;
-    summary.worst_family = worst.at("family").line();
-  }
-  summary.digits = Json<Digits>::read(record.at("digits"));
   return subject;
 }
 
@@ -652,16 +616,20 @@ void read_settings(const Field& record, RecordedRun& run) {
   const std::optional<Field> within = record.find("within");
   const std::optional<Field> every = record.find("relations_every");
   const auto limits = Json<oracles::Limits>::read(record.at("yardstick"));
-  run.interrupted = record.at("interrupted").flag();
   run.cases = budget              ? fmt::format("as many as possible in {} s", budget->number())
               : run.heading.cases ? std::to_string(*run.heading.cases)
                                   : "unknown";
   run.domain = to_text(within ? Json<properties::Domain>::read(*within) : properties::Domain());
   run.yardstick = limit_in_words(limits) + (limits.filtered ? "" : ", only in exact arithmetic");
   run.relations_every = every && every->count() > 0 ? std::to_string(every->count()) : "default";
-  run.ended_early = run.interrupted    ? "interrupted"
-                    : has("fail_fast") ? "after the first violation of each subject"
-                                       : "no";
+  run.ended_early = record.at("interrupted").flag() ? "interrupted"
+                    : has("fail_fast")              ? "after the first violation of each subject"
+                                                    : "no";
+  run.shard = "the whole run";
+  if (const std::optional<Field> field = record.find("shard")) {
+    const properties::Shard shard = shard_number_from(*field);
+    run.shard = fmt::format("{}/{}", shard.number, shard.of);
+  }
 }
 
 RecordedRun recorded_run(const json& json_record, const std::string& file) {
@@ -672,17 +640,9 @@ RecordedRun recorded_run(const json& json_record, const std::string& file) {
     require_new(names, family.at("name"));
     run.families.push_back(family.at("name").line());
   }
-  run.heading = {shown(file),
-                 record.at("carom").line(),
-                 record.at("environment").at("date").line(),
+  run.heading = {shown(file), record.at("carom").line(), record.at("environment").at("date").line(),
                  record.at("seed").count(),
-                 Json<std::optional<std::uint64_t>>::read(record.at("cases_of_each_family")),
-                 run.families.size(),
-                 ""};
-  if (const std::optional<Field> field = record.find("shard")) {
-    const properties::Shard shard = shard_number_from(*field);
-    run.heading.shard = fmt::format("{}/{}", shard.number, shard.of);
-  }
+                 Json<std::optional<std::uint64_t>>::read(record.at("cases_of_each_family"))};
   read_settings(record, run);
   names.clear();
   for (const Field& subject : record.at("subjects").elements()) {
@@ -690,7 +650,7 @@ RecordedRun recorded_run(const json& json_record, const std::string& file) {
     run.subjects.push_back(recorded_subject(subject, run.families));
   }
   std::stable_partition(run.subjects.begin(), run.subjects.end(),
-                        [](const RecordedSubject& subject) { return subject.summary.status != SubjectStatus::absent; });
+                        [](const RecordedSubject& subject) { return subject.status != SubjectStatus::absent; });
   return run;
 }
 

@@ -16,6 +16,10 @@ namespace carom::report {
 /// The report.json that docs/reference/schemas/report.schema.json describes.
 [[nodiscard]] nlohmann::json report_record(const Run& run);
 
+/// Reads a report. Fields that it does not need may be missing. Throws FormatError that names the place if a field is
+/// missing or has another type, or if a subject or a family occurs twice.
+[[nodiscard]] RecordedRun recorded_run(const nlohmann::json& record, const std::string& file);
+
 /// A shard that was read, without samples and diagnoses. Each witness has only its invariant, family and number.
 struct ReadShard {
   std::string file;

@@ -17,15 +17,15 @@ std::string budget_in_words(const Run& run) {
   return in_words(run.options.budget.value_or(std::chrono::nanoseconds(0)));
 }
 
+std::string in_tenths(const std::optional<double>& number) {
+  return number ? fmt::format("{:.1f}", *number) : no_number;
+}
+
 }  // namespace
 
 std::string shown(const std::string& text) {
   constexpr std::size_t longest = 4000;
   return printable_line(text, longest);
-}
-
-std::string in_tenths(const std::optional<double>& number) {
-  return number ? fmt::format("{:.1f}", *number) : no_number;
 }
 
 std::string in_words(const Digits& digits) {

@@ -31,6 +31,9 @@ namespace carom::report {
 /// of cases.
 [[nodiscard]] std::string adjusted_sentences(const Run& run);
 
+/// "15.2 / 14.0 / 12.9", or no_number.
+[[nodiscard]] std::string in_words(const Digits& digits);
+
 /// "3 violated", or the status.
 [[nodiscard]] std::string verdict_in_words(const properties::SubjectResult& result);
 

@@ -14,10 +14,9 @@
 #include <carom/report/results/words.hpp>
 #include <carom/subjects/methods.hpp>
 
+#include "commands/chart.hpp"
 #include "commands/commands.hpp"
-#include "commands/exactness.hpp"
 #include "commands/options.hpp"
-#include "commands/timing.hpp"
 #include "io/arguments.hpp"
 #include "io/gnuplot.hpp"
 #include "io/interrupt.hpp"

@@ -6,7 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include <carom/report/results/exit_status.hpp>
+#include <carom/report/results/run.hpp>
 
 /// The commands of the program, one file each, with their options, actions and exit statuses.
 namespace carom::tool {

@@ -5,11 +5,9 @@
 #include <fmt/format.h>
 
 #include <carom/report/pages/pages.hpp>
-#include <carom/report/results/comparison_record.hpp>
 
 #include "commands/commands.hpp"
-#include "commands/options.hpp"
-#include "io/report_file.hpp"
+#include "io/reports.hpp"
 
 namespace carom::tool {
 namespace {
@@ -17,21 +15,12 @@ namespace {
 struct CompareArguments {
   std::string before;  // reports, or the directories that hold them
   std::string now;
-  std::string format = "text";
 };
 
 int compare_files(const CompareArguments& arguments) {
   const report::RecordedRun before = read_report(arguments.before);
   const report::Comparison comparison = report::compare_runs(before, read_report(arguments.now));
-  if (arguments.format == "json") {
-    fmt::print("{}\n", report::comparison_record(comparison).dump(2));
-  } else if (arguments.format == "markdown") {
-    fmt::print("{}", report::comparison_markdown(comparison));
-  } else if (arguments.format == "html") {
-    fmt::print("{}", report::comparison_html(comparison));
-  } else {
-    fmt::print("{}", report::comparison_text(comparison));
-  }
+  fmt::print("{}", report::comparison_text(comparison));
   return comparison.count_new(false) > 0 ? exit_violated : exit_all_hold;
 }
 
@@ -45,7 +34,6 @@ void add_compare(CLI::App& app, Chosen& chosen) {
   command->add_option("OLD", arguments->before, "The earlier report.json of `carom gate --out`, or its directory")
       ->required();
   command->add_option("NEW", arguments->now, "The later report.json, or its directory")->required();
-  add_format(*command, arguments->format, {"text", "markdown", "html", "json"});
   command->callback([&chosen, arguments] { chosen = [arguments] { return compare_files(*arguments); }; });
 }
 

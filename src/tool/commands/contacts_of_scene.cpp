@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSL-1.0
-#include "commands/contacts_of_scene.hpp"
-
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -9,6 +7,7 @@
 
 #include <carom/scene/polyhedra/scene_simulation.hpp>
 
+#include "commands/plan.hpp"
 #include "io/usage_error.hpp"
 #include "scene/scene_file.hpp"
 

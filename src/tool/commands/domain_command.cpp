@@ -11,7 +11,7 @@
 #include <carom/properties/cases/draw_within.hpp>
 #include <carom/properties/widest_domain/reach.hpp>
 #include <carom/report/pages/reach_pages.hpp>
-#include <carom/report/results/domain_json.hpp>
+#include <carom/report/results/values_json.hpp>
 #include <carom/report/results/words.hpp>
 
 #include "commands/commands.hpp"

@@ -13,8 +13,7 @@
 #include "commands/commands.hpp"
 #include "commands/options.hpp"
 #include "io/output.hpp"
-#include "io/present_run.hpp"
-#include "io/report_file.hpp"
+#include "io/reports.hpp"
 #include "io/usage_error.hpp"
 
 namespace carom::tool {

@@ -1,25 +1,50 @@
 // SPDX-License-Identifier: BSL-1.0
-#include "commands/plan_command.hpp"
-
-#include <algorithm>
 #include <memory>
-#include <stdexcept>
-#include <thread>
 
 #include <fmt/format.h>
 
+#include <carom/collision/json/json.hpp>
 #include <carom/collision/json/text.hpp>
 
-#include "commands/clock.hpp"
-#include "commands/cpp_call.hpp"
 #include "commands/options.hpp"
-#include "commands/plan_text.hpp"
+#include "commands/plan.hpp"
+#include "io/input_file.hpp"
 #include "io/interrupt.hpp"
+#include "io/json_file.hpp"
 #include "io/output.hpp"
 #include "io/threads.hpp"
+#include "io/usage_error.hpp"
 
 namespace carom::tool {
 namespace {
+
+bool is_scene(const std::string& text) {
+  try {
+    const nlohmann::json record = parse_json(text);
+    return record.is_object() && record.contains("duration");
+  } catch (const FormatError&) {
+    return false;  // JSON Lines, or a defect that the later reader reports better
+  }
+}
+
+/// The contacts of a file: the collisions that for_each_collision reads, or the impacts of a scene if
+/// `contacts_of_scene` is set. A collision is kept if its only defects are ε, μ or e_t out of range. Throws UsageError
+/// that names the file, the place, the field, and what was expected. Throws UsageError, too, if the user stopped.
+plan::RecordedContacts contacts_of_file(const std::string& file, const plan::ContactsOfScene& contacts_of_scene,
+                                        const std::stop_token& stop) {
+  JsonFile read_file(file, stop);
+  if (!read_file.is_lines() && is_scene(read_file.whole())) {
+    if (!contacts_of_scene) {
+      throw UsageError(fmt::format("{}: this file is a scene; to plan it, install carom-scene", file));
+    }
+    return contacts_of_scene(read_file.whole(), file, stop);
+  }
+  plan::RecordedContacts recorded;
+  for_each_collision(read_file, OutOfRange::kept, [&](const ReadCollision& read) {
+    recorded.contacts.push_back({read.contact_class, read.one.collision, read.place});
+  });
+  return recorded;
+}
 
 struct PlanArguments {
   std::string file;
@@ -34,24 +59,20 @@ struct PlanArguments {
 
 int plan_contacts(const PlanArguments& arguments, const plan::ContactsOfScene& contacts_of_scene) {
   const std::stop_token stop = stop_on_interrupt();
-  const plan::RecordedContacts recorded = plan::contacts_of_file(arguments.file, contacts_of_scene, stop);
+  const plan::RecordedContacts recorded = contacts_of_file(arguments.file, contacts_of_scene, stop);
   const Law law = arguments.law.empty() ? recorded.law.value_or(Law::rough) : *law_named(arguments.law);
-  std::vector<properties::plan::Candidate> candidates;
-  for (plan::CallableCandidate& one : plan::callable_candidates()) {
-    candidates.push_back(std::move(one.candidate));
-  }
   properties::plan::PlanOptions options;
   options.demand = {law, arguments.limit_ulps, arguments.digits, arguments.exact_law};
   options.workers = threads(arguments.jobs);
   options.clock = arguments.repetitions > 0 ? plan::clock_of(arguments.repetitions) : properties::plan::Clock();
   options.progress = progress_line("contacts");
   options.stop = stop;
-  const plan::PlanRun run{arguments.file, options.demand, make_plan(recorded.contacts, candidates, options),
+  const plan::PlanRun run{arguments.file, options.demand, make_plan(recorded.contacts, plan::candidates(), options),
                           arguments.repetitions};
   if (arguments.format == "json") {
     fmt::print("{}\n", plan_record(run).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
   } else {
-    const std::string text = arguments.format == "markdown" ? plan_markdown(run) : plan_text(run);
+    const std::string text = plan_text(run);
     fmt::print("{}", carom::printable(text, text.size()));
   }
   return run.exit_status();
@@ -91,7 +112,7 @@ void add_plan_with(CLI::App& app, Chosen& chosen, plan::ContactsOfScene contacts
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
   add_jobs(*command, arguments->jobs, "Number of threads that judge");
-  add_format(*command, arguments->format, {"text", "markdown", "json"});
+  add_format(*command, arguments->format, {"text", "json"});
   command->callback([&chosen, arguments, contacts_of_scene = std::move(contacts_of_scene)] {
     chosen = [arguments, contacts_of_scene] { return plan_contacts(*arguments, contacts_of_scene); };
   });

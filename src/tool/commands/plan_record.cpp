@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
-#include "commands/plan_record.hpp"
-
 #include <carom/collision/json/json.hpp>
-#include <carom/report/results/exit_status.hpp>
+#include <carom/report/results/run.hpp>
 #include <carom/report/results/run_json.hpp>
 #include <carom/report/results/version.hpp>
 
-#include "commands/cpp_call.hpp"
+#include "commands/plan.hpp"
 #include "io/this_environment.hpp"
 
 namespace carom::tool::plan {
@@ -58,11 +56,8 @@ json choice_record(const std::optional<std::size_t>& choice, const Part& part, c
     return {};
   }
   const JudgedCandidate& one = part.candidates[*choice];
-  const CppCall code = callable_candidate(plan.candidates[one.candidate].subject)->code;
   json record = candidate_record(one, part, plan);
-  record["headers"] = code.headers;
-  record["reads"] = code.reads;
-  record["call"] = code.call;
+  record["header"] = header_of(plan.candidates[one.candidate].subject.name);
   return record;
 }
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSL-1.0
-#include "commands/plan_text.hpp"
-
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -8,7 +6,7 @@
 #include <carom/report/pages/document.hpp>
 #include <carom/report/pictures/measurement.hpp>
 
-#include "commands/cpp_call.hpp"
+#include "commands/plan.hpp"
 
 namespace carom::tool::plan {
 namespace {
@@ -65,11 +63,12 @@ void add_choice(Table& table, const Part& part, const Plan& plan, bool in_batche
   std::vector<std::string> row{part.name, fmt::format("{}", part.contacts.size()),
                                in_batches ? "in batches" : "one at a time"};
   if (!choice) {
-    row.insert(row.end(), {"nothing serves", "", "", "", "", ""});
+    row.insert(row.end(), {"nothing serves", "", "", "", "", "", ""});
   } else {
     const JudgedCandidate& one = part.candidates[*choice];
     const Candidate& candidate = plan.candidates[one.candidate];
     row.push_back(candidate.subject.name);
+    row.push_back(header_of(candidate.subject.name));
     row.push_back(in_words(candidate, part));
     row.push_back(number_or_dash(one.certificate.worst_backward_error, "{:.3g}"));
     row.push_back(number_or_dash(one.certificate.least_digits, "{:.1f}"));
@@ -85,6 +84,7 @@ Table choices(const Plan& plan) {
                {"contacts"},
                {"solved"},
                {"least that serves"},
+               {"header"},
                {"computes in"},
                {"worst ulps"},
                {"least digits"},
@@ -117,27 +117,6 @@ Table laws(const Plan& plan, Law law) {
       table.rows.push_back(
           {{part->name, std::string(name_of(count.law)), fmt::format("{} of {}", count.served, part->contacts.size()),
             fmt::format("{} of {}", count.exactly(), part->contacts.size()), reasons.empty() ? "–" : reasons}});
-    }
-  }
-  return table;
-}
-
-Table calls(const Plan& plan) {
-  Table table{"", {{"least that serves"}, {"include"}, {"call"}}, {}};
-  for (const Part* part : parts_of(plan)) {
-    for (const auto& choice : {part->one_at_a_time, part->in_batches}) {
-      if (!choice) {
-        continue;
-      }
-      const Subject& subject = plan.candidates[part->candidates[*choice].candidate].subject;
-      const CppCall code = callable_candidate(subject)->code;
-      std::string headers;
-      for (const std::string& header : code.headers) {
-        headers += fmt::format("{}<{}>", headers.empty() ? "" : ", ", header);
-      }
-      if (std::ranges::none_of(table.rows, [&](const auto& row) { return row.cells.front().text == subject.name; })) {
-        table.rows.push_back({{subject.name, report::name_cell(headers), report::name_cell(code.call)}});
-      }
     }
   }
   return table;
@@ -234,7 +213,6 @@ Document page(const PlanRun& run) {
                                        name_of(run.demand.law), properties::plan::contacts_timed, run.repetitions,
                                        saving_in_words(plan))}}});
   }
-  add("How to call the methods", calls(plan));
   add("Lesser laws", laws(plan, run.demand.law));
   add("Methods that do not serve the whole", failures(plan));
   add("Findings of the lint", findings(plan));
@@ -244,7 +222,5 @@ Document page(const PlanRun& run) {
 }  // namespace
 
 std::string plan_text(const PlanRun& run) { return in_text(page(run)); }
-
-std::string plan_markdown(const PlanRun& run) { return in_markdown(page(run)); }
 
 }  // namespace carom::tool::plan

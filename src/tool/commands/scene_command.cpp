@@ -18,9 +18,8 @@
 #include <carom/properties/gate/nearest_name.hpp>
 
 #include "commands/commands.hpp"
-#include "commands/contacts_of_scene.hpp"
 #include "commands/options.hpp"
-#include "commands/plan_command.hpp"
+#include "commands/plan.hpp"
 #include "io/gnuplot.hpp"
 #include "io/interrupt.hpp"
 #include "io/json_file.hpp"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
-#include "commands/timing.hpp"
-
 #include <algorithm>
 #include <array>
 #include <string>
 
 #include <benchmark/benchmark.h>
+
+#include "commands/chart.hpp"
 
 namespace carom::tool::chart {
 namespace {

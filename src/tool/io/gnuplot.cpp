@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <carom/report/pictures/colours.hpp>
+#include <carom/report/pictures/plot.hpp>
 #include <carom/subjects/protocol/child.hpp>
 
 #include "io/json_file.hpp"

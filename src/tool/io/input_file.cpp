@@ -10,6 +10,7 @@
 #include <carom/properties/gate/nearest_name.hpp>
 #include <carom/properties/invariants/invariant.hpp>
 #include <carom/properties/plan/lint.hpp>
+#include <carom/report/results/archive.hpp>
 
 #include "io/usage_error.hpp"
 
@@ -33,48 +34,34 @@ json parsed(const std::string& text, const std::string& place) {
   }
 }
 
-std::string text_field(const json& record, const char* name, const std::string& place) {
-  if (!record.is_string()) {
-    fail(place, fmt::format("{}: expected a string, found {}", name, record.dump()));
-  }
-  return record.get<std::string>();
-}
-
-std::optional<WitnessFacts> witness_facts(const json& record, const std::string& place) {
-  if (!record.contains("invariant") && !record.contains("subject")) {
-    return std::nullopt;
-  }
+/// Throws FormatError that names the place.
+WitnessFacts witness_facts(const report::Field& record) {
   WitnessFacts facts;
-  if (record.contains("invariant")) {
-    facts.invariant = text_field(record.at("invariant"), "/invariant", place);
+  if (const auto invariant = record.find("invariant")) {
+    facts.invariant = invariant->text();
     if (properties::invariant_named(facts.invariant) == nullptr) {
       std::vector<std::string> known;
-      for (const properties::Invariant& invariant : properties::all_invariants()) {
-        known.emplace_back(invariant.name);
+      for (const properties::Invariant& one : properties::all_invariants()) {
+        known.emplace_back(one.name);
       }
-      fail(place, fmt::format("/invariant: there is no invariant '{}'{}", facts.invariant,
-                              properties::did_you_mean(facts.invariant, known)));
+      throw FormatError(invariant->place(), fmt::format("there is no invariant '{}'{}", facts.invariant,
+                                                        properties::did_you_mean(facts.invariant, known)));
     }
   }
-  if (record.contains("subject")) {
-    const json& subject = record.at("subject");
-    if (!subject.is_object() || !subject.contains("name")) {
-      fail(place, "/subject: expected an object with a name, found " + subject.dump());
+  if (const auto subject = record.find("subject")) {
+    facts.subject = subject->at("name").text();
+    if (const auto specification = subject->find("specification")) {
+      facts.subject = specification->text();
     }
-    facts.subject = text_field(subject.at("name"), "/subject/name", place);
-    if (subject.contains("specification")) {
-      facts.subject = text_field(subject.at("specification"), "/subject/specification", place);
-    }
-    if (subject.contains("model")) {
-      const std::string model = text_field(subject.at("model"), "/subject/model", place);
-      facts.law = law_named(model);
+    if (const auto model = subject->find("model")) {
+      facts.law = law_named(model->text());
       if (!facts.law) {
         std::vector<std::string_view> known;
         for (const Law law : all_laws) {
           known.push_back(name_of(law));
         }
-        fail(place,
-             fmt::format("/subject/model: there is no law '{}'; expected one of {}", model, fmt::join(known, ", ")));
+        throw FormatError(model->place(), fmt::format("there is no law '{}'; expected one of {}", model->text(),
+                                                      fmt::join(known, ", ")));
       }
     }
   }
@@ -96,23 +83,20 @@ ReadCollision read_record(const json& record, const std::string& place, OutOfRan
   if (of_witness == OfWitness::drawn && !(is_wrapped && record.contains(field))) {
     fail(place, "/drawn: is missing; only a witness of carom gate has this field, so use --drawn with a witness");
   }
-  if (record.is_object() && record.contains("class")) {
-    read.contact_class = text_field(record.at("class"), "/class", place);
-  }
   try {
+    const report::Field fields(record);
+    if (const auto contact_class = record.is_object() ? fields.find("class") : std::nullopt) {
+      read.contact_class = contact_class->text();
+    }
     read.one.collision = is_wrapped ? collision_from_json(record.at(field), '/' + field) : bare_collision(record);
+    if (is_wrapped && (record.contains("invariant") || record.contains("subject"))) {
+      read.witness = witness_facts(fields);
+    }
+    if (const auto convex_uniform = is_wrapped ? fields.find("convex_uniform") : std::nullopt) {
+      read.one.convex_uniform = convex_uniform->flag();
+    }
   } catch (const FormatError& error) {
     fail(place, error.what());
-  }
-  if (is_wrapped) {
-    read.witness = witness_facts(record, place);
-    if (record.contains("convex_uniform")) {
-      const json& convex_uniform = record.at("convex_uniform");
-      if (!convex_uniform.is_boolean()) {
-        fail(place, "/convex_uniform: expected true or false, found " + convex_uniform.dump());
-      }
-      read.one.convex_uniform = convex_uniform.get<bool>();
-    }
   }
   const bool is_kept = out_of_range == OutOfRange::kept && properties::plan::is_out_of_range(read.one.collision);
   const bool may_be_invalid = is_kept || (read.witness && read.witness->is_of_invalid());

@@ -8,7 +8,7 @@
 namespace carom::properties::plan {
 namespace {
 
-TEST(ContactClass, IsOfTheGeometryAndTheMoments) {
+TEST(ContactClass, FollowsFromTheGeometryAndTheMoments) {
   Collision c = unit::ball_on_a_plane(0.5, 1);
   EXPECT_EQ(contact_class_of(c), "central, one immovable");
   c.a.position = {0.25, 1, 0};
@@ -35,7 +35,7 @@ TEST(ContactClass, IsCentralWithinTheRoundingOfThePlaces) {
   EXPECT_EQ(contact_class_of(c), "equal moments, one immovable");
 }
 
-TEST(ContactClass, AsksEachMovableBodyAndNoOther) {
+TEST(ContactClass, DependsOnMovableBodiesOnly) {
   Collision c = unit::ball_on_a_plane(0.5, 1);
   c.b.position = {5, 7, 9};
   EXPECT_EQ(contact_class_of(c), "central, one immovable");

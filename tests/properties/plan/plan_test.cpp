@@ -100,7 +100,7 @@ TEST(Plan, NamesClassesByGeometryUnlessTheyHaveAName) {
 
 /// A plan rejects a candidate with a relative error of 10⁻¹⁰ on one of a hundred contacts, unless the plan demands only
 /// nine digits.
-TEST(Plan, RejectsAPlantedWrongCandidate) {
+TEST(Plan, RejectsACandidateThatIsWrongOnOneContact) {
   std::vector<Candidate> candidates = some_candidates();
   Candidate wrong = candidate("frictionless-float", 0);
   wrong.subject.name = "planted";
@@ -133,7 +133,7 @@ TEST(Plan, RejectsAPlantedWrongCandidate) {
   EXPECT_EQ(judged(of_nine, of_nine.whole, "planted").certificate.failures, 0U);
 }
 
-TEST(Plan, RejectsWhatRefusesOrIsNotFinite) {
+TEST(Plan, RejectsACandidateThatRefuses) {
   std::vector<Candidate> candidates = some_candidates();
   Candidate mute = candidate("frictionless-float", 0);
   mute.subject.name = "mute";
@@ -174,7 +174,7 @@ TEST(Plan, RefusesFloatForOneContactFarFromTheOrigin) {
 }
 
 /// If a contact does not collide, the velocities must stay unchanged to the demanded digits.
-TEST(Plan, AsksForNoDigitsOfAChangeThatThereIsNot) {
+TEST(Plan, AsksForNoDigitsOfAChangeIfNothingCollides) {
   ClassedCollision parting = crate_at(0.25);
   parting.collision.a.velocity = {0.7, 1.3, 0.2};
   const Plan plan = make_plan(std::vector{parting}, some_candidates(), options_for(Law::reflection, 6));
@@ -183,7 +183,7 @@ TEST(Plan, AsksForNoDigitsOfAChangeThatThereIsNot) {
   EXPECT_FALSE(judged(plan, plan.whole, "frictionless-float").certificate.least_digits.has_value());
 }
 
-TEST(Plan, SaysWhereNothingServes) {
+TEST(Plan, ServesNothingIfNoCandidateHasTheDigits) {
   const std::vector<ClassedCollision> contacts{crate_at(0.1)};
   const Plan plan = make_plan(contacts, some_candidates(), options_for(Law::reflection, 18));
   EXPECT_EQ(chosen(plan), "reflection-long-double");
@@ -196,7 +196,7 @@ TEST(Plan, SaysWhereNothingServes) {
 
 /// Recorded positions are rounded, so r × N is not exactly zero. So the answers of `frictionless` and `reflection`
 /// differ, by less than the demanded accuracy.
-TEST(Plan, TakesOnlyTheSameLawWhereThatIsAskedFor) {
+TEST(Plan, WithExactLawTakesALesserLawOnlyIfItIsExactlyTheSame) {
   Collision ball = unit::ball_on_a_plane(0.4, 0);
   ball.normal = {1.0 / 3, 2.0 / 3, 2.0 / 3};
   ball.point = {0.1, -7.3, 0.9};
@@ -211,7 +211,7 @@ TEST(Plan, TakesOnlyTheSameLawWhereThatIsAskedFor) {
   EXPECT_EQ(chosen(make_plan(contacts_of("collinear_spheres", 5), some_candidates(), options)), "frictionless-double");
 }
 
-TEST(Plan, JudgesCoulombByItsEquations) {
+TEST(Plan, ForTheLawCoulombJudgesByItsEquations) {
   std::vector<Candidate> candidates{candidate("coulomb-double", 1), candidate("sticking-double", 1),
                                     candidate("rough-double", 1), candidate("frictionless-double", 1)};
   std::vector<ClassedCollision> contacts;
@@ -228,7 +228,7 @@ TEST(Plan, JudgesCoulombByItsEquations) {
 }
 
 /// The plan chooses the faster candidate. If the times hardly differ, `is_less` decides.
-TEST(Plan, ChoosesByTheClock) {
+TEST(Plan, ChoosesTheFasterCandidateUnlessTheTimesHardlyDiffer) {
   PlanOptions options = options_for(Law::reflection);
   const auto with_times = [&](double of_reflection, double of_llt) {
     options.clock = [=](std::span<const Timing> timings) {
@@ -267,7 +267,7 @@ TEST(Plan, IsTheSameWithAnyNumberOfThreads) {
   }
 }
 
-TEST(Plan, IsMadeOfEveryFamily) {
+TEST(Plan, OfContactsOfEveryFamilyHasConsistentCertificates) {
   std::vector<ClassedCollision> contacts;
   for (const auto& [family, one] : unit::valid_cases(3)) {
     contacts.push_back({std::string(family), one.collision, std::string(family)});
@@ -297,7 +297,7 @@ TEST(Plan, IsMadeOfEveryFamily) {
   }
 }
 
-TEST(Plan, LeavesOutWhatNoLawIsDefinedFor) {
+TEST(Plan, LeavesOutContactsWhoseCoefficientsAreOutOfRange) {
   std::vector<ClassedCollision> contacts{crate_at(0), crate_at(1)};
   contacts[1].collision.restitution = 2;
   const Plan plan = make_plan(contacts, some_candidates(), options_for(Law::reflection));
@@ -310,7 +310,7 @@ TEST(Plan, LeavesOutWhatNoLawIsDefinedFor) {
   EXPECT_FALSE(make_plan(contacts, some_candidates(), options_for(Law::reflection)).serves());
 }
 
-TEST(Plan, RefusesWhatItCannotBeMadeOf) {
+TEST(Plan, RefusesNoContactTheLawAnyAMissingBaselineAndAnInvalidCollision) {
   const auto make = [](const std::vector<ClassedCollision>& contacts, Law law, std::vector<Candidate> candidates) {
     return make_plan(contacts, candidates, options_for(law));
   };

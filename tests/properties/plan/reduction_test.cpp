@@ -57,7 +57,7 @@ std::vector<Collision> cases() {
 }
 
 /// `reduction` gives a reason if and only if the exact outcomes of two laws are equal.
-TEST(Reduction, ToFrictionlessIsGivenExactlyWhereTheTruthsAreTheSame) {
+TEST(Reduction, ToFrictionlessIsGivenIfAndOnlyIfTheExactOutcomesAreTheSame) {
   PerLaw<int> given{};
   PerLaw<int> not_given{};
   for (const Collision& collision : cases()) {
@@ -77,7 +77,7 @@ TEST(Reduction, ToFrictionlessIsGivenExactlyWhereTheTruthsAreTheSame) {
   }
 }
 
-TEST(Reduction, OfRoughToStickingIsGivenOnlyWhereTheTruthsAreTheSame) {
+TEST(Reduction, OfRoughToStickingIsGivenOnlyIfTheExactOutcomesAreTheSame) {
   int given = 0;
   for (const Collision& collision : cases()) {
     const ExactCase c(collision);
@@ -90,7 +90,7 @@ TEST(Reduction, OfRoughToStickingIsGivenOnlyWhereTheTruthsAreTheSame) {
 }
 
 /// A law that replaces `coulomb` gives one of the answers that oracles::coulomb_answers finds independently.
-TEST(Reduction, OfCoulombIsGivenOnlyWhereTheLesserLawIsAnAnswer) {
+TEST(Reduction, OfCoulombIsGivenOnlyIfTheLesserLawGivesAnAnswer) {
   PerLaw<int> given{};
   const std::vector<Collision> all = cases();
   for (std::size_t i = 0; i < all.size(); i += 4) {  // isolating the answers takes milliseconds
@@ -133,7 +133,7 @@ TEST(Reduction, OfSpheresIsByTheEigenvectorWhateverTheirVelocities) {
   }
 }
 
-TEST(Reduction, IsOfEveryLawWhereNothingCollides) {
+TEST(Reduction, IsGivenForEveryLesserLawIfNothingCollides) {
   Collision c = unit::ball_on_a_plane(0.5, 1);
   c.a.velocity = {1, 2, 0};
   for (const Law law : all_laws) {
@@ -143,7 +143,7 @@ TEST(Reduction, IsOfEveryLawWhereNothingCollides) {
   }
 }
 
-TEST(Reduction, HasEachLawLastAmongItsLesserOnes) {
+TEST(LesserLaws, EndWithTheLawItself) {
   for (const Law law : all_laws) {
     if (law == Law::any) {
       EXPECT_TRUE(lesser_laws(law).empty());
