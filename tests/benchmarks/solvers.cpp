@@ -20,7 +20,7 @@
 #include <carom/impulse/batch/solve.hpp>
 #include <carom/impulse/laws.hpp>
 #include <carom/properties/cases/body_pairs.hpp>
-#include <carom/properties/cases/needle_tip.hpp>
+#include <carom/properties/cases/beyond_domain.hpp>
 #include <carom/properties/draws/stream.hpp>
 #include <carom/subjects/methods.hpp>
 

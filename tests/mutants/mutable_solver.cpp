@@ -159,8 +159,8 @@ class Solver {
   Solver(Law law, std::vector<std::string_view> defects) : law_(law), defects_(std::move(defects)) {}
 
   [[nodiscard]] Answer answer(const Collision& collision) {
-    std::vector<Defect> refusal = validate(collision);
-    std::erase_if(refusal, [&](const Defect& wrong) {
+    std::vector<InputError> refusal = validate(collision);
+    std::erase_if(refusal, [&](const InputError& wrong) {
       return (has("accepts_restitution_above_one") && wrong.field == "restitution") ||
              (has("accepts_mass_zero") && wrong.field.ends_with(".mass")) ||
              (has("accepts_normal_zero") && wrong.field == "normal");

@@ -13,7 +13,7 @@
 #include <carom/collision/subject.hpp>
 #include <carom/properties/cases/family.hpp>
 #include <carom/properties/cases/sweep.hpp>
-#include <carom/properties/gate/restarts.hpp>
+#include <carom/properties/gate/answers.hpp>
 #include <carom/properties/gate/workers.hpp>
 #include <carom/report/pictures/measurement.hpp>
 #include <carom/subjects/methods.hpp>
