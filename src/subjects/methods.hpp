@@ -17,18 +17,15 @@ using Kernel = std::function<void()>;
 struct ScalarType {
   std::string_view in_name;  // in the name of the method
   std::string_view in_words;
-  std::string_view in_code;
   int rank;  // lower for fewer bits
 };
 
 /// A 3×3 solve of solve3.hpp or solve3_pivoting.hpp.
 struct Solve3 {
   std::string_view in_words;
-  std::string_view in_code;
   int rank;  // a lower rank is preferred; 0: the recommended solve
-  bool pivots = false;
 };
-inline constexpr Solve3 recommended_solve{"LDLᵀ", "Ldlt", 0};
+inline constexpr Solve3 recommended_solve{"LDLᵀ", 0};
 inline constexpr int solve_count = 7;
 
 /// The part of carom/impulse that a method uses.

@@ -9,12 +9,11 @@
 namespace carom::subjects {
 
 template <>
-inline constexpr Solve3 solve3<impulse::EigenPartialPivLu>{"PartialPivLU of Eigen", "EigenPartialPivLu", 4, true};
+inline constexpr Solve3 solve3<impulse::EigenPartialPivLu>{"PartialPivLU of Eigen", 4};
 template <>
-inline constexpr Solve3 solve3<impulse::EigenFullPivLu>{"FullPivLU of Eigen", "EigenFullPivLu", 5, true};
+inline constexpr Solve3 solve3<impulse::EigenFullPivLu>{"FullPivLU of Eigen", 5};
 template <>
-inline constexpr Solve3 solve3<impulse::EigenColPivHouseholderQr>{"ColPivHouseholderQR of Eigen",
-                                                                  "EigenColPivHouseholderQr", 6, true};
+inline constexpr Solve3 solve3<impulse::EigenColPivHouseholderQr>{"ColPivHouseholderQR of Eigen", 6};
 
 template <class S>
 static std::vector<Method> pivoting_methods() {

@@ -57,11 +57,11 @@ template <class S>
 template <class Solve>
 inline constexpr Solve3 solve3 = recommended_solve;
 template <>
-inline constexpr Solve3 solve3<impulse::Adjugate>{"adjugate", "Adjugate", 1};
+inline constexpr Solve3 solve3<impulse::Adjugate>{"adjugate", 1};
 template <>
-inline constexpr Solve3 solve3<impulse::EigenLlt>{"LLT of Eigen", "EigenLlt", 2};
+inline constexpr Solve3 solve3<impulse::EigenLlt>{"LLT of Eigen", 2};
 template <>
-inline constexpr Solve3 solve3<impulse::EigenLdlt>{"LDLT of Eigen", "EigenLdlt", 3};
+inline constexpr Solve3 solve3<impulse::EigenLdlt>{"LDLT of Eigen", 3};
 
 /// The basis-free reflection with the 3×3 solve `Solve`. `solve` is the name of the 3×3 solve in the summary.
 template <class S, class Solve>

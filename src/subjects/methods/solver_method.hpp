@@ -18,14 +18,13 @@
 namespace carom::subjects {
 
 template <class S>
-inline constexpr ScalarType scalar_type{"double", "double", "double", 1};
+inline constexpr ScalarType scalar_type{"double", "double", 1};
 template <>
-inline constexpr ScalarType scalar_type<float>{"float", "float", "float", 0};
+inline constexpr ScalarType scalar_type<float>{"float", "float", 0};
 template <>
-inline constexpr ScalarType scalar_type<long double>{"long-double", "long double", "long double", 2};
+inline constexpr ScalarType scalar_type<long double>{"long-double", "long double", 2};
 template <>
-inline constexpr ScalarType scalar_type<impulse::DoubleDouble>{"double-double", "double-double",
-                                                               "carom::impulse::DoubleDouble", 3};
+inline constexpr ScalarType scalar_type<impulse::DoubleDouble>{"double-double", "double-double", 3};
 
 /// The precision that a subject in S claims. DoubleDouble claims `extended`, whose significand is shorter.
 template <class S>
