@@ -12,7 +12,7 @@
 #include <carom/report/pages/case_drawing.hpp>
 #include <carom/report/pages/shown_case.hpp>
 #include <carom/report/results/answer_json.hpp>
-#include <carom/web/replay.hpp>
+#include <carom/web/commands.hpp>
 #include <carom/web/request.hpp>
 
 namespace carom::web {
