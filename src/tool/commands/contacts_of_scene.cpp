@@ -10,7 +10,7 @@
 #include <carom/scene/polyhedra/scene_simulation.hpp>
 
 #include "io/usage_error.hpp"
-#include "scene/scene_file.hpp"
+#include "scene/scene_run.hpp"
 
 namespace carom::tool::plan {
 namespace {
