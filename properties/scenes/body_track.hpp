@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <carom/collision/vector.hpp>
-#include <carom/properties/scenes/wide.hpp>
+#include <carom/properties/scenes/history.hpp>
 #include <carom/scene/arc.hpp>
 #include <carom/scene/polyhedra/rigid_body.hpp>
 

@@ -11,7 +11,7 @@ Subject solver_of_scene(Law law, Precision precision) {
   Subject subject;
   subject.name = "scene";
   subject.law = law;
-  subject.precision = precision;
+  subject.precision = std::min(precision, Precision::binary64);
   return subject;
 }
 

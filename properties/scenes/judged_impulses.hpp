@@ -20,7 +20,8 @@ struct BadImpulse {
   ReportedOutcome outcome;
 };
 
-/// Judges the impulses of a scene as the gate judges a subject of the scene's law and precision.
+/// Judges the impulses of a scene as the gate judges a subject of the scene's law and precision. The states are stored
+/// in binary64, so an impulse of a higher precision is judged as binary64.
 class ImpulseJudge {
  public:
   /// Judges every `every`-th impulse; none if `every` is 0.

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <carom/properties/scenes/history.hpp>
 #include <carom/properties/scenes/ledger.hpp>
-#include <carom/properties/scenes/wide.hpp>
 
 namespace carom::properties {
 namespace {
@@ -11,6 +11,9 @@ namespace {
 using scene::Arc;
 using scene::Phase;
 using Wide = WideVector;
+
+/// The limit of the total rounding error relative to the scale of the energy, for a scene in binary64.
+constexpr double rounding_limit_in_double = 1e-12;
 
 Wide wide_velocity_at(const Arc& arc, double time) {
   return wide(arc.path.velocity) + (static_cast<long double>(time) - arc.path.start) * wide(arc.path.acceleration);
@@ -149,6 +152,15 @@ Ledger::Ledger(const scene::SceneState& state)
 }
 
 Energies Ledger::present() const { return {translation_.sum(), rotation_.sum(), potential_.sum()}; }
+
+double Ledger::relative_rounding() const {
+  return scale_ > 0 ? static_cast<double>(std::abs(energy(Cause::rounding)) / scale_) : 0;
+}
+
+double Ledger::rounding_limit() const {
+  return rounding_limit_in_double *
+         std::max(1.0, unit_roundoff(scene_->precision) / unit_roundoff(Precision::binary64));
+}
 
 Vector3<long double> Ledger::sum_of(const Momentum& momentum) {
   return {momentum[0].sum(), momentum[1].sum(), momentum[2].sum()};

@@ -9,7 +9,6 @@
 #include <carom/collision/enum_array.hpp>
 #include <carom/collision/vector.hpp>
 #include <carom/scene/event.hpp>
-#include <carom/scene/scene_state.hpp>
 
 namespace carom::properties {
 
@@ -71,6 +70,10 @@ class Ledger {
   [[nodiscard]] Energies present() const;
   /// The reference for rounding [J]: the greatest kinetic energy so far, plus Σ m |g·x| of the initial positions.
   [[nodiscard]] long double scale() const { return scale_; }
+  /// The rounding of the energy relative to the scale, and its limit for the precision of the scene's impulses.
+  [[nodiscard]] double relative_rounding() const;
+  [[nodiscard]] double rounding_limit() const;
+  [[nodiscard]] bool is_closed() const { return relative_rounding() <= rounding_limit(); }
   /// Momentum [N s]: initial, and by cause. Planes act by impacts, and by their reaction on bodies that lie on them.
   [[nodiscard]] Vector3<long double> initial_momentum() const { return initial_momentum_; }
   [[nodiscard]] Vector3<long double> gravity_impulse() const { return sum_of(gravity_impulse_); }

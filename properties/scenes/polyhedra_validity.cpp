@@ -12,8 +12,8 @@
 
 #include <carom/collision/expects.hpp>
 #include <carom/properties/scenes/body_track.hpp>
-#include <carom/properties/scenes/polyhedra_validity.hpp>
-#include <carom/properties/scenes/wide.hpp>
+#include <carom/properties/scenes/history.hpp>
+#include <carom/properties/scenes/validity.hpp>
 #include <carom/scene/polyhedra/rigid_body.hpp>
 
 namespace carom::properties {
@@ -31,7 +31,7 @@ constexpr int most_halvings = 40;
 /// `most_halvings`.
 constexpr Real allowed_unseen = 0x1p-30L;
 /// The permitted jump of an orientation at a joint of arcs [rad]. It exceeds the error of an orientation at the end of
-/// an arc, 2⁻⁴⁰ (`longest_turn` in tumbling_body.hpp).
+/// an arc, 2⁻⁴⁰ (`longest_turn` in free_flight.hpp).
 constexpr Real allowed_turn = 0x1p-38L;
 /// The permitted jump of a position at a joint of arcs, relative to the terms of the parabola x + s (v + s a/2) of
 /// `scene::Path`. The position is rounded eight times.

@@ -11,7 +11,6 @@
 #include <fmt/format.h>
 
 #include <carom/oracles/exact/rational.hpp>
-#include <carom/properties/scenes/polyhedra_validity.hpp>
 #include <carom/properties/scenes/validity.hpp>
 
 namespace carom::properties {

@@ -5,11 +5,14 @@
 #include <optional>
 #include <stdexcept>
 #include <string_view>
+#include <vector>
 
 #include <carom/collision/collision.hpp>
 #include <carom/collision/outcome.hpp>
 #include <carom/scene/arc.hpp>
+#include <carom/scene/level_motion.hpp>
 #include <carom/scene/prediction.hpp>
+#include <carom/scene/scene.hpp>
 
 namespace carom::scene {
 
@@ -62,7 +65,7 @@ struct Event {
   bool has_impulse = false;  // only for impacts and captures: whether the bodies approached
   Collision collision;       // only for impacts and captures; the origin is the contact point
   Outcome<double> outcome;   // by the law; the stored velocities are in `Change::after`
-  /// Whether the approach is slower than `least_speed` (least_speed.hpp) and the body cannot rest. If so, ε is 1 in
+  /// Whether the approach is slower than `least_speed` (scene.hpp) and the body cannot rest. If so, ε is 1 in
   /// `collision`, and the bodies part at `least_speed`.
   bool was_slow = false;
 };
@@ -80,6 +83,25 @@ struct Counts {
   unsigned long long at_one_instant = 0;  // largest number of impacts at one time
   unsigned long long advances = 0;        // steps of conservative advancement (time_of_contact.hpp)
   ExactCounts exact;
+};
+
+struct BodyState {
+  double mass = 1;                             // [kg]
+  Vector3<double> principal_inertia{1, 1, 1};  // along the body axes [kg m²]
+  Arc arc;
+  /// Rotations from body axes to world axes, at the arc's start and at `SceneState::time`. Only computed for a scene
+  /// with polyhedra.
+  Quaternion<double> orientation_at_start{1, 0, 0, 0};
+  Quaternion<double> orientation{1, 0, 0, 0};
+  Vector3<double> angular_velocity{0, 0, 0};  // at `SceneState::time`, world [rad/s]
+};
+
+/// The state of a run at its beginning or end.
+struct SceneState {
+  const Scene* scene = nullptr;
+  double time = 0;                           // [s]
+  std::vector<BodyState> bodies;             // spheres first
+  std::vector<std::optional<Level>> levels;  // for each plane, how spheres rest on it; nothing if they cannot
 };
 
 }  // namespace carom::scene

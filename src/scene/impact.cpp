@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include <carom/collision/expects.hpp>
+#include <carom/impulse/coulomb.hpp>
 #include <carom/impulse/frictionless.hpp>
 #include <carom/impulse/numbers/double_double.hpp>
 #include <carom/impulse/numbers/exact_sum.hpp>
+#include <carom/impulse/reflection.hpp>
 #include <carom/impulse/rough.hpp>
 #include <carom/impulse/solve3.hpp>
 #include <carom/impulse/sticking.hpp>
@@ -32,48 +35,86 @@ void set_material(Collision& collision, const MaterialPair& pair) {
 }
 
 template <class S>
-BodyVelocity<double> in_double(const BodyVelocity<S>& velocity) {
-  const auto rounded = [](const Vector3<S>& v) {
-    return Vector3<double>{static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
-  };
-  return {rounded(velocity.velocity), rounded(velocity.angular_velocity)};
+Outcome<double> in_double(const Outcome<S>& outcome) {
+  return map_outcome<double>(outcome, [](const S& x) { return static_cast<double>(x); });
 }
 
 template <class S>
-Outcome<double> struck_in(Law law, const Collision& collision) {
+Outcome<double> struck_spheres_in(Law law, const Collision& collision) {
   using impulse::Ldlt;
   using Inertia = impulse::PrincipalInertia<S, impulse::Moments::equal>;
   impulse::Contact<S, Inertia> contact = impulse::make_contact<S, Inertia>(collision);
-  const auto outcome = [&]() -> Outcome<S> {
-    switch (law) {
-      case Law::frictionless:
-      case Law::reflection:
-        // The lever arms lie along the normal, so they do not change the impulse. Zero lever arms keep the spins
-        // exactly.
-        contact.a.lever_arm.setConstant(S(0));
-        contact.b.lever_arm.setConstant(S(0));
-        return impulse::frictionless<S, Inertia>(contact);
-      case Law::sticking:
-        return impulse::sticking<Ldlt, S, Inertia>(contact);
-      case Law::coulomb:
-        contact.tangential_restitution = S(0);
-        break;
-      case Law::rough:
-      case Law::any:
-        break;
+  switch (law) {
+    case Law::frictionless:
+    case Law::reflection: {
+      // The lever arms lie along the normal, so they do not change the impulse.
+      contact.a.lever_arm.setConstant(S(0));
+      contact.b.lever_arm.setConstant(S(0));
+      Outcome<double> result = in_double(impulse::frictionless<S, Inertia>(contact));
+      // Rounding to S would change the spins, which the impulse does not affect.
+      result.a.angular_velocity = collision.a.angular_velocity;
+      result.b.angular_velocity = collision.b.angular_velocity;
+      return result;
     }
-    return impulse::rough<Ldlt, S, Inertia>(contact);
-  }();
-  Outcome<double> result{in_double(outcome.a), in_double(outcome.b)};
-  // Rounding to S would change velocities that the impulse does not affect.
-  if (law == Law::frictionless || law == Law::reflection) {
-    result.a.angular_velocity = collision.a.angular_velocity;
-    result.b.angular_velocity = collision.b.angular_velocity;
+    case Law::sticking:
+      return in_double(impulse::sticking<Ldlt, S, Inertia>(contact));
+    case Law::coulomb:
+      contact.tangential_restitution = S(0);
+      break;
+    case Law::rough:
+    case Law::any:
+      break;
+  }
+  return in_double(impulse::rough<Ldlt, S, Inertia>(contact));
+}
+
+template <class S>
+Outcome<double> struck_bodies_in(Law law, const Collision& collision) {
+  using impulse::Ldlt;
+  const impulse::Contact<S> contact = impulse::make_contact<S>(collision);
+  switch (law) {
+    case Law::frictionless:
+      return in_double(impulse::frictionless<S>(contact));
+    case Law::reflection:
+      return in_double(impulse::reflection<Ldlt, S>(contact));
+    case Law::sticking:
+      return in_double(impulse::sticking<Ldlt, S>(contact));
+    case Law::coulomb: {
+      // The search for the slip needs the elementary functions of a built-in type.
+      using Searched = std::conditional_t<std::is_floating_point_v<S>, S, long double>;
+      return in_double(impulse::coulomb(impulse::make_contact<Searched>(collision)));
+    }
+    case Law::rough:
+    case Law::any:
+      break;
+  }
+  return in_double(impulse::rough<Ldlt, S>(contact));
+}
+
+/// Restores the velocities of immovable bodies, because rounding to the solver's precision changes them.
+Outcome<double> with_immovable_kept(Outcome<double> outcome, const Collision& collision) {
+  const Outcome<double> before = unchanged(collision);
+  if (collision.a.immovable) {
+    outcome.a = before.a;
   }
   if (collision.b.immovable) {
-    result.b = {collision.b.velocity, collision.b.angular_velocity};
+    outcome.b = before.b;
   }
-  return result;
+  return outcome;
+}
+
+/// The outcome that solve(S()) computes, with S the number type of the precision.
+template <class Solve>
+Outcome<double> solved_in(Precision precision, const Collision& collision, const Solve& solve) {
+  switch (precision) {
+    case Precision::binary32:
+      return with_immovable_kept(solve(float()), collision);
+    case Precision::binary64:
+      return with_immovable_kept(solve(double()), collision);
+    case Precision::extended:
+      break;
+  }
+  return with_immovable_kept(solve(impulse::DoubleDouble()), collision);
 }
 
 /// Changes one component of v, along the axis of N's greatest component. The change cancels `approach` = N·v < 0, and
@@ -117,15 +158,27 @@ Collision collision_with_plane(const StruckSphere& a, const Vector3<double>& nor
 Outcome<double> struck(Law law, Precision precision, const Collision& collision) {
   CAROM_EXPECTS(law != Law::any);
   CAROM_EXPECTS(collision.normal == collision.a.position, collision.normal, collision.a.position);
-  switch (precision) {
-    case Precision::binary32:
-      return struck_in<float>(law, collision);
-    case Precision::binary64:
-      return struck_in<double>(law, collision);
-    case Precision::extended:
-      break;
-  }
-  return struck_in<impulse::DoubleDouble>(law, collision);
+  return solved_in(precision, collision, [&]<class S>(const S&) { return struck_spheres_in<S>(law, collision); });
+}
+
+Outcome<double> struck_bodies(Law law, Precision precision, const Collision& collision) {
+  CAROM_EXPECTS(validate(collision).empty(), describe(validate(collision)));
+  CAROM_EXPECTS(law != Law::any);
+  return solved_in(precision, collision, [&]<class S>(const S&) { return struck_bodies_in<S>(law, collision); });
+}
+
+double parting_speed(const Collision& collision) {
+  return impulse::normal_velocity(impulse::make_contact<double>(collision)) /
+         impulse::without_extreme_length<double>(collision.normal).norm();
+}
+
+Outcome<double> sent_apart(const Collision& collision, double speed) {
+  impulse::Contact<double> contact = impulse::make_contact<double>(collision);
+  // The impulse is that of a plastic impact (ε = 0) at the missing speed.
+  contact.restitution = 0;
+  const double missing = impulse::normal_velocity(contact) - speed * contact.normal.norm();
+  return with_immovable_kept(impulse::apply_impulse(contact, impulse::frictionless_impulse(contact, missing)),
+                             collision);
 }
 
 void keep_apart(const Vector3<double>& position_a, const Vector3<double>& position_b, Vector3<double>& velocity_a,

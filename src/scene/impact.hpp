@@ -2,7 +2,9 @@
 #pragma once
 
 #include <carom/collision/collision.hpp>
+#include <carom/collision/law.hpp>
 #include <carom/collision/outcome.hpp>
+#include <carom/collision/precision.hpp>
 #include <carom/scene/scene.hpp>
 
 namespace carom::scene {
@@ -36,5 +38,16 @@ void keep_apart(const Vector3<double>& position_a, const Vector3<double>& positi
                 const Vector3<double>& velocity_b);
 /// Adds ulps to the velocity of a sphere until it does not approach a plane: N·v ≥ 0 exactly.
 void keep_apart(const Vector3<double>& normal, Vector3<double>& velocity);
+
+/// The outcome of a law, computed in a precision, for bodies of any shape. Preconditions: the collision is valid; the
+/// law is not `any`.
+[[nodiscard]] Outcome<double> struck_bodies(Law law, Precision precision, const Collision& collision);
+
+/// The outcome of an impulse along the normal that makes N·V/‖N‖ at least `speed` [m/s], with V the velocity of A's
+/// contact point relative to B's. Precondition: the collision is valid.
+[[nodiscard]] Outcome<double> sent_apart(const Collision& collision, double speed);
+
+/// N·V/‖N‖, the speed at which the contact points part [m/s].
+[[nodiscard]] double parting_speed(const Collision& collision);
 
 }  // namespace carom::scene

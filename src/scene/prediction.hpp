@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <carom/scene/arc.hpp>
@@ -88,6 +89,21 @@ struct RelativeState {
           rounding_of_dot(at.velocity) + n_size * at.velocity_error,
           0.5 * rounding_of_dot(sphere.acceleration)};
 }
+
+/// The squared gap of two spheres whose accelerations differ, as a quartic in the time s from now, for s in [0, span].
+/// `bernstein` holds its Bernstein coefficients on this interval, each within `error` of the true coefficient.
+struct UncertainQuartic {
+  std::array<double, 5> bernstein;
+  double error;
+  double span;
+};
+
+[[nodiscard]] UncertainQuartic squared_gap(const RelativeState& pair, const Path& a, const Path& b, double span);
+
+/// The first crossing in [0, span]: the least s at which the quartic falls below 0 (see `Crossing`). The search divides
+/// the interval (R. T. Farouki, "The Bernstein polynomial basis: a centennial retrospective", CAGD 29, 2012, §5). On
+/// each part, the least and the greatest Bernstein coefficient bound the quartic.
+[[nodiscard]] Crossing first_crossing(const UncertainQuartic& quartic);
 
 /// Counts of decisions that needed exact arithmetic.
 struct ExactCounts {

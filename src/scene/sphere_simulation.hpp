@@ -16,12 +16,9 @@
 #include <carom/scene/level_motion.hpp>
 #include <carom/scene/prediction.hpp>
 #include <carom/scene/scene.hpp>
-#include <carom/scene/scene_state.hpp>
 #include <carom/scene/sphere_store.hpp>
 
 namespace carom::scene {
-
-class QuickLook;
 
 /// Runs a scene that has only spheres, one event at a time. If the bounds of prediction.hpp do not decide the order of
 /// events, exact algebra does. Of events at one instant, impacts of spheres come first, then impacts on planes, then

@@ -4,14 +4,13 @@
 #include <tuple>
 
 #include <carom/scene/placing.hpp>
-#include <carom/scene/quick_look.hpp>
 #include <carom/scene/sphere_simulation.hpp>
 
 namespace carom::scene {
 namespace {
 
 /// Up to this distance from the origin, in cells, the error of a position is below 2⁻²⁰ cells. This error is a
-/// sixteenth of the margin in the width of a cell (grid_around.hpp).
+/// sixteenth of the margin in the width of a cell (cell_grid.hpp).
 constexpr double most_cells_away = 0x1p30;
 
 }  // namespace

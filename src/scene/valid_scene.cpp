@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <cmath>
-#include <map>
+#include <limits>
 #include <numbers>
+#include <tuple>
+#include <utility>
 #include <vector>
 
-#include <carom/scene/grid_around.hpp>
-#include <carom/scene/known_range.hpp>
+#include <carom/scene/cell_grid.hpp>
 #include <carom/scene/placing.hpp>
 #include <carom/scene/prediction.hpp>
-#include <carom/scene/text_of.hpp>
+#include <carom/scene/scene.hpp>
 #include <carom/scene/valid_scene.hpp>
 
 namespace carom::scene {
@@ -53,22 +54,18 @@ Found pair_defect(const Scene& scene) {
   for (std::size_t a = 0; a < scene.materials.size(); ++a) {
     for (std::size_t b = a; b < scene.materials.size(); ++b) {
       const MaterialPair& pair = scene.pairs.of(a, b);
-      const auto defect = [&](const char* field, const char* what) { return SceneDefect{Of::pair, a, b, field, what}; };
-      if (!(pair.restitution >= 0 && pair.restitution <= 1)) {
-        return defect("restitution", "expected a number from 0 to 1");
-      }
-      if (!(pair.tangential_restitution >= -1 && pair.tangential_restitution <= 1)) {
-        return defect("tangential_restitution", "expected a number from -1 to 1");
-      }
       const char* const at_least_0 = "expected a finite number of at least 0";
-      if (!(pair.friction >= 0 && std::isfinite(pair.friction))) {
-        return defect("friction", at_least_0);
-      }
-      if (!(pair.rolling_resistance >= 0 && std::isfinite(pair.rolling_resistance))) {
-        return defect("rolling_resistance", at_least_0);
-      }
-      if (!(pair.spinning_resistance >= 0 && std::isfinite(pair.spinning_resistance))) {
-        return defect("spinning_resistance", at_least_0);
+      constexpr double greatest = std::numeric_limits<double>::max();
+      for (const auto& [field, value, least, most, what] :
+           {std::tuple("restitution", pair.restitution, 0.0, 1.0, "expected a number from 0 to 1"),
+            std::tuple("tangential_restitution", pair.tangential_restitution, -1.0, 1.0,
+                       "expected a number from -1 to 1"),
+            std::tuple("friction", pair.friction, 0.0, greatest, at_least_0),
+            std::tuple("rolling_resistance", pair.rolling_resistance, 0.0, greatest, at_least_0),
+            std::tuple("spinning_resistance", pair.spinning_resistance, 0.0, greatest, at_least_0)}) {
+        if (!(value >= least && value <= most)) {
+          return SceneDefect{Of::pair, a, b, field, what};
+        }
       }
     }
   }

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -30,5 +31,19 @@ struct SceneDefect {
 
 /// The defect in one line: "spheres[3].radius: expected …".
 [[nodiscard]] std::string describe(const SceneDefect& defect);
+
+/// The range of numbers that a precision rounds with a relative error of at most its unit roundoff. Masses and moments
+/// must lie in this range.
+struct KnownRange {
+  double least, greatest;
+  [[nodiscard]] bool contains(double value) const { return value >= least && value <= greatest; }
+};
+
+[[nodiscard]] inline KnownRange known_range(Precision precision) {
+  if (precision == Precision::binary32) {
+    return {std::numeric_limits<float>::min(), std::numeric_limits<float>::max()};
+  }
+  return {std::numeric_limits<double>::min(), std::numeric_limits<double>::max()};
+}
 
 }  // namespace carom::scene

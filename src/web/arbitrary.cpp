@@ -12,7 +12,7 @@
 #include <carom/properties/cases/draw_within.hpp>
 #include <carom/properties/gate/by_name.hpp>
 #include <carom/properties/gate/simpler_cases.hpp>
-#include <carom/web/arbitrary.hpp>
+#include <carom/web/commands.hpp>
 #include <carom/web/request.hpp>
 
 namespace carom::web {

@@ -20,9 +20,7 @@
 #include <carom/report/results/run_json.hpp>
 #include <carom/report/results/values_json.hpp>
 #include <carom/report/results/version.hpp>
-#include <carom/web/arbitrary.hpp>
 #include <carom/web/commands.hpp>
-#include <carom/web/replay.hpp>
 #include <carom/web/request.hpp>
 
 namespace carom::web {

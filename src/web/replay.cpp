@@ -11,7 +11,7 @@
 #include <carom/properties/gate/witness.hpp>
 #include <carom/report/pages/shown_case.hpp>
 #include <carom/report/results/values_json.hpp>
-#include <carom/web/replay.hpp>
+#include <carom/web/commands.hpp>
 #include <carom/web/request.hpp>
 
 namespace carom::web {

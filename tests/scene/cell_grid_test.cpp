@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/scene/grid_around.hpp>
+#include <carom/scene/cell_grid.hpp>
 
 #include "paths.hpp"
 
@@ -51,16 +51,7 @@ int count_touching(const CellGrid& grid, const std::vector<Path>& paths, double 
   return touching;
 }
 
-TEST(CellGrid, NeighboursAreAllThatTouch) {
-  properties::Stream stream = properties::stream_from(1);
-  for (const double size : {0.3, 1.0, 5.0, 100.0}) {
-    const std::vector<Path> paths = random_paths(stream, 150, size, Vector::Zero());
-    const int touching = count_touching(grid_of(paths), paths, 0);
-    EXPECT_TRUE(size >= 5 || touching > 100);
-  }
-}
-
-TEST(CellGrid, NeighboursAreFewWhereSpheresAreApart) {
+TEST(CellGrid, GivesFewNeighboursWhereSpheresAreApart) {
   properties::Stream stream = properties::stream_from(2);
   const std::vector<Path> paths = random_paths(stream, 1000, 50, Vector::Zero());
   const CellGrid grid = grid_of(paths);
@@ -73,7 +64,7 @@ TEST(CellGrid, NeighboursAreFewWhereSpheresAreApart) {
   EXPECT_LT(neighbours, 40 * paths.size());
 }
 
-TEST(CellGrid, KeepsNeighboursAlongParabolas) {
+TEST(CellGrid, GivesAllSpheresThatTouchAsNeighboursWhileSpheresMove) {
   properties::Stream stream = properties::stream_from(3);
   int touching = 0;
   int moves = 0;
@@ -107,7 +98,7 @@ TEST(CellGrid, KeepsNeighboursAlongParabolas) {
   EXPECT_GT(moves, 1000);
 }
 
-TEST(CellGrid, WhatRestsNeverLeaves) {
+TEST(CellGrid, KeepsASphereAtRestInItsCell) {
   const std::vector<Path> paths{unit::resting({0.25, 0.25, 0.25}, 0.5)};
   CellGrid grid = grid_of(paths);
   EXPECT_EQ(grid.leaving(0, paths[0], 3).time, never);

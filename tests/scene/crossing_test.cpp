@@ -77,7 +77,7 @@ ExactQuadratic within(properties::Stream& stream, const UncertainQuadratic& q) {
   return truth;
 }
 
-TEST(Crossing, BoundsThatOfEveryQuadraticWithinTheRadii) {
+TEST(Crossing, HasBoundsThatContainTheRootOfEveryQuadraticWithinTheRadii) {
   int decided = 0;
   int crossed = 0;
   for (std::uint64_t seed = 0; seed < 2000; ++seed) {
@@ -109,7 +109,7 @@ TEST(Crossing, BoundsThatOfEveryQuadraticWithinTheRadii) {
   EXPECT_GT(crossed, 400);
 }
 
-TEST(Crossing, OfCoefficientsWithoutRadiiIsKnownToSomeUlps) {
+TEST(Crossing, OfExactCoefficientsIsAccurateToSomeUlps) {
   properties::Stream stream = properties::stream_from(2);
   for (int i = 0; i < 1000; ++i) {
     // The discriminant D is at least c₁²/2. The residual is a few unit roundoffs u of its terms, so the error is a few
@@ -125,51 +125,40 @@ TEST(Crossing, OfCoefficientsWithoutRadiiIsKnownToSomeUlps) {
   }
 }
 
-TEST(Crossing, OfADoubleRootIsUndecidedAndOfNoRootNone) {
-  EXPECT_EQ(first_crossing({1, -2, 1, 0, 0, 0}).decision, Decision::undecided);
-  EXPECT_EQ(first_crossing({1, -2, 1 + 0x1p-40, 0, 0, 0}).decision, Decision::none);
-  EXPECT_EQ(first_crossing({1, -2, 1 - 0x1p-40, 0, 0, 0}).decision, Decision::bounded);
-  EXPECT_EQ(first_crossing({1, -2, 1 + 0x1p-40, 0, 0, 0x1p-40}).decision, Decision::undecided);
+TEST(Crossing, OfAKnownQuadraticIsItsRootOrIsOpenWithinTheRadii) {
+  struct Known {
+    const char* what;
+    UncertainQuadratic q;
+    Decision decision;
+    double s = 0;
+    double greatest_error = 0;
+  };
+  const double ulps = 64 * roundoff;
+  for (const Known& known : {
+           Known{"a double root", {1, -2, 1, 0, 0, 0}, Decision::undecided},
+           {"no root", {1, -2, 1 + 0x1p-40, 0, 0, 0}, Decision::none},
+           {"nearly a double root", {1, -2, 1 - 0x1p-40, 0, 0, 0}, Decision::bounded, 1 - 0x1p-20, 0x1p-20},
+           {"perhaps no root", {1, -2, 1 + 0x1p-40, 0, 0, 0x1p-40}, Decision::undecided},
+           {"spheres touch and recede", {0, 1, 1, 0, 0, 0}, Decision::none},
+           {"spheres touch", {0, 0, 1, 0, 0, 0}, Decision::none},
+           {"spheres touch and approach", {0, -1, 1, 0, 0, 0}, Decision::bounded},
+           {"spheres recede", {1, 1, 3, 0x1p-50, 0x1p-50, 0x1p-50}, Decision::none},
+           {"a sphere recedes from a plane", {1, 1, 0, 0x1p-50, 0x1p-50, 0}, Decision::none},
+           {"perhaps falls at 0", {0, 0x1p-51, 1, 0x1p-50, 0x1p-50, 0}, Decision::undecided},
+           {"a line", {3, -2, 0, 0, 0, 0}, Decision::bounded, 1.5, ulps},
+           {"a constant", {3, 0, 0, 0, 0, 0}, Decision::none},
+           // A ball has just bounced off a plane, and 0 is a root of 3 s − s². The crossing is the other root.
+           {"a ball comes down again", {0, 3, -1, 0, 0, 0}, Decision::bounded, 3, 3 * ulps},
+           {"a ball comes down again, perhaps from below", {0, 3, -1, 0x1p-50, 0, 0}, Decision::bounded, 3, 3 * ulps},
+       }) {
+    const Crossing found = first_crossing(known.q);
+    EXPECT_EQ(found.decision, known.decision) << known.what;
+    EXPECT_NEAR(found.s, known.s, found.error) << known.what;
+    EXPECT_LE(found.error, known.greatest_error) << known.what;
+  }
 }
 
-TEST(Crossing, OfSpheresThatTouchIsWhetherTheyRecede) {
-  EXPECT_EQ(first_crossing({0, 1, 1, 0, 0, 0}).decision, Decision::none);
-  EXPECT_EQ(first_crossing({0, 0, 1, 0, 0, 0}).decision, Decision::none);
-  const Crossing approaching = first_crossing({0, -1, 1, 0, 0, 0});
-  ASSERT_EQ(approaching.decision, Decision::bounded);
-  EXPECT_EQ(approaching.s, 0);
-  EXPECT_EQ(approaching.error, 0);
-}
-
-TEST(Crossing, OfWhatRecedesIsNone) {
-  EXPECT_EQ(first_crossing({1, 1, 3, 0x1p-50, 0x1p-50, 0x1p-50}).decision, Decision::none);
-  EXPECT_EQ(first_crossing({1, 1, 0, 0x1p-50, 0x1p-50, 0}).decision, Decision::none);
-  // The error radii leave open whether the quadratic falls at s = 0.
-  EXPECT_EQ(first_crossing({0, 0x1p-51, 1, 0x1p-50, 0x1p-50, 0}).decision, Decision::undecided);
-}
-
-TEST(Crossing, OfALineIsItsRoot) {
-  const Crossing found = first_crossing({3, -2, 0, 0, 0, 0});
-  ASSERT_EQ(found.decision, Decision::bounded);
-  EXPECT_EQ(found.s, 1.5);
-  EXPECT_EQ(wrong_with(found, {Rational(3), Rational(-2), Rational(0)}), "");
-  EXPECT_EQ(first_crossing({3, 0, 0, 0, 0, 0}).decision, Decision::none);
-}
-
-TEST(Crossing, OfABallThatHasBouncedIsWhereItComesDownAgain) {
-  // The ball starts on the plane, so s = 0 is a root of 3 s − s². The crossing is the other root.
-  const Crossing found = first_crossing({0, 3, -1, 0, 0, 0});
-  ASSERT_EQ(found.decision, Decision::bounded);
-  EXPECT_NEAR(found.s, 3, found.error);
-  EXPECT_LE(found.error, 64 * roundoff * 3);
-  // An error radius of 2⁻⁵⁰ for c₀ does not change the crossing.
-  const Crossing state_at = first_crossing({0, 3, -1, 0x1p-50, 0, 0});
-  ASSERT_EQ(state_at.decision, Decision::bounded);
-  EXPECT_NEAR(state_at.s, 3, state_at.error);
-  EXPECT_GE(state_at.error, 0x1p-50 / 3);
-}
-
-TEST(Crossing, AsBoundsOfTimeContainsTheSum) {
+TEST(TimeBounds, OfACrossingContainItWithItsError) {
   properties::Stream stream = properties::stream_from(3);
   for (int i = 0; i < 1000; ++i) {
     const double now = stream.unit() * stream.power_of_ten(-3, 6);

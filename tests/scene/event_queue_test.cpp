@@ -11,7 +11,7 @@
 namespace carom::scene {
 namespace {
 
-TEST(EventQueue, IsAListAndItsLeast) {
+TEST(EventQueue, GivesTheEarliestOfAListOfTimes) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     properties::Stream stream = properties::stream_from(seed);
     const auto count = static_cast<std::size_t>(stream.integer(1, 40));
@@ -37,14 +37,6 @@ TEST(EventQueue, IsAListAndItsLeast) {
       ASSERT_TRUE(found == expected) << seed;
     }
   }
-}
-
-TEST(EventQueue, WithoutEventsHasNone) {
-  const EventQueue queue(5);
-  EXPECT_EQ(queue.time_of(queue.first()), never);
-  int visited = 0;
-  queue.for_each_until(1e300, [&](EventQueue::Index) { ++visited; });
-  EXPECT_EQ(visited, 0);
 }
 
 }  // namespace

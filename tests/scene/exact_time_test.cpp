@@ -35,7 +35,7 @@ TEST(ExactTime, OfMirroredPairsIsEqual) {
   EXPECT_EQ(bounds.latest, std::nextafter(bounds.earliest, never));  // adjacent doubles
 }
 
-TEST(ExactTime, OrdersWhatDiffersByLessThanAnUlp) {
+TEST(ExactTime, OrdersInstantsThatDifferByLessThanAnUlp) {
   const Path wall = resting({0, 0, 0}, 0.5);
   const auto at = [&](double speed, double distance) {
     return exact_contact(wall, path_of({distance + 1, 0, 0}, {-speed, 0, 0}, at_rest, 0.5), 0);
@@ -60,7 +60,7 @@ TEST(ExactTime, OrdersWhatDiffersByLessThanAnUlp) {
   EXPECT_EQ(third->bounds().latest, std::nextafter(1.0 / 3, 1));
 }
 
-TEST(ExactTime, BoundsAreTheDoublesBeside) {
+TEST(ExactTime, HasTheAdjacentDoublesAsBounds) {
   properties::Stream stream = properties::stream_from(7);
   int found = 0;
   for (int i = 0; i < 200; ++i) {
@@ -86,7 +86,7 @@ TEST(ExactTime, BoundsAreTheDoublesBeside) {
 }
 
 /// The body moves at the smallest positive double, a speed that `keep_apart` can leave.
-TEST(ExactTimeDeathTest, OfWhatIsBeyondAllDoublesHasBounds) {
+TEST(ExactTimeDeathTest, OfAContactLaterThanEveryDoubleHasBounds) {
   const Path creeping = path_of({3, 0, 0}, {-std::numeric_limits<double>::denorm_min(), 0, 0}, at_rest, 0.5);
   const Reach wall{{1, 0, 0}, 0.5};
   const auto contact = exact_contact(creeping, wall, 0);
@@ -100,7 +100,7 @@ TEST(ExactTimeDeathTest, OfWhatIsBeyondAllDoublesHasBounds) {
       testing::ExitedWithCode(0), "");
 }
 
-TEST(ExactTime, OfAGrazingPassIsNone) {
+TEST(ExactTime, OfATouchWithoutOverlapDoesNotExist) {
   const Path sphere = resting({0, 0, 0}, 0.5);
   EXPECT_FALSE(exact_contact(sphere, path_of({-3, 1, 0}, {1, 0, 0}, at_rest, 0.5), 0));
   // A parabola whose top touches the plane has no contact. With one ulp more speed it has a contact.
@@ -110,17 +110,13 @@ TEST(ExactTime, OfAGrazingPassIsNone) {
   ASSERT_TRUE(hit);
   EXPECT_LT(*hit, ExactTime::at(1));
   EXPECT_TRUE(exact_contact(sphere, path_of({-3, std::nextafter(1.0, 0), 0}, {1, 0, 0}, at_rest, 0.5), 0));
+  // The top of the parabola, x = −1, touches the sphere, so (s − 1)² is a factor of the squared gap.
+  const Path top = path_of({-2, 0, 0}, {2, 0, 0}, {-2, 0, 0}, 0.5);
+  EXPECT_EQ(sign_of_gap(top, sphere, 1), 0);
+  EXPECT_FALSE(exact_contact(top, sphere, 0));
 }
 
-TEST(ExactTime, OfATopThatTouchesIsNone) {
-  // The top of the parabola, x = −1, touches the other sphere, so (s − 1)² is a factor of the squared gap.
-  const Path other = resting({0, 0, 0}, 0.5);
-  const Path path = path_of({-2, 0, 0}, {2, 0, 0}, {-2, 0, 0}, 0.5);
-  EXPECT_EQ(sign_of_gap(path, other, 1), 0);
-  EXPECT_FALSE(exact_contact(path, other, 0));
-}
-
-TEST(ExactTime, OfContactAtPresentIsThePresent) {
+TEST(ExactTime, OfSpheresThatTouchIsThePresentIfTheyApproach) {
   const Path sphere = resting({0, 0, 0}, 0.5);
   const auto approaching = exact_contact(sphere, path_of({1, 0, 0}, {-1, 0, 0}, at_rest, 0.5), 0);
   ASSERT_TRUE(approaching);

@@ -38,7 +38,7 @@ double energy(const Vector& v, const Vector& w) {
 /// The rounding error of a few operations on numbers of size 1 to 10.
 constexpr double few_roundings = 1e-14;
 
-TEST(LevelMotion, SlipEndsAndRollsWithTheTextbooksVelocity) {
+TEST(LevelMotion, EndsASlipInRollingAtFiveSeventhsOfTheVelocityAndTwoSeventhsOfTheSpin) {
   properties::Stream stream = properties::stream_from(1);
   for (int i = 0; i < 200; ++i) {
     const Vector v{3 * stream.signed_unit(), 3 * stream.signed_unit(), 0};
@@ -71,17 +71,7 @@ TEST(LevelMotion, SlipEndsAndRollsWithTheTextbooksVelocity) {
   }
 }
 
-TEST(LevelMotion, TopspinAccelerates) {
-  const Arc arc = arc_of({1, 0, 0}, {0, 10, 0}, cloth);
-  ASSERT_EQ(arc.turning.phase, Phase::sliding);
-  EXPECT_DOUBLE_EQ(arc.path.acceleration.x(), cloth.friction * gravity);
-  EXPECT_LT(arc.turning.angular_acceleration.y(), 0);
-  // Backspin reverses a slow ball.
-  const Arc drawn = arc_of({1, 0, 0}, {0, -20, 0}, cloth);
-  EXPECT_LT(next(drawn, cloth).path.velocity.x(), 0);
-}
-
-TEST(LevelMotion, RollingResistanceStopsIt) {
+TEST(LevelMotion, EndsARollAfterTheDistanceThatRollingResistanceTakes) {
   const double v = 1.5;
   const Arc rolling = arc_of({0, v, 0}, Vector(-v / ball_radius, 0, 0), cloth);
   ASSERT_EQ(rolling.turning.phase, Phase::rolling);
@@ -100,7 +90,7 @@ TEST(LevelMotion, RollingResistanceStopsIt) {
   EXPECT_EQ(rests.path.end, never);
 }
 
-TEST(LevelMotion, SpinDecays) {
+TEST(LevelMotion, EndsASpinAfterTheTimeThatSpinningResistanceTakes) {
   for (const double spin : {4.0, -4.0}) {
     const Arc arc = arc_of({0, 0, 0}, {0, 0, spin}, cloth);
     ASSERT_EQ(arc.turning.phase, Phase::resting);
@@ -114,7 +104,7 @@ TEST(LevelMotion, SpinDecays) {
   }
 }
 
-TEST(LevelMotion, PhasesEndOneAfterTheOther) {
+TEST(LevelMotion, LosesEnergyInEachPhaseUntilTheSphereRests) {
   properties::Stream stream = properties::stream_from(5);
   for (int i = 0; i < 100; ++i) {
     Arc arc = arc_of({stream.signed_unit(), stream.signed_unit(), 0}, 5 * stream.vector(), cloth);
@@ -140,7 +130,7 @@ TEST(LevelMotion, PhasesEndOneAfterTheOther) {
   }
 }
 
-TEST(LevelMotion, WithoutFrictionSlidesForEver) {
+TEST(LevelMotion, WithoutFrictionSlidesForever) {
   const Vector v{1, 2, 0};
   const Vector w{3, 4, 5};
   const Arc arc = level_arc(floor_level, 0, cloth, false, ball_radius, 0, {0, 0, ball_radius}, v, w);

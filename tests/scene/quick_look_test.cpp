@@ -6,7 +6,7 @@
 
 #include <carom/properties/draws/stream.hpp>
 #include <carom/scene/exact_time.hpp>
-#include <carom/scene/quick_look.hpp>
+#include <carom/scene/sphere_store.hpp>
 
 #include "paths.hpp"
 
@@ -53,7 +53,7 @@ struct Flight {
   }
 };
 
-TEST(QuickLook, RejectsNothingThatTouches) {
+TEST(QuickLook, RejectsNoPairThatTouches) {
   int rejected = 0;
   int touching = 0;
   for (std::uint64_t seed = 0; seed < 4000; ++seed) {

@@ -23,13 +23,13 @@ std::string defect_of(const Scene& scene) {
   return defect ? describe(*defect) : "";
 }
 
-TEST(ValidScene, DecidesOverlapExactly) {
+TEST(ValidScene, HasNoSpheresThatOverlapExactly) {
   // The exact sum of the radii lies between 0.3 and the double 0.1 + 0.2.
   EXPECT_EQ(defect_of(scene_of_two(0.1 + 0.2)), "");
   EXPECT_EQ(defect_of(scene_of_two(0.3)), "spheres[1]: sphere 1 (right) overlaps sphere 0 (left)");
 }
 
-TEST(ValidScene, DecidesPlanesExactly) {
+TEST(ValidScene, HasNoSphereThatOverlapsAPlaneExactly) {
   Scene scene = scene_of_two(1);
   scene.planes = {{.name = "slope", .normal = {3, 0, 4}, .point = {0, 0, -0.1249}}};
   EXPECT_EQ(defect_of(scene),
@@ -45,7 +45,7 @@ TEST(ValidScene, DecidesPlanesExactly) {
             "spheres[1]: sphere 1 (right) overlaps plane 0 (slope), or is behind it; move one of them");
 }
 
-TEST(ValidScene, AsksForMassesThatThePrecisionHolds) {
+TEST(ValidScene, HasMassesInTheRangeOfThePrecision) {
   Scene scene = scene_of_two(1);
   scene.spheres[0].density = 1e-40;
   EXPECT_EQ(defect_of(scene), "");
@@ -54,7 +54,7 @@ TEST(ValidScene, AsksForMassesThatThePrecisionHolds) {
       << defect_of(scene);
 }
 
-TEST(ValidScene, LooksAtWhatAFileCannotSay) {
+TEST(ValidScene, HasNoDefectThatAFileCannotHave) {
   Scene scene = scene_of_two(1);
   scene.law = Law::any;
   EXPECT_EQ(defect_of(scene), "law: expected frictionless, reflection, sticking, rough or coulomb");

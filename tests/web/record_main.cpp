@@ -12,7 +12,6 @@
 
 #include "mutants/catalogue.hpp"
 #include "recorded_answers.hpp"
-#include "verdicts.hpp"
 
 namespace {
 

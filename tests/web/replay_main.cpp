@@ -9,7 +9,6 @@
 #include <carom/subjects/protocol/messages.hpp>
 
 #include "recorded_answers.hpp"
-#include "verdicts.hpp"
 
 int main(int, char** words) {
   std::ostringstream content;

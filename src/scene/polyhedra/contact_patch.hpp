@@ -1,22 +1,14 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <string_view>
 #include <vector>
 
 #include <carom/scene/polyhedra/distance.hpp>
 
 namespace carom::scene {
 
-/// The features (vertex, edge or face) of two shapes that touch. The feature of lower dimension comes first. A ball
-/// touches as a vertex, a half-space as a face.
-enum class ContactKind { vertex_vertex, vertex_edge, vertex_face, edge_edge, edge_face, face_face };
-
-[[nodiscard]] std::string_view name_of(ContactKind kind);
-
 /// The places at which two shapes touch or almost touch, midway between the shapes.
 struct ContactPatch {
-  ContactKind kind = ContactKind::vertex_vertex;
   /// The centroid of the patch [m, world].
   Vector3<double> point{0, 0, 0};
   /// The corners of the patch [m, world]: one point, two ends of a segment, or corners of a polygon, counterclockwise

@@ -1,10 +1,41 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <string>
+#include <variant>
+#include <vector>
+
 #include <carom/collision/vector.hpp>
-#include <carom/scene/polyhedra/mass_properties.hpp>
 
 namespace carom::scene {
+
+/// A convex body with its corners, faces and edges.
+struct ConvexPolyhedron {
+  std::vector<Vector3<double>> vertices;          // every vertex is a corner [m]
+  std::vector<std::vector<std::size_t>> faces;    // corners in order, counterclockwise as seen from outside
+  std::vector<std::array<std::size_t, 2>> edges;  // each once, with the smaller index first
+};
+
+/// Why points do not form a convex polyhedron, or why a polyhedron is not a body.
+struct ShapeDefect {
+  std::string text;  // if the defect belongs to one vertex, names its index in the list
+};
+
+/// The convex hull of points in any frame [m], or a defect if a point is not a corner of the hull. All decisions are
+/// exact. Points in one plane form one face. Defects are: a point inside the hull, on a face or on an edge; a point
+/// twice; fewer than four points; points in one plane; numbers that are not finite. The algorithm is gift wrapping (D.
+/// Chand, S. Kapur, "An algorithm for convex polytopes", J. ACM 17, 1970). Its time is of the order of vertices times
+/// edges.
+[[nodiscard]] std::variant<ConvexPolyhedron, ShapeDefect> convex_polyhedron(std::vector<Vector3<double>> vertices);
+
+/// The exact sign of (b − a) × (c − a) · (d − a): +1 if d lies on the side from which a, b, c appear counterclockwise,
+/// and 0 if the four points share a plane. If the error bound of J. Shewchuk ("Adaptive precision floating-point
+/// arithmetic and fast robust geometric predicates", Discrete Comput. Geom. 18, 1997, `o3derrboundA`) leaves the sign
+/// open, rational numbers decide. Precondition: every number is finite.
+[[nodiscard]] int side_of_plane(const Vector3<double>& a, const Vector3<double>& b, const Vector3<double>& c,
+                                const Vector3<double>& d);
 
 /// A shape that can touch others: all points within `margin` of the hull of the core's vertices, in the body frame. A
 /// polyhedron has margin 0. A ball is one vertex with its radius as margin.
@@ -13,8 +44,6 @@ struct ConvexShape {
   double margin = 0;       // [m]
   double core_radius = 0;  // upper bound of the distance of every vertex from 0 [m]
 };
-
-[[nodiscard]] ConvexShape convex_shape(const PolyhedralBody& body);
 
 /// A ball about the origin. Precondition: the radius [m] is positive.
 [[nodiscard]] ConvexShape ball_shape(double radius);

@@ -8,12 +8,11 @@
 #include <Eigen/Geometry>
 
 #include <carom/collision/expects.hpp>
-#include <carom/scene/least_speed.hpp>
-#include <carom/scene/polyhedra/contact_impulse.hpp>
+#include <carom/scene/impact.hpp>
 #include <carom/scene/polyhedra/contact_patch.hpp>
 #include <carom/scene/polyhedra/polyhedron_simulation.hpp>
 #include <carom/scene/polyhedra/time_of_contact.hpp>
-#include <carom/scene/text_of.hpp>
+#include <carom/scene/scene.hpp>
 #include <carom/scene/valid_scene.hpp>
 
 namespace carom::scene {

@@ -11,15 +11,14 @@
 
 #include <carom/scene/event.hpp>
 #include <carom/scene/polyhedra/distance.hpp>
-#include <carom/scene/polyhedra/tumbling_body.hpp>
+#include <carom/scene/polyhedra/free_flight.hpp>
 #include <carom/scene/prediction.hpp>
 #include <carom/scene/scene.hpp>
-#include <carom/scene/scene_state.hpp>
 
 namespace carom::scene {
 
 /// Runs a scene that has polyhedra, one event at a time. All bodies fly, including spheres: nothing slides, rolls or
-/// rests. If an approach is slower than the least speed (least_speed.hpp), the impact is elastic, and the bodies part
+/// rests. If an approach is slower than the least speed (scene.hpp), the impact is elastic, and the bodies part
 /// at the least speed. So a body that would lie at rest hops instead.
 ///
 /// A contact is the first instant at which two bodies are within `contact_tolerance` of each other and do not draw

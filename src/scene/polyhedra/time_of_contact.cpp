@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -8,13 +9,121 @@
 
 #include <carom/collision/expects.hpp>
 #include <carom/impulse/rotation.hpp>
-#include <carom/scene/polyhedra/gap_bound.hpp>
 #include <carom/scene/polyhedra/time_of_contact.hpp>
 
 namespace carom::scene {
 namespace {
 
 using Vector = Vector3<double>;
+
+/// The height [m] and the speed [m/s] of a point along a direction.
+struct MovingPoint {
+  double height;
+  double speed;
+};
+
+/// A lower bound of the gap between two sets of points, A and B, after the time Δ:
+///
+///   h(Δ) = min (height + speed Δ) over A − max (height + speed Δ) over B − lost − ½ curvature Δ².
+struct GapBound {
+  std::vector<MovingPoint> a;
+  std::vector<MovingPoint> b;
+  double lost = 0;       // chosen so that h(0) is the certified gap [m]
+  double curvature = 0;  // ≥ 0 [m/s²]
+};
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+struct Value {
+  double gap;
+  double slope;
+};
+
+Value value_at(const GapBound& bound, double time) {
+  Value a{infinity, 0};
+  for (const MovingPoint& point : bound.a) {
+    const double height = point.height + point.speed * time;
+    if (height < a.gap) {
+      a = {height, point.speed};
+    }
+  }
+  Value b{-infinity, 0};
+  for (const MovingPoint& point : bound.b) {
+    const double height = point.height + point.speed * time;
+    if (height > b.gap) {
+      b = {height, point.speed};
+    }
+  }
+  return {a.gap - b.gap - bound.lost - bound.curvature * time * time / 2, a.slope - b.slope - bound.curvature * time};
+}
+
+/// A time of at most `limit` [s] up to which h ≥ least; 0 if h(0) ≤ least. h is concave and lies above its chords. So a
+/// search along chords approaches the time of h = least from below.
+double time_open(const GapBound& bound, double least, double limit) {
+  double open = 0;
+  double excess = value_at(bound, 0).gap - least;
+  if (!(excess > 0)) {
+    return 0;
+  }
+  Value last = value_at(bound, limit);
+  double closed = limit;
+  if (last.gap >= least) {
+    return limit;
+  }
+  constexpr int most_rounds = 30;  // about five suffice
+  for (int round = 0; round < most_rounds && closed - open > 1e-3 * open; ++round) {
+    // If h is linear, h at the end of the whole chord is `least` up to rounding, perhaps less. So the
+    // search shortens the chord slightly, and more if necessary.
+    const double whole = (closed - open) * (excess / (excess + (least - last.gap)));
+    double chord = open + whole * (1 - 0x1p-30);
+    double excess_there = value_at(bound, chord).gap - least;
+    if (!(excess_there >= 0)) {
+      chord = open + whole * (1 - 0x1p-8);
+      excess_there = value_at(bound, chord).gap - least;
+    }
+    if (!(chord > open) || !(excess_there >= 0)) {
+      break;
+    }
+    open = chord;
+    excess = excess_there;
+    // A tangent lies above the concave h. So h is at most `least`, up to rounding, where the tangent falls to `least`.
+    const double tangent = closed + (last.gap - least) / -last.slope;
+    if (last.slope < 0 && tangent > open && tangent < closed) {
+      const Value there = value_at(bound, tangent);
+      if (there.gap < least) {
+        closed = tangent;
+        last = there;
+      } else {
+        open = tangent;
+        break;
+      }
+    }
+  }
+  return open;
+}
+
+/// The speed at which the gap certainly opens at Δ = 0 [m/s]: the least speed of A's points minus the greatest speed of
+/// B's points. Only points of A within `band` [m] of A's lowest point count, and points of B within `band` of B's
+/// highest.
+double opening_speed(const GapBound& bound, double band) {
+  double lowest = infinity;
+  for (const MovingPoint& point : bound.a) {
+    lowest = std::min(lowest, point.height);
+  }
+  double highest = -infinity;
+  for (const MovingPoint& point : bound.b) {
+    highest = std::max(highest, point.height);
+  }
+  double slowest = infinity;
+  for (const MovingPoint& point : bound.a) {
+    slowest = point.height <= lowest + band ? std::min(slowest, point.speed) : slowest;
+  }
+  double fastest = -infinity;
+  for (const MovingPoint& point : bound.b) {
+    fastest = point.height >= highest - band ? std::max(fastest, point.speed) : fastest;
+  }
+  return slowest - fastest;
+}
 
 /// The state of a body at one time, with bounds of its motion that hold at any time.
 struct Moving {

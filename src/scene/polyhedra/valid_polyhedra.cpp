@@ -6,11 +6,11 @@
 #include <variant>
 #include <vector>
 
-#include <carom/scene/known_range.hpp>
 #include <carom/scene/polyhedra/distance.hpp>
 #include <carom/scene/polyhedra/rigid_body.hpp>
 #include <carom/scene/polyhedra/valid_polyhedra.hpp>
-#include <carom/scene/text_of.hpp>
+#include <carom/scene/scene.hpp>
+#include <carom/scene/valid_scene.hpp>
 
 namespace carom::scene {
 namespace {
@@ -19,7 +19,7 @@ using Of = SceneDefect::Of;
 using Found = std::optional<SceneDefect>;
 
 /// The greatest distance of a centre of mass from the origin, in radii of the body. At this distance, the rounding
-/// error of a position (free_flight.cpp: 2⁻⁴⁹ of all terms) is a hundredth of `contact_tolerance` (tumbling_body.hpp).
+/// error of a position (free_flight.cpp: 2⁻⁴⁹ of all terms) is a hundredth of `contact_tolerance` (free_flight.hpp).
 constexpr double farthest = 0x1p12;
 
 /// The greatest angle by which a body may turn within the duration [rad].

@@ -9,7 +9,7 @@
 
 #include "commands/plan.hpp"
 #include "io/usage_error.hpp"
-#include "scene/scene_file.hpp"
+#include "scene/scene_run.hpp"
 
 namespace carom::tool::plan {
 namespace {

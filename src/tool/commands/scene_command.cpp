@@ -27,8 +27,6 @@
 #include "io/threads.hpp"
 #include "io/usage_error.hpp"
 #include "scene/replay_html.hpp"
-#include "scene/scene_file.hpp"
-#include "scene/scene_html.hpp"
 #include "scene/scene_plots.hpp"
 #include "scene/scene_records.hpp"
 #include "scene/scene_run.hpp"

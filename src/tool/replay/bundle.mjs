@@ -42,7 +42,7 @@ function as_cpp(page) {
     lines.push([...bytes.subarray(at, at + 64)].join(","));
   }
   return `// Made by bundle.mjs.
-#include "scene/replay_page.hpp"
+#include "scene/replay_html.hpp"
 
 namespace carom::tool {
 namespace {

@@ -7,8 +7,6 @@
 
 #include <carom/report/pictures/markup.hpp>
 
-#include "scene/replay_page.hpp"
-
 namespace carom::tool {
 namespace {
 

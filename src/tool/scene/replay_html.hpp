@@ -16,4 +16,8 @@ namespace carom::tool {
 /// not UTF-8 become U+FFFD. Throws std::logic_error if has_replay() is false.
 [[nodiscard]] std::string replay_html(std::string_view title, const nlohmann::json& replay);
 
+/// The page that src/tool/replay/bundle.mjs makes, with the marks {{title}} and {{replay}}; empty in a build without
+/// the page.
+[[nodiscard]] std::string_view replay_page();
+
 }  // namespace carom::tool

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSL-1.0
-#include "scene/scene_html.hpp"
-
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -36,9 +34,9 @@ Document ledger_part(const SceneRun& run) {
     table.rows.push_back(number_row(name_of(cause), joules(ledger.energy(cause))));
   }
   table.rows.push_back(number_row("at last", joules(ledger.present().total())));
-  table.rows.push_back(
-      number_row("rounding relative to the scale of the energy",
-                 fmt::format("{:.2g}, allowed {:.2g}", run.relative_rounding(), run.rounding_limit())));
+  table.rows.push_back(number_row(
+      "rounding relative to the scale of the energy",
+      fmt::format("{:.2g}, allowed {:.2g}", run.ledger().relative_rounding(), run.ledger().rounding_limit())));
   table.rows.push_back(number_row(
       "sum of the magnitudes of all roundings",
       fmt::format("{:.2g}", static_cast<double>(ledger.rounding_without_signs() / std::max(ledger.scale(), 1e-300L)))));

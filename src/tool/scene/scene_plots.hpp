@@ -7,7 +7,7 @@
 
 #include <carom/report/pictures/plot.hpp>
 
-#include "scene/scene_samples.hpp"
+#include "scene/scene_run.hpp"
 
 namespace carom::tool {
 

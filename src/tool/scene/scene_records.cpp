@@ -201,8 +201,8 @@ json ledger_json(const SceneRun& run) {
           {"causes", causes},
           {"work_of_gravity", static_cast<double>(ledger.gravity_work())},
           {"scale", static_cast<double>(ledger.scale())},
-          {"relative_rounding", run.relative_rounding()},
-          {"rounding_limit", run.rounding_limit()},
+          {"relative_rounding", run.ledger().relative_rounding()},
+          {"rounding_limit", run.ledger().rounding_limit()},
           {"rounding_without_signs", static_cast<double>(ledger.rounding_without_signs())},
           {"momentum",
            {{"initial", momentum_json(ledger.initial_momentum())},
@@ -270,7 +270,7 @@ std::string scene_verdict(const SceneRun& run) {
   } else {
     add("no impulse was judged");
   }
-  add(run.is_closed() ? "the ledger closes" : "the ledger does not close");
+  add(run.ledger().is_closed() ? "the ledger closes" : "the ledger does not close");
   return fmt::format("{}: {}", text, what);
 }
 
@@ -342,8 +342,8 @@ std::string scene_text(const SceneRun& run) {
   for (const Cause cause : all_causes) {
     text += fmt::format("  {:<22}{:>16.9g} J\n", name_of(cause), static_cast<double>(ledger.energy(cause)));
   }
-  text += fmt::format("          rounding is {:.2g} of the energy, allowed {:.2g}\n", run.relative_rounding(),
-                      run.rounding_limit());
+  text += fmt::format("          rounding is {:.2g} of the energy, allowed {:.2g}\n", run.ledger().relative_rounding(),
+                      run.ledger().rounding_limit());
   return text + scene_verdict(run) + '\n';
 }
 

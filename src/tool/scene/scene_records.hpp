@@ -32,4 +32,8 @@ namespace carom::tool {
 
 [[nodiscard]] std::string series_csv(const SceneRun& run);
 
+/// The report.html of a scene, in the style of the gate's report: one page without script or network. The page is
+/// well-formed XML, too. It links the pictures in its folder, and replay.html if `has_replay_beside`.
+[[nodiscard]] std::string scene_html(const SceneRun& run, bool has_replay_beside);
+
 }  // namespace carom::tool

@@ -3,22 +3,24 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
+#include <filesystem>
 #include <new>
 
+#include <fmt/format.h>
+
+#include <carom/collision/json/json.hpp>
 #include <carom/oracles/laws/judge_error.hpp>
 #include <carom/properties/gate/in_words.hpp>
+#include <carom/scene/json/scene_json.hpp>
+#include <carom/scene/polyhedra/free_rotation.hpp>
+
+#include "io/usage_error.hpp"
 
 namespace carom::tool {
 namespace {
 
 constexpr std::size_t sample_count = 400;
 constexpr std::uint64_t events_of_a_check = 100'000;  // the most events that are kept for a check
-/// The limit of the total rounding error relative to the scale of the energy, for a scene in binary64.
-constexpr double rounding_limit_in_double = 1e-12;
-
-/// The states are stored in binary64, so an impulse of a higher precision is judged as binary64.
-Precision judged_precision(const scene::Scene& scene) { return std::min(scene.precision, Precision::binary64); }
 
 bool turns(const scene::Change& change, bool is_polyhedron) {
   const Vector3<double>& before =
@@ -28,12 +30,85 @@ bool turns(const scene::Change& change, bool is_polyhedron) {
 
 }  // namespace
 
+scene::Scene scene_of(const std::string& text, const std::string& file) {
+  try {
+    scene::Scene scene = scene::scene_from_json(parse_json(text));
+    if (scene.title.empty()) {
+      scene.title = std::filesystem::path(file).stem().string();
+    }
+    return scene;
+  } catch (const FormatError& error) {
+    throw UsageError(fmt::format("{}: {}", file, error.what()));
+  }
+}
+
+SceneSamples::SceneSamples(const scene::SceneState& state, std::size_t count)
+    : scene_(state.scene),
+      bodies_(state.bodies),
+      step_(state.scene->duration / static_cast<double>(std::max<std::size_t>(count, 1))) {}
+
+Vector3<double> SceneSamples::spin_at(std::size_t body, double time) const {
+  const scene::BodyState& state = bodies_[body];
+  if (is_sphere(*scene_, body) || state.arc.turning.angular_velocity.isZero(0)) {
+    return angular_velocity_at(state.arc, time);
+  }
+  const double elapsed = time - state.arc.path.start;
+  const scene::RotationPath path(state.principal_inertia,
+                                 scene::rotation_state(state.orientation_at_start, state.arc.turning.angular_velocity),
+                                 elapsed);
+  return scene::world_rate(path.at(elapsed).state);
+}
+
+void SceneSamples::sample_until(double time) {
+  for (double next = static_cast<double>(samples_.size()) * step_; next <= time && (step_ > 0 || samples_.empty());
+       next = static_cast<double>(samples_.size()) * step_) {
+    Sample sample;
+    sample.time = next;
+    for (std::size_t body = 0; body < bodies_.size(); ++body) {
+      const scene::BodyState& state = bodies_[body];
+      const scene::Arc& arc = state.arc;
+      const Vector3<double> velocity = scene::velocity_at(arc.path, next);
+      const Vector3<double> spin = spin_at(body, next);
+      sample.translation += state.mass * velocity.squaredNorm() / 2;
+      // The energy of a free rotation is constant between events, so it is computed at the start of the arc.
+      const Vector3<double> rate =
+          is_sphere(*scene_, body)
+              ? spin
+              : scene::rotation_state(state.orientation_at_start, arc.turning.angular_velocity).body_rate;
+      sample.rotation += state.principal_inertia.dot(rate.cwiseAbs2()) / 2;
+      sample.potential -= state.mass * scene_->gravity.dot(scene::position_at(arc.path, next));
+      sample.momentum += state.mass * velocity;
+      sample.mean_spin += spin.norm() / static_cast<double>(bodies_.size());
+    }
+    if (samples_.empty()) {
+      first_potential_ = sample.potential;
+    }
+    sample.potential -= first_potential_;
+    samples_.push_back(sample);
+  }
+}
+
+void SceneSamples::go_on(const scene::Change& change) {
+  bodies_[change.body].arc = change.after;
+  bodies_[change.body].orientation_at_start = change.orientation;
+}
+
+void SceneSamples::record(const scene::Event& event) {
+  sample_until(event.time);
+  go_on(event.a);
+  if (event.b) {
+    go_on(*event.b);
+  }
+}
+
+void SceneSamples::close(double time) { sample_until(time); }
+
 SceneRun::SceneRun(const scene::Scene& scene, const SceneOptions& options)
     : options_(options),
       simulation_(scene),
       first_(simulation_.state()),
       ledger_(first_),
-      judge_(scene.law, judged_precision(scene), options.judge_every, oracles::Limits()),
+      judge_(scene.law, scene.precision, options.judge_every, oracles::Limits()),
       samples_(first_, sample_count),
       has_turned_(simulation_.size(), false) {
   simulation_.stop_on(options.stop);
@@ -126,16 +201,8 @@ std::size_t SceneRun::spins_changed() const {
   return static_cast<std::size_t>(std::count(has_turned_.begin(), has_turned_.end(), true));
 }
 
-double SceneRun::relative_rounding() const {
-  const long double scale = ledger_.scale();
-  return scale > 0 ? static_cast<double>(std::abs(ledger_.energy(properties::Cause::rounding)) / scale) : 0;
+bool SceneRun::holds() const {
+  return judge_.violated() == 0 && ledger_.is_closed() && (!validity_ || validity_->count == 0);
 }
-
-double SceneRun::rounding_limit() const {
-  return rounding_limit_in_double *
-         std::max(1.0, unit_roundoff(scene().precision) / unit_roundoff(Precision::binary64));
-}
-
-bool SceneRun::holds() const { return judge_.violated() == 0 && is_closed() && (!validity_ || validity_->count == 0); }
 
 }  // namespace carom::tool

@@ -12,11 +12,47 @@
 #include <carom/properties/scenes/judged_impulses.hpp>
 #include <carom/properties/scenes/ledger.hpp>
 #include <carom/properties/scenes/validity.hpp>
+#include <carom/scene/event.hpp>
 #include <carom/scene/polyhedra/scene_simulation.hpp>
 
-#include "scene/scene_samples.hpp"
-
 namespace carom::tool {
+
+/// The scene in a text. A scene without a title gets the name of the file. Throws UsageError, which names the file, the
+/// place and the expected content.
+[[nodiscard]] scene::Scene scene_of(const std::string& text, const std::string& file);
+
+struct Sample {
+  double time = 0;                       // [s]
+  double translation = 0, rotation = 0;  // kinetic energy [J]
+  double potential = 0;                  // −m g·x, relative to the start [J]
+  Vector3<double> momentum{0, 0, 0};     // [N s]
+  double mean_spin = 0;                  // mean of ‖w‖ over the bodies [rad/s]
+
+  [[nodiscard]] double total() const { return translation + rotation + potential; }
+};
+
+/// Samples at equal intervals of time, for pictures.
+class SceneSamples {
+ public:
+  /// Begins at the start of a scene. Precondition: the scene that the state refers to outlives this object.
+  SceneSamples(const scene::SceneState& state, std::size_t count);
+
+  void record(const scene::Event& event);
+  /// Samples up to `time`. Precondition: no event happens until then.
+  void close(double time);
+  [[nodiscard]] const std::vector<Sample>& samples() const { return samples_; }
+
+ private:
+  void sample_until(double time);
+  [[nodiscard]] Vector3<double> spin_at(std::size_t body, double time) const;
+  void go_on(const scene::Change& change);
+
+  const scene::Scene* scene_;
+  std::vector<scene::BodyState> bodies_;
+  double step_;
+  double first_potential_ = 0;
+  std::vector<Sample> samples_;
+};
 
 struct SceneOptions {
   std::uint64_t judge_every = 1;  // every Nth impulse is judged; 0: none
@@ -66,10 +102,6 @@ class SceneRun {
   /// Whether an error ended the run.
   [[nodiscard]] bool has_failed() const { return has_failed_; }
 
-  /// The total rounding error relative to the scale of the energy, and its limit.
-  [[nodiscard]] double relative_rounding() const;
-  [[nodiscard]] double rounding_limit() const;
-  [[nodiscard]] bool is_closed() const { return relative_rounding() <= rounding_limit(); }
   /// Whether no fault was found.
   [[nodiscard]] bool holds() const;
 

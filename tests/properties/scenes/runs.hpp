@@ -2,10 +2,14 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
+#include <string>
 #include <utility>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 #include <carom/properties/scenes/history.hpp>
 #include <carom/properties/scenes/judged_impulses.hpp>
@@ -77,5 +81,44 @@ struct WatchedRun {
   properties::Ledger ledger;
   properties::ImpulseJudge judge;
 };
+
+/// Whether a violation's other body and its words contain these texts.
+[[nodiscard]] inline bool has(const properties::Validity& validity, const std::string& other, const std::string& what) {
+  return std::any_of(validity.invalid.begin(), validity.invalid.end(), [&](const properties::Invalidity& one) {
+    return one.other.find(other) != std::string::npos && one.what.find(what) != std::string::npos;
+  });
+}
+
+[[nodiscard]] inline std::string text_of(const properties::Validity& validity) {
+  std::string text;
+  for (const properties::Invalidity& one : validity.invalid) {
+    text += "body " + std::to_string(one.body) + " and " + one.other + " from " + std::to_string(one.begin) + " to " +
+            std::to_string(one.end) + ": " + one.what + "\n";
+  }
+  return text;
+}
+
+/// Checks that the run is valid, that its ledger closes, and that each impulse passes.
+inline properties::Validity expect_sound(const WatchedRun& run) {
+  const properties::Validity validity = run.validity();
+  EXPECT_EQ(validity.count, 0U) << text_of(validity);
+  EXPECT_LE(run.relative_rounding(), 1e-12L);
+  const properties::Ledger& ledger = run.ledger;
+  long double sum = ledger.initial().total();
+  for (const properties::Cause cause : properties::all_causes) {
+    sum += ledger.energy(cause);
+  }
+  EXPECT_NEAR(static_cast<double>(sum / ledger.scale()), static_cast<double>(ledger.present().total() / ledger.scale()),
+              1e-15);
+  long double mass = 0;
+  for (const scene::BodyState& body : run.first.bodies) {
+    mass += body.mass;
+  }
+  // Bodies of the mass m and the energy E have a momentum of at most √(2 m E).
+  EXPECT_LE(ledger.momentum_rounding().norm(), 1e-12L * std::sqrt(2 * mass * ledger.scale()));
+  EXPECT_EQ(run.judge.violated(), 0U) << run.judge.first_bad()->invariant << " at " << run.judge.first_bad()->time;
+  EXPECT_EQ(run.judge.judged(), run.judge.impulses());
+  return validity;
+}
 
 }  // namespace carom::unit

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <carom/properties/draws/stream.hpp>
-#include <carom/scene/polyhedra/mass_properties.hpp>
+#include <carom/scene/polyhedra/rigid_body.hpp>
 
 namespace carom::scene::unit {
 

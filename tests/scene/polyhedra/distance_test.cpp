@@ -59,7 +59,7 @@ Posed posed(properties::Stream& stream, double gap) {
   return p;
 }
 
-TEST(ShapePair, FindsTheDistanceAtEveryScaleOfTheGap) {
+TEST(ShapePair, FindsTheDistanceAndCertifiesNoMoreAtEveryScaleOfTheGap) {
   for (const double gap : {1.0, 1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12}) {
     for (std::uint64_t seed = 0; seed < 300; ++seed) {
       properties::Stream stream = properties::stream_from(seed);
@@ -74,16 +74,7 @@ TEST(ShapePair, FindsTheDistanceAtEveryScaleOfTheGap) {
   }
 }
 
-TEST(ShapePair, CertifiesNoMoreThanTheDistance) {
-  for (std::uint64_t seed = 0; seed < 200; ++seed) {
-    properties::Stream stream = properties::stream_from(seed);
-    const Posed p = posed(stream, stream.power_of_ten(-13, 0));
-    const Separation found = ShapePair(p.a, p.b).separation(p.at_a, p.at_b);
-    ASSERT_TRUE(found.certified <= static_cast<double>(unit::distance_by_features(p.a, p.at_a, p.b, p.at_b))) << seed;
-  }
-}
-
-TEST(ShapePair, TakesOffWhatPlacementsMayBeWrongBy) {
+TEST(ShapePair, CertifiesLessByTheErrorsOfThePlacements) {
   properties::Stream stream = properties::stream_from(1);
   Posed p = posed(stream, 0.5);
   const ShapePair pair(p.a, p.b);
@@ -96,7 +87,7 @@ TEST(ShapePair, TakesOffWhatPlacementsMayBeWrongBy) {
 }
 
 /// The distance depends only on the difference of the positions, also far from the origin.
-TEST(ShapePair, KnowsItsRoundingsFarFromTheOrigin) {
+TEST(ShapePair, CertifiesTheDistanceFarFromTheOrigin) {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     properties::Stream stream = properties::stream_from(seed);
     Posed p = posed(stream, 1e-6);
@@ -127,7 +118,7 @@ Posed scaled(const Posed& posed, double scale) {
   return p;
 }
 
-TEST(ShapePair, ScalesExactly) {
+TEST(ShapePair, FindsTheSameDistanceInEveryUnitOfLength) {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     properties::Stream stream = properties::stream_from(seed);
     const Posed p = posed(stream, stream.power_of_ten(-9, 0));
@@ -141,7 +132,7 @@ TEST(ShapePair, ScalesExactly) {
   }
 }
 
-TEST(ShapePair, TakesBodiesOfUnequalSizes) {
+TEST(ShapePair, FindsTheDistanceOfBodiesOfUnequalSizes) {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     properties::Stream stream = properties::stream_from(seed);
     Posed p{convex_shape(unit::random_body(stream)), convex_shape(unit::random_body(stream)), {}, {}};
@@ -161,7 +152,7 @@ TEST(ShapePair, TakesBodiesOfUnequalSizes) {
   }
 }
 
-TEST(ShapePair, SaysHowDeepAnOverlapIs) {
+TEST(ShapePair, FindsTheDepthOfAnOverlap) {
   const ConvexShape cube = convex_shape(unit::body_of(unit::box_points({2, 2, 2})));
   const ShapePair cubes(cube, cube);
   const Separation found = cubes.separation({{1, 0, 0, 0}, {0.25, 0.5, 1.9}, 0, 0}, {});

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include <boost/numeric/odeint/integrate/integrate_adaptive.hpp>
+#include <boost/numeric/odeint/stepper/bulirsch_stoer.hpp>
 #include <gtest/gtest.h>
 
 #include <carom/properties/draws/stream.hpp>
@@ -29,51 +31,30 @@ struct ExtendedState {
   Extended rate;
 };
 
-/// Euler's equations, I₁ ω₁' = (I₂ − I₃) ω₂ ω₃, and q' = ½ q ω. The form J ω' = (J ω) × ω loses digits for rods.
-ExtendedState slope(const Extended& moments, const ExtendedState& s) {
-  const Extended rate((moments[1] - moments[2]) / moments[0] * s.rate[1] * s.rate[2],
-                      (moments[2] - moments[0]) / moments[1] * s.rate[2] * s.rate[0],
-                      (moments[0] - moments[1]) / moments[2] * s.rate[0] * s.rate[1]);
-  const Extended v = s.orientation.tail<3>();
-  ExtendedQuaternion turn;
-  turn << -v.dot(s.rate), s.orientation[0] * s.rate + v.cross(s.rate);
-  return {turn / 2, rate};
-}
-
-ExtendedState plus(const ExtendedState& s, const ExtendedState& d, long double h) {
-  return {s.orientation + h * d.orientation, s.rate + h * d.rate};
-}
-
-/// An independent integrator: extrapolated steps of the midpoint rule, in long double (W. Gragg, R. Bulirsch, J. Stoer;
-/// E. Hairer, S. Nørsett, G. Wanner, "Solving Ordinary Differential Equations I", §II.9).
-ExtendedState integrated(const Extended& moments, ExtendedState s, long double duration) {
-  const int steps = static_cast<int>(std::ceil(8 * duration * s.rate.norm())) + 1;
-  const long double length = duration / steps;
-  for (int step = 0; step < steps; ++step) {
-    constexpr std::size_t rows = 10;
-    std::array<std::array<ExtendedState, rows>, rows> table;
-    const auto parts_of = [](std::size_t row) { return 2 * (static_cast<int>(row) + 1); };
-    for (std::size_t row = 0; row < rows; ++row) {
-      const long double h = length / parts_of(row);
-      ExtendedState before = s;
-      ExtendedState now = plus(s, slope(moments, s), h);
-      for (int i = 1; i < parts_of(row); ++i) {
-        const ExtendedState next = plus(before, slope(moments, now), 2 * h);
-        before = now;
-        now = next;
-      }
-      table[row][0] = now;
-      for (std::size_t k = 1; k <= row; ++k) {
-        const long double ratio = static_cast<long double>(parts_of(row)) / parts_of(row - k);
-        const ExtendedState& better = table[row][k - 1];
-        const ExtendedState& worse = table[row - 1][k - 1];
-        const ExtendedState difference{better.orientation - worse.orientation, better.rate - worse.rate};
-        table[row][k] = plus(better, difference, 1 / (ratio * ratio - 1));
-      }
-    }
-    s = table.back().back();
+/// An independent integrator of Euler's equations, I₁ ω₁' = (I₂ − I₃) ω₂ ω₃, and q' = ½ q ω: extrapolated steps of the
+/// midpoint rule, in long double (W. Gragg, R. Bulirsch, J. Stoer). The form J ω' = (J ω) × ω loses digits for rods.
+ExtendedState integrated(const Extended& moments, const ExtendedState& start, long double duration) {
+  using State = std::array<long double, 7>;
+  const auto equations = [&](const State& x, State& change, long double) {
+    const Extended rate(x[4], x[5], x[6]);
+    const Extended v(x[1], x[2], x[3]);
+    const Extended turn = (x[0] * rate + v.cross(rate)) / 2;
+    change = {-v.dot(rate) / 2,
+              turn[0],
+              turn[1],
+              turn[2],
+              (moments[1] - moments[2]) / moments[0] * rate[1] * rate[2],
+              (moments[2] - moments[0]) / moments[1] * rate[2] * rate[0],
+              (moments[0] - moments[1]) / moments[2] * rate[0] * rate[1]};
+  };
+  const ExtendedQuaternion& q = start.orientation;
+  State x{q[0], q[1], q[2], q[3], start.rate[0], start.rate[1], start.rate[2]};
+  namespace odeint = boost::numeric::odeint;
+  if (duration > 0) {
+    odeint::integrate_adaptive(odeint::bulirsch_stoer<State, long double>(1e-18L, 1e-18L), equations, x, 0.0L, duration,
+                               std::min(duration, 0.125L / start.rate.norm()));
   }
-  return s;
+  return {{x[0], x[1], x[2], x[3]}, {x[4], x[5], x[6]}};
 }
 
 struct FreeMotion {
@@ -113,7 +94,7 @@ FreeMotion random_motion(properties::Stream& stream, double angle) {
 
 /// A symmetric top rotates about its angular momentum L at the rate ‖L‖/I₁, and about its axis at the rate (1 − I₃/I₁)
 /// ω₃.
-TEST(RotationPath, FollowsTheSymmetricTop) {
+TEST(RotationPath, FollowsTheClosedFormOfASymmetricTop) {
   for (const double axial : {0.25, 0.9, 1.1, 1.999}) {
     const Vector moments(1, 1, axial);
     const Vector rate(0.6, -0.3, 2);
@@ -135,7 +116,7 @@ TEST(RotationPath, FollowsTheSymmetricTop) {
 
 /// A tennis racket that rotates about its intermediate axis flips over again and again, and initial errors grow by
 /// orders of magnitude. Gronwall's bound becomes useless. The bound by derivatives (free_rotation.hpp) remains useful.
-TEST(RotationPath, FollowsTheTennisRacket) {
+TEST(RotationPath, HasUsefulBoundsForATennisRacketThatFlipsOver) {
   for (const double disturbance : {1e-1, 1e-3, 1e-6}) {
     const FreeMotion motion{{1, 2, 2.5}, turning({disturbance, 5, 0}), 10};
     const Comparison result = compare(motion);
@@ -152,7 +133,7 @@ TEST(RotationPath, FollowsTheTennisRacket) {
   }
 }
 
-TEST(RotationPath, KeepsItsBounds) {
+TEST(RotationPath, IsWithinItsBoundsOfAnIndependentIntegrator) {
   std::vector<double> looseness;
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     properties::Stream stream = properties::stream_from(seed);
@@ -167,32 +148,8 @@ TEST(RotationPath, KeepsItsBounds) {
   EXPECT_LE(looseness[looseness.size() / 2], 1000);  // the median is 600, because rounding errors rarely add up
 }
 
-TEST(RotationPath, KeepsItsBoundsOfAnyBody) {
-  for (std::uint64_t seed = 0; seed < 100; ++seed) {
-    properties::Stream stream = properties::stream_from(seed);
-    const Comparison result = compare(random_motion(stream, stream.between(0, 10)));
-    ASSERT_TRUE(result.angle <= result.angle_bound) << seed;
-    ASSERT_TRUE(result.rate <= result.rate_bound) << seed;
-  }
-}
-
-TEST(RotationPath, KeepsEnergyAndAngularMomentum) {
-  for (std::uint64_t seed = 0; seed < 100; ++seed) {
-    properties::Stream stream = properties::stream_from(seed);
-    const FreeMotion motion = random_motion(stream, 100);
-    const auto momentum = [&](const RotationState& state) -> Vector {
-      return unit::matrix_of(state.orientation) * motion.moments.cwiseProduct(state.body_rate);
-    };
-    const auto energy = [&](const RotationState& state) { return motion.moments.dot(state.body_rate.cwiseAbs2()) / 2; };
-    const RotationState end = RotationPath(motion.moments, motion.start, motion.duration).at(motion.duration).state;
-    const Vector first = momentum(motion.start);
-    EXPECT_LE((momentum(end) - first).norm(), 1e-13 * first.norm()) << seed;
-    EXPECT_NEAR(energy(end), energy(motion.start), 1e-13 * energy(motion.start)) << seed;
-  }
-}
-
 /// A rod a thousand times as long as wide has moments 1 : 10⁶.
-TEST(RotationPath, KeepsTheDigitsOfRods) {
+TEST(RotationPath, KeepsItsDigitsForARod) {
   for (const Vector& rate : {Vector(10, 1e-3, 2e-3), Vector(1e-3, 5, 1), Vector(3, 4, 5)}) {
     const FreeMotion motion{{1e-6, 1, 1 + 1e-7}, turning(rate), 5};
     const Comparison result = compare(motion);
@@ -217,7 +174,7 @@ TEST(RotationPath, TurnsACubeAboutAFixedAxis) {
   EXPECT_EQ(at_rest.at(70).state.orientation, Quaternion<double>(1, 0, 0, 0));
 }
 
-TEST(RotationPath, AnswersForAnyTimeWithinIt) {
+TEST(RotationPath, GivesAtAnyTimeTheEndOfAShorterPath) {
   const Vector moments(1, 2, 2.5);
   const RotationState start = turning({1, 5, 0.5});
   const RotationPath whole(moments, start, 3);
@@ -232,7 +189,7 @@ TEST(RotationPath, AnswersForAnyTimeWithinIt) {
 }
 
 /// ‖ω‖ reaches 0.7 of its bound in each motion, and nearly the whole bound in some motion.
-TEST(RotationPath, KnowsTheGreatestRate) {
+TEST(RotationPath, BoundsTheGreatestRate) {
   double closest = 0;
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     properties::Stream stream = properties::stream_from(seed);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <limits>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -53,7 +53,7 @@ Scene over_a_floor(const Points& corners, const Vector& position, double restitu
 const Points unit_cube = centred_box({1, 1, 1});
 const double cube_radius = std::sqrt(0.75);
 
-TEST(PolyhedronSimulation, ACubeThatFallsFlatReboundsAndThenHopsNoHigherThanIsFollowed) {
+TEST(PolyhedronSimulation, ReboundsACubeThatFallsFlatAndThenLetsItHopNoHigherThanIsFollowed) {
   Scene scene = over_a_floor(unit_cube, {0, 0, 2.5}, 0.5);
   const std::vector<Event> events = events_of(scene, 300);
   ASSERT_EQ(events.size(), 300U);
@@ -97,7 +97,7 @@ TEST(PolyhedronSimulation, ACubeThatFallsFlatReboundsAndThenHopsNoHigherThanIsFo
 
 /// By hand, the impulse is j = −(1 + ε) v / (1/m + ‖r × n‖²/I), with v the velocity along the floor's normal n and r
 /// the lever arm. All moments I of the cube are m/6.
-TEST(PolyhedronSimulation, ACubeThatFallsOnItsFaceEdgeOrCornerTurnsAsTheArmSays) {
+TEST(PolyhedronSimulation, TurnsACubeThatFallsOnItsFaceEdgeOrCornerAsTheLeverArmSays) {
   for (const Quaternion<double>& orientation :
        {Quaternion<double>(1, 0, 0, 0), turn_about({0, 1, 0}, 0.5), turn_about({1, 0, 0}, std::numbers::pi / 4),
         turn_about({1, 2, 3}, 1), turn_about({-3, 1, 0.5}, 2)}) {
@@ -137,7 +137,7 @@ TEST(PolyhedronSimulation, ACubeThatFallsOnItsFaceEdgeOrCornerTurnsAsTheArmSays)
 
 /// A rod moves away from a slab, but its rotation swings an end into the slab. The bounding spheres overlap from the
 /// beginning, and their centres recede.
-TEST(PolyhedronSimulation, BodiesMeetWhoseBallsOverlapAndRecede) {
+TEST(PolyhedronSimulation, FindsTheContactOfBodiesWhoseBoundingSpheresOverlapAndRecede) {
   for (const bool is_rod_first : {true, false}) {
     Scene scene = empty_scene(Law::frictionless, elastic, 3);
     const auto add_rod = [&] {
@@ -168,64 +168,7 @@ TEST(PolyhedronSimulation, BodiesMeetWhoseBallsOverlapAndRecede) {
   }
 }
 
-TEST(PolyhedronSimulation, BallsMeetBallsAndPlanesAsInASceneWithoutPolyhedra) {
-  for (const Law law : {Law::frictionless, Law::rough, Law::coulomb, Law::sticking, Law::reflection}) {
-    SCOPED_TRACE(name_of(law));
-    Scene scene = empty_scene(law, {0.75, 0.25, 0.5, 0, 0}, 8);
-    add_plane(scene, {2, 0, 0}, {-3, 0, 0});
-    add_plane(scene, {-1, 0, 0}, {3, 0, 0});
-    add_plane(scene, {0, 1, 0}, {0, -0.75, 0});
-    add_plane(scene, {0, -1, 0}, {0, 0.75, 0});
-    add_sphere(scene, 0.5, {-1.5, 0, 0}, {1, 0.0625, 0});
-    add_sphere(scene, 0.25, {0.5, 0.125, 0}, {-1, 0, 0});
-    add_sphere(scene, 0.375, {2, -0.125, 0}, {-0.5, 0, 0});
-    scene.spheres[1].angular_velocity = {1, -2, 3};
-    const std::vector<Event> expected = carom::unit::events_of(scene, 8);
-    add_polyhedron(scene, centred_box({0.5, 0.5, 0.5}), {0, 0, 50}, {0, 0, 1}, {1, 2, 3});
-    const std::vector<Event> found = events_of(scene, 8);
-    ASSERT_EQ(expected.size(), 8U);
-    ASSERT_EQ(found.size(), 8U);
-    // A contact is early by up to 2⁻³⁰ radii, at 1/2 m/s or more. Each impact multiplies the difference of the two runs
-    // by at most 8. A body takes part in two or three of the 8 impacts, so differences stay below 2⁻³⁰ 8⁴.
-    const double tolerance = 0x1p-18;
-    for (std::size_t k = 0; k < found.size(); ++k) {
-      EXPECT_EQ(found[k].a.body, expected[k].a.body) << k;
-      EXPECT_EQ(found[k].kind, expected[k].kind) << k;
-      EXPECT_NEAR(found[k].time, expected[k].time, tolerance) << k;
-      const auto near = [&](const Change& one, const Change& other) {
-        EXPECT_LE((one.after.path.velocity - other.after.path.velocity).norm(), tolerance) << k;
-        EXPECT_LE((one.after.turning.angular_velocity - other.after.turning.angular_velocity).norm(), 8 * tolerance)
-            << k;
-        EXPECT_EQ(one.after.path.radius, other.after.path.radius);
-      };
-      near(found[k].a, expected[k].a);
-      ASSERT_EQ(found[k].b.has_value(), expected[k].b.has_value());
-      if (found[k].b) {
-        EXPECT_EQ(found[k].b->body, expected[k].b->body) << k;
-        near(*found[k].b, *expected[k].b);
-      }
-    }
-  }
-}
-
-TEST(PolyhedronSimulation, ABallThatMeetsACubesFaceSharesItsSpeed) {
-  // The cube and the ball each have a mass of 8.
-  Scene scene = empty_scene(Law::frictionless, elastic, 4);
-  add_sphere(scene, 0.5, {-3, 0, 0}, {2, 0, 0});
-  scene.spheres[0].density = 8 / (4.0 / 3 * std::numbers::pi * 0.125);
-  scene.spheres[0].angular_velocity = {0.1, 0.2, 0.3};
-  add_polyhedron(scene, centred_box({2, 2, 2}), {0, 0, 0});
-  const std::vector<Event> events = events_of(scene, 5);
-  ASSERT_EQ(events.size(), 1U);
-  EXPECT_LE(events[0].time, 0.75);
-  EXPECT_GE(events[0].time, 0.75 - contact_tolerance * 0.5 / 2 * 1.01);
-  // Masses are right within some ulps, and lever arms within half a tolerance.
-  EXPECT_NEAR(events[0].a.after.path.velocity.x(), 0, 1e-9);
-  EXPECT_NEAR(events[0].b->after.path.velocity.x(), 2, 1e-9);
-  EXPECT_EQ(events[0].a.after.turning.angular_velocity, Vector(0.1, 0.2, 0.3));
-}
-
-TEST(PolyhedronSimulation, WithoutFrictionNoBallChangesItsSpin) {
+TEST(PolyhedronSimulation, KeepsTheBitsOfTheSpinsOfBallsWithoutFriction) {
   for (const Precision precision : {Precision::binary32, Precision::binary64, Precision::extended}) {
     SCOPED_TRACE(name_of(precision));
     int of_balls = 0;
@@ -252,165 +195,6 @@ TEST(PolyhedronSimulation, WithoutFrictionNoBallChangesItsSpin) {
     }
     EXPECT_GT(of_balls, 5);
     EXPECT_GT(with_polyhedra, 50);
-  }
-}
-
-struct Totals {
-  double energy = 0;
-  Vector momentum{0, 0, 0};
-  Vector angular{0, 0, 0};
-  double angular_size = 0;
-};
-
-Totals totals_of(const SceneState& state) {
-  Totals totals;
-  for (const BodyState& body : state.bodies) {
-    const Vector x = position_at(body.arc.path, state.time);
-    const Vector v = velocity_at(body.arc.path, state.time);
-    const Matrix3<double> axes = unit::matrix_of(body.orientation);
-    const Vector spin = axes * body.principal_inertia.cwiseProduct(axes.transpose() * body.angular_velocity);
-    totals.energy +=
-        body.mass * v.squaredNorm() / 2 + spin.dot(body.angular_velocity) / 2 - body.mass * state.scene->gravity.dot(x);
-    totals.momentum += body.mass * v;
-    totals.angular += body.mass * x.cross(v) + spin;
-    totals.angular_size += body.mass * x.norm() * v.norm() + spin.norm();
-  }
-  return totals;
-}
-
-/// Bodies from all sides meet in the middle, without planes and gravity.
-Scene implosion(std::uint64_t seed) {
-  properties::Stream stream = properties::stream_from(seed);
-  Scene scene = box_of_bodies(Law::frictionless, elastic, 3, 4, seed, seed % 2 == 0);
-  scene.planes.clear();
-  const auto aim = [&](Vector& position, Vector& velocity) {
-    position = 1.25 * (position - Vector::Constant(1.5));
-    velocity = -0.75 * position + 0.1 * stream.vector();
-  };
-  for (Sphere& sphere : scene.spheres) {
-    aim(sphere.position, sphere.velocity);
-  }
-  for (Polyhedron& polyhedron : scene.polyhedra) {
-    aim(polyhedron.position, polyhedron.velocity);
-  }
-  return scene;
-}
-
-TEST(PolyhedronSimulation, ElasticImpactsWithoutFrictionKeepEnergyAndBothMomenta) {
-  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    PolyhedronSimulation simulation(implosion(seed));
-    const Totals first = totals_of(simulation.state());
-    int count = 0;
-    while (count < 150 && simulation.advance() != nullptr) {
-      ++count;
-    }
-    EXPECT_GT(count, 30);
-    const Totals last = totals_of(simulation.state());
-    // Each event rounds the states of two bodies by about 16 u (u = 2⁻⁵³). If all errors have the same sign, 150 events
-    // give 150 · 16 u = 3·10⁻¹³ of the whole. The motion between events adds 10⁻¹⁵ per radian.
-    EXPECT_NEAR(last.energy, first.energy, 1e-12 * first.energy);
-    EXPECT_LE((last.momentum - first.momentum).norm(), 1e-12 * std::sqrt(2 * first.energy * 27));
-    EXPECT_LE((last.angular - first.angular).norm(), 1e-12 * (first.angular_size + last.angular_size));
-  }
-}
-
-TEST(PolyhedronSimulation, IsTheSameTwiceBitByBit) {
-  for (const Law law : {Law::frictionless, Law::coulomb}) {
-    Scene scene = box_of_bodies(law, {0.5, 0.3, 0, 0, 0}, 2, 3, 11, true);
-    scene.gravity = {0, 0, -g};
-    const std::vector<Event> one = events_of(scene, 200);
-    const std::vector<Event> two = events_of(scene, 200);
-    ASSERT_EQ(one.size(), two.size());
-    for (std::size_t k = 0; k < one.size(); ++k) {
-      ASSERT_EQ(one[k].time, two[k].time) << k;
-      ASSERT_EQ(one[k].a.after.path.position, two[k].a.after.path.position) << k;
-      ASSERT_EQ(one[k].a.after.path.velocity, two[k].a.after.path.velocity) << k;
-      ASSERT_EQ(one[k].a.after.turning.angular_velocity, two[k].a.after.turning.angular_velocity) << k;
-      ASSERT_EQ(one[k].a.orientation, two[k].a.orientation) << k;
-    }
-  }
-}
-
-std::pair<std::string, std::string> who(const Scene& scene, const Event& event) {
-  const auto name = [&](std::size_t body) {
-    return is_sphere(scene, body) ? scene.spheres[body].name : polyhedron_of(scene, body).name;
-  };
-  const std::string a = name(event.a.body);
-  const std::string b = event.b ? name(event.b->body) : scene.planes[event.plane].name;
-  return event.b && b < a ? std::pair(b, a) : std::pair(a, b);
-}
-
-/// The tolerance for two runs that round differently. At a contact, the gaps in the two runs differ by up to 2⁻³⁰ radii
-/// of 1/2 m. Except for grazing contacts, gaps close at 1/16 m/s or more, so the times differ by up to 2⁻²⁷ s. Each
-/// impact multiplies a difference by 32 or more. So the test compares only the first events, in which each body has two
-/// or three impacts.
-constexpr std::size_t early_events = 8;
-constexpr double early_tolerance = 0x1p-14;
-
-void expect_alike(const Scene& scene, const Scene& other, const std::function<Vector(const Vector&)>& moved) {
-  const std::vector<Event> events = events_of(scene, early_events);
-  const std::vector<Event> others = events_of(other, early_events);
-  ASSERT_EQ(events.size(), early_events);
-  ASSERT_EQ(others.size(), early_events);
-  for (std::size_t k = 0; k < events.size(); ++k) {
-    ASSERT_EQ(who(scene, events[k]), who(other, others[k])) << k;
-    EXPECT_NEAR(events[k].time, others[k].time, early_tolerance) << k;
-    const bool is_swapped = events[k].b && who(scene, events[k]).first != who(other, others[k]).first;
-    EXPECT_FALSE(is_swapped);
-    const auto velocity_of = [&](const Scene& of, const Event& event, const std::string& name) -> Vector {
-      const bool is_a = is_sphere(of, event.a.body) ? of.spheres[event.a.body].name == name
-                                                    : polyhedron_of(of, event.a.body).name == name;
-      return is_a ? event.a.after.path.velocity : event.b->after.path.velocity;
-    };
-    const std::string name = who(scene, events[k]).first;
-    EXPECT_LE((moved(velocity_of(scene, events[k], name)) - velocity_of(other, others[k], name)).norm(),
-              early_tolerance)
-        << k;
-  }
-}
-
-TEST(PolyhedronSimulation, DoesNotDependOnTheOrderOfTheBodies) {
-  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    const Scene scene =
-        box_of_bodies(seed % 2 == 0 ? Law::frictionless : Law::sticking, with_restitution(0.5), 2, 5, seed, true);
-    Scene reversed = scene;
-    std::reverse(reversed.polyhedra.begin(), reversed.polyhedra.end());
-    std::reverse(reversed.spheres.begin(), reversed.spheres.end());
-    expect_alike(scene, reversed, [](const Vector& x) { return x; });
-  }
-}
-
-TEST(PolyhedronSimulation, TurnsWithTheScene) {
-  const auto turned = [](const Vector& x) { return Vector(-x.y(), x.x(), x.z()); };
-  const double half = std::sqrt(0.5);
-  // (half, 0, 0, half) times q.
-  const auto orientation_turned = [half](const Quaternion<double>& q) {
-    return Quaternion<double>(half * (q[0] - q[3]), half * (q[1] - q[2]), half * (q[2] + q[1]), half * (q[3] + q[0]));
-  };
-  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Scene scene =
-        box_of_bodies(seed % 2 == 0 ? Law::frictionless : Law::coulomb, {0.5, 0.25, 0, 0, 0}, 2, 5, seed, true);
-    scene.gravity = {0, 0, -1};
-    Scene other = scene;
-    for (Sphere& sphere : other.spheres) {
-      sphere.position = turned(sphere.position);
-      sphere.velocity = turned(sphere.velocity);
-      sphere.angular_velocity = turned(sphere.angular_velocity);
-    }
-    for (Polyhedron& polyhedron : other.polyhedra) {
-      polyhedron.position = turned(polyhedron.position);
-      polyhedron.velocity = turned(polyhedron.velocity);
-      polyhedron.angular_velocity = turned(polyhedron.angular_velocity);
-      polyhedron.orientation = orientation_turned(polyhedron.orientation);
-    }
-    for (Plane& plane : other.planes) {
-      plane.point = turned(plane.point);
-      plane.normal = turned(plane.normal);
-    }
-    expect_alike(scene, other, turned);
   }
 }
 
@@ -444,20 +228,6 @@ TEST(PolyhedronSimulation, IsTheSameInEveryUnitOfLength) {
   }
 }
 
-TEST(PolyhedronSimulation, HearsAStop) {
-  Scene scene = box_of_bodies(Law::frictionless, elastic, 2, 5, 1, false);
-  PolyhedronSimulation simulation(scene);
-  ASSERT_NE(simulation.advance(), nullptr);
-  const double time = simulation.time();
-  std::stop_source source;
-  simulation.stop_on(source.get_token());
-  ASSERT_NE(simulation.advance(), nullptr);
-  source.request_stop();
-  EXPECT_EQ(simulation.advance(), nullptr);
-  EXPECT_LT(simulation.time(), 5);
-  EXPECT_GE(simulation.time(), time);
-}
-
 std::string refusal_of(const Scene& scene, std::size_t most_events = 0) {
   try {
     PolyhedronSimulation simulation(scene);
@@ -469,7 +239,7 @@ std::string refusal_of(const Scene& scene, std::size_t most_events = 0) {
   return "none";
 }
 
-TEST(PolyhedronSimulation, RefusesAnOverlapByBothNames) {
+TEST(PolyhedronSimulation, NamesTheBodiesThatOverlap) {
   Scene scene = empty_scene(Law::frictionless, elastic, 1);
   add_polyhedron(scene, unit_cube, {0, 0, 0});
   add_polyhedron(scene, unit_cube, {1.5, 0, 0});
@@ -478,21 +248,12 @@ TEST(PolyhedronSimulation, RefusesAnOverlapByBothNames) {
   EXPECT_TRUE(
       refusal_of(scene).starts_with("at t = 0 polyhedron 0 (body 0) and polyhedron 1 (body 1) may overlap: -0.25"))
       << refusal_of(scene);
-  scene.polyhedra[1].position.x() = 1.5;
-  add_sphere(scene, 0.5, {0, 0.75, 0}, {0, 0, 0});
-  EXPECT_TRUE(refusal_of(scene).starts_with("at t = 0 sphere 0 (ball 0) and polyhedron 0 (body 0) may overlap: "))
-      << refusal_of(scene);
-  scene.spheres[0].position.y() = 3;
-  add_plane(scene, {0, 0, 2}, {0, 0, -0.25});
-  EXPECT_TRUE(refusal_of(scene).starts_with("at t = 0 sphere 0 (ball 0) and plane 0 (plane 0) may overlap: ") ||
-              refusal_of(scene).starts_with("at t = 0 polyhedron 0 (body 0) and plane 0 (plane 0) may overlap: "))
-      << refusal_of(scene);
 }
 
 /// A small ball of mass m bounces between two walls of mass M that approach each other, each at the speed V. The n-th
 /// impact leaves the ball at the speed 2 n V. The walls slow down only after √(M/m)/4 impacts or more. All impacts are
 /// at one instant, because the gaps are within the contact tolerance.
-TEST(PolyhedronSimulation, EndsWhereImpactsAtOneInstantDoNot) {
+TEST(PolyhedronSimulation, EndsTheRunIfImpactsAtOneInstantDoNotEnd) {
   Scene scene = empty_scene(Law::frictionless, elastic, 1);
   const double nearly = 0.25 * contact_tolerance * 0x1p-4;
   add_sphere(scene, 0x1p-4, {0, 0, 0}, {0, 0, 0});
@@ -513,33 +274,9 @@ TEST(PolyhedronSimulation, EndsWhereImpactsAtOneInstantDoNot) {
   EXPECT_EQ(refusal_of(scene, 1'000'000), "none");
 }
 
-TEST(PolyhedronSimulation, TellsEventsInOrderOfTime) {
-  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    Scene scene = box_of_bodies(Law::coulomb, {0.5, 0.3, 0, 0, 0}, 2, 1, seed, true);
-    scene.gravity = {0, 0, -g};
-    PolyhedronSimulation simulation(scene);
-    double last = 0;
-    unsigned long long count = 0;
-    for (const Event* event = simulation.advance(); event != nullptr && count < 400; event = simulation.advance()) {
-      ASSERT_GE(event->time, last) << "seed " << seed;
-      ASSERT_LE(event->time, scene.duration) << "seed " << seed;
-      EXPECT_EQ(event->time, simulation.time());
-      EXPECT_EQ(event->a.after.path.start, event->time);
-      if (event->b) {
-        EXPECT_LT(event->a.body, event->b->body);
-      }
-      last = event->time;
-      ++count;
-      EXPECT_EQ(simulation.counts().events, count);
-      EXPECT_EQ(simulation.counts().impacts + simulation.counts().plane_impacts, count);
-    }
-    EXPECT_GT(count, 20U);
-  }
-}
-
 /// Equal bodies fall from equal heights. Their distances from the origin are equal, because a position's error is
 /// proportional to this distance.
-TEST(PolyhedronSimulation, TakesOfEqualTimesTheLowerBodiesFirst) {
+TEST(PolyhedronSimulation, TakesTheLowerBodyFirstAtEqualTimes) {
   Scene scene = over_a_floor(unit_cube, {3, 0, 2}, 1);
   for (const Vector& position : {Vector(-3, 0, 2), Vector(0, 3, 2), Vector(0, -3, 2)}) {
     add_polyhedron(scene, unit_cube, position);
@@ -551,63 +288,6 @@ TEST(PolyhedronSimulation, TakesOfEqualTimesTheLowerBodiesFirst) {
     EXPECT_EQ(events[k].a.body, k % 4);
   }
   EXPECT_GT(events[4].time, events[3].time);
-}
-
-/// A needle and a sheet, a thousand times as long as thin, tumble in a room.
-TEST(PolyhedronSimulation, KeepsSlenderBodiesOfAllSizesInTheirRoom) {
-  for (const double size : {1e-3, 1.0, 1e3}) {
-    SCOPED_TRACE(size);
-    Scene scene = empty_scene(Law::frictionless, elastic, 5);
-    carom::unit::add_box(scene, 3 * size);
-    const Points needle = centred_box(Vector(1e-3, 1e-3, 1) * size);
-    const Points sheet = centred_box(Vector(1, 1, 1e-3) * size);
-    add_polyhedron(scene, needle, Vector(0.75, 0.75, 1) * size, Vector(0.5, 0.25, -0.75) * size, {1, 2, 0.5});
-    add_polyhedron(scene, sheet, Vector(2, 2, 2) * size, Vector(-0.25, 0.5, 0.25) * size, {0.25, -1, 2});
-    scene.polyhedra[1].orientation = {1, 0.5, 0.25, 0};
-    ASSERT_FALSE(first_polyhedron_defect(scene)) << describe(*first_polyhedron_defect(scene));
-    PolyhedronSimulation simulation(scene);
-    const double energy = totals_of(simulation.state()).energy;
-    int count = 0;
-    while (count < 100 && simulation.advance() != nullptr) {
-      ++count;
-      const SceneState state = simulation.state();
-      for (std::size_t body = 0; body < 2; ++body) {
-        const Matrix3<double> axes = unit::matrix_of(state.bodies[body].orientation);
-        const auto made = std::get<RigidBody>(rigid_body(scene.polyhedra[body]));
-        for (const Vector& vertex : made.shape.core.vertices) {
-          const Vector corner = position_at(state.bodies[body].arc.path, state.time) + axes * vertex;
-          // The test itself rounds by 10⁻¹⁵ of the sizes.
-          EXPECT_GE(corner.minCoeff(), -1e-15 * size) << count;
-          EXPECT_LE(corner.maxCoeff(), (3 + 2e-15) * size) << count;
-        }
-      }
-    }
-    EXPECT_GT(count, 10);
-    // The needle's lever arms are accurate to an ulp of its length, not of its thickness. The ratio of its moments,
-    // 10⁶, can enlarge this error of 2⁻⁵² to 10⁻¹⁰. In practice 10⁻¹² holds.
-    EXPECT_NEAR(totals_of(simulation.state()).energy, energy, 1e-12 * energy);
-  }
-}
-
-/// The body rotates by 320 rad before it lands, and its state is stored every 8 rad. Its bounding sphere overlaps the
-/// floor all the time.
-TEST(PolyhedronSimulation, FollowsABodyThatTurnsForLong) {
-  Scene scene = empty_scene(Law::frictionless, elastic, 60);
-  add_plane(scene, {0, 0, 1}, {0, 0, 0});
-  add_polyhedron(scene, centred_box({2, 0.5, 0.25}), {0, 0, 0.625}, {0, 0, -0x1p-6}, {0, 0, 10});
-  const std::vector<Event> events = events_of(scene, 5);
-  ASSERT_EQ(events.size(), 1U);
-  // The body falls half a metre at 1/64 m/s, minus a tolerance.
-  EXPECT_LE(events[0].time, 32);
-  EXPECT_GE(events[0].time, 32 - 64 * 1.1 * contact_tolerance);
-  EXPECT_NEAR(events[0].a.after.path.velocity.z(), 0x1p-6, 1e-9);
-  // Each radian adds an error of 10⁻¹⁵ or less, and the state is stored forty times.
-  const double angle = 10 * events[0].time;
-  const Matrix3<double> axes = unit::matrix_of(events[0].a.orientation);
-  EXPECT_NEAR((axes * Vector(1, 0, 0)).dot(Vector(0, 0, 1)), 0, 1e-12);
-  const Matrix3<double> expected = unit::matrix_of(turn_about({0, 0, 1}, angle));
-  const auto made = std::get<RigidBody>(rigid_body(scene.polyhedra[0]));
-  EXPECT_LE((axes - expected * unit::matrix_of(made.orientation)).norm(), 1e-12);
 }
 
 void run_through_renewals(PolyhedronSimulation& simulation) {
@@ -631,7 +311,7 @@ double height_of(const Scene& scene, const Event& event) {
 
 /// The box rotates about its intermediate axis, so errors grow by a factor of e^0.48 per radian at first. Without
 /// renewals, a rounding error of 2⁻⁵³ exceeds the contact tolerance, 2⁻³⁰, after 34 rad: e^(0.48 · 34) > 2²³.
-TEST(PolyhedronSimulation, StrikesWhereItTouchesHoweverUnstablyItTurns) {
+TEST(PolyhedronSimulation, FindsTheContactOfABodyThatRotatesUnstably) {
   for (const double rate : {10.0, 30.0, 50.0, 100.0}) {
     Scene scene = empty_scene(Law::frictionless, elastic, 2);
     add_plane(scene, {0, 0, 1}, {0, 0, 0});
@@ -644,26 +324,10 @@ TEST(PolyhedronSimulation, StrikesWhereItTouchesHoweverUnstablyItTurns) {
   }
 }
 
-/// A body that would lie at rest hops as long as the run lasts.
-TEST(PolyhedronSimulation, HopsOnAndOn) {
-  Scene scene = empty_scene(Law::frictionless, {0.5, 0, 0, 0, 0}, 1);
-  scene.gravity = {0, 0, -g};
-  add_plane(scene, {0, 0, 1}, {0, 0, 0});
-  add_polyhedron(scene, centred_box({0.2, 0.2, 0.2}), {0, 0, 0.11}, {0, 0, 0}, {0, 0, 0});
-  PolyhedronSimulation simulation(scene);
-  const double radius = std::sqrt(0.03);
-  while (const Event* event = simulation.advance()) {
-    ASSERT_GE(height_of(scene, *event), 0.25 * contact_tolerance * radius) << simulation.counts().events;
-    ASSERT_LE(height_of(scene, *event), contact_tolerance * radius) << simulation.counts().events;
-  }
-  EXPECT_EQ(simulation.time(), 1);
-  EXPECT_GT(simulation.counts().slow, 1000U);
-}
-
 /// Two rotating tetrahedra slide along each other with ε = 0, and parts of a face and an edge touch. They separate
 /// along a direction that rotates with neither body (`way_out` in time_of_contact.cpp). A search without this direction
 /// finds contacts at the same instant without end.
-TEST(PolyhedronSimulation, FindsAWayOutForFacesThatSlide) {
+TEST(PolyhedronSimulation, EndsContactsOfFacesThatSlideAlongEachOther) {
   Scene scene = empty_scene(Law::rough, {0, 0.3, 0, 0, 0}, 0.0625);
   const auto add = [&](double half_edge, const Vector& position, const Quaternion<double>& orientation,
                        const Vector& velocity, const Vector& spin) {
@@ -682,7 +346,7 @@ TEST(PolyhedronSimulation, FindsAWayOutForFacesThatSlide) {
   EXPECT_GT(events_of(scene, 20'000).size(), 0U);
 }
 
-TEST(PolyhedronSimulation, LetsBodiesBeThatRestBesideEachOther) {
+TEST(PolyhedronSimulation, HasNoEventWhereBodiesRestBesideEachOther) {
   Scene scene = empty_scene(Law::frictionless, elastic, 3);
   add_polyhedron(scene, unit_cube, {0, 0, 0}, {0, 0, 0}, {0, 0, 0});
   add_polyhedron(scene, unit_cube, {1 + 0.5 * contact_tolerance * std::sqrt(0.75), 0, 0}, {0, 0, 0}, {0, 0, 0});
@@ -691,7 +355,7 @@ TEST(PolyhedronSimulation, LetsBodiesBeThatRestBesideEachOther) {
   EXPECT_EQ(simulation.time(), 3);
 }
 
-TEST(PolyhedronSimulation, EndsAtItsDurationWhereNothingMeets) {
+TEST(PolyhedronSimulation, EndsAtItsDurationAndRenewsRotationsIfNothingMeets) {
   Scene scene = empty_scene(Law::coulomb, {0.5, 0.5, 0, 0, 0}, 7);
   scene.gravity = {0, 0, -g};
   add_polyhedron(scene, unit_cube, {0, 0, 0}, {0, 0, 1}, {1, 2, 3});
@@ -704,26 +368,9 @@ TEST(PolyhedronSimulation, EndsAtItsDurationWhereNothingMeets) {
   EXPECT_EQ(simulation.counts().renewals, 6U);
   EXPECT_EQ(simulation.counts().events, 6U);
   EXPECT_EQ(simulation.advance(), nullptr);
-  const Totals totals = totals_of(simulation.state());
-  const Totals first = totals_of(PolyhedronSimulation(scene).state());
-  // The bodies fall about 240 m, and energies differ by an ulp or two of m g · 240 m.
-  EXPECT_NEAR(totals.energy, first.energy, 1e-12 * 8 * g * 240);
 }
 
-TEST(PolyhedronSimulation, KnowsHowBodiesTurnThatNothingHasComeNear) {
-  Scene scene = empty_scene(Law::frictionless, elastic, 5);
-  add_polyhedron(scene, centred_box({1, 2, 4}), {0, 0, 0}, {0, 0, 0}, {0, 0, 2});
-  PolyhedronSimulation simulation(scene);
-  run_through_renewals(simulation);
-  const BodyState body = simulation.state().bodies[0];
-  EXPECT_LE((body.angular_velocity - Vector(0, 0, 2)).norm(), 1e-14);
-  const auto made = std::get<RigidBody>(rigid_body(scene.polyhedra[0]));
-  const Matrix3<double> expected = unit::matrix_of(turn_about({0, 0, 1}, 10)) * unit::matrix_of(made.orientation);
-  // The body rotates by 10 rad, with an error of 10⁻¹⁵ per radian.
-  EXPECT_LE((unit::matrix_of(body.orientation) - expected).norm(), 1e-13);
-}
-
-TEST(SceneSimulation, IsTheLoopThatTheSceneNeeds) {
+TEST(SceneSimulation, RunsTheLoopThatTheSceneNeedsAndHearsAStop) {
   Scene scene = empty_scene(Law::frictionless, elastic, 3);
   add_plane(scene, {0, 0, 1}, {0, 0, 0});
   add_sphere(scene, 0.5, {0, 0, 1.5}, {0, 0, -1});

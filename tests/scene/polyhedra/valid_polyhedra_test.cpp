@@ -37,7 +37,7 @@ std::string defect_of(const Scene& scene) {
   return defect ? describe(*defect) : "";
 }
 
-TEST(ValidPolyhedra, NamesTheFieldAndTheBody) {
+TEST(ValidPolyhedra, AreNamedWithTheFieldThatIsWrong) {
   ASSERT_EQ(defect_of(three()), "") << "else everything is refused";
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::vector<std::pair<std::string, std::function<void(Scene&)>>> changes{
@@ -57,15 +57,6 @@ TEST(ValidPolyhedra, NamesTheFieldAndTheBody) {
        [nan](Scene& s) { s.polyhedra[0].orientation[3] = nan; }},
       {"polyhedra[1].vertices: a polyhedron needs at least 4 vertices, not 3",
        [](Scene& s) { s.polyhedra[1].vertices.resize(3); }},
-      {"polyhedra[1].vertices: all vertices lie in one plane; a polyhedron needs a volume",
-       [](Scene& s) { s.polyhedra[1].vertices.resize(4); }},
-      {"polyhedra[0].vertices: vertex 8 equals vertex 0; remove one of them",
-       [](Scene& s) { s.polyhedra[0].vertices.push_back(s.polyhedra[0].vertices[0]); }},
-      {"polyhedra[0].vertices: vertex 8 is not a corner: it lies inside the convex hull of the others, or on its "
-       "boundary; remove this vertex",
-       [](Scene& s) { s.polyhedra[0].vertices.emplace_back(0, 0, 0); }},
-      {"polyhedra[0].vertices: vertex 2 has a coordinate that is not a finite number",
-       [nan](Scene& s) { s.polyhedra[0].vertices[2].x() = nan; }},
   };
   for (const auto& [expected, change] : changes) {
     Scene scene = three();
@@ -74,7 +65,7 @@ TEST(ValidPolyhedra, NamesTheFieldAndTheBody) {
   }
 }
 
-TEST(ValidPolyhedra, AsksForMassesThatThePrecisionHolds) {
+TEST(ValidPolyhedra, HaveMassesInTheRangeOfThePrecision) {
   Scene scene = three();
   scene.polyhedra[0].density = 1e-40;
   EXPECT_EQ(defect_of(scene), "");
@@ -88,7 +79,7 @@ TEST(ValidPolyhedra, AsksForMassesThatThePrecisionHolds) {
   EXPECT_EQ(defect_of(scene), "");
 }
 
-TEST(ValidPolyhedra, AsksForBodiesThatCanBeFollowed) {
+TEST(ValidPolyhedra, RotateByAMillionRadiansAtMost) {
   Scene scene = three();
   scene.polyhedra[0].angular_velocity = Vector(0, 0, 1e6 / scene.duration) * (1 + 1e-12);
   EXPECT_EQ(defect_of(scene),
@@ -107,7 +98,7 @@ TEST(ValidPolyhedra, AsksForBodiesThatCanBeFollowed) {
   }
 }
 
-TEST(ValidPolyhedra, AsksForPlacesThatAreKnown) {
+TEST(ValidPolyhedra, HaveCentresWithin4096RadiiOfTheOrigin) {
   Scene scene = three();
   scene.planes.clear();
   const double radius = std::sqrt(0.75);
@@ -120,7 +111,7 @@ TEST(ValidPolyhedra, AsksForPlacesThatAreKnown) {
   EXPECT_EQ(defect_of(scene), "");
 }
 
-TEST(ValidPolyhedra, RefusesWhatTouchesWhateverItTouches) {
+TEST(ValidPolyhedra, MayNotTouchAPlaneOrABody) {
   struct Case {
     std::string begins;
     std::function<void(Scene&)> touch;
@@ -157,7 +148,7 @@ TEST(ValidPolyhedra, RefusesWhatTouchesWhateverItTouches) {
 }
 
 /// In a scene with polyhedra, spheres must also be certain to be apart.
-TEST(ValidPolyhedra, RefusesSpheresThatTouchWhereThereArePolyhedra) {
+TEST(ValidPolyhedra, MayNotBeWithSpheresThatTouch) {
   Scene scene = three();
   add_sphere(scene, 0.25, {0, 2.5, 0}, {0, 0, 0});
   EXPECT_FALSE(first_defect(scene)) << "to touch is not to overlap";
@@ -176,7 +167,7 @@ TEST(ValidPolyhedra, RefusesSpheresThatTouchWhereThereArePolyhedra) {
   EXPECT_EQ(defect_of(scene), "");
 }
 
-TEST(ValidPolyhedra, LeavesScenesOfSpheresAlone) {
+TEST(ValidPolyhedra, AreNotSoughtInASceneOfSpheres) {
   Scene scene = three();
   scene.polyhedra.clear();
   scene.spheres[0].radius = -1;

@@ -13,7 +13,6 @@
 #include <carom/oracles/laws/judge_error.hpp>
 
 #include "scene/replay_html.hpp"
-#include "scene/scene_file.hpp"
 #include "scene/scene_records.hpp"
 #include "scene/scene_run.hpp"
 #include "support/program.hpp"

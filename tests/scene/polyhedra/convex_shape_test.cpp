@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 #include <map>
 
 #include <gtest/gtest.h>
 
-#include <carom/scene/polyhedra/orientation.hpp>
+#include <carom/oracles/exact/rational.hpp>
+#include <carom/scene/polyhedra/convex_shape.hpp>
 
 #include "bodies.hpp"
 
 namespace carom::scene {
 namespace {
 
+using oracles::Rational;
 using unit::Points;
 using unit::Vector;
 
@@ -31,8 +35,8 @@ void expect_convex(const ConvexPolyhedron& hull) {
     for (std::size_t i = 0; i < face.size(); ++i) {
       ++sides[{face[i], face[(i + 1) % face.size()]}];
       for (std::size_t v = 0; v < hull.vertices.size(); ++v) {
-        const int side = orientation(hull.vertices[face[i]], hull.vertices[face[(i + 1) % face.size()]],
-                                     hull.vertices[face[(i + 2) % face.size()]], hull.vertices[v]);
+        const int side = side_of_plane(hull.vertices[face[i]], hull.vertices[face[(i + 1) % face.size()]],
+                                       hull.vertices[face[(i + 2) % face.size()]], hull.vertices[v]);
         const bool on_face = std::find(face.begin(), face.end(), v) != face.end();
         ASSERT_EQ(side, on_face ? 0 : -1);
       }
@@ -59,7 +63,7 @@ TEST(ConvexPolyhedron, MergesTrianglesThatShareAPlane) {
   EXPECT_EQ(faces_by_corners(prism), (std::map<std::size_t, int>{{3, 1}, {4, 3}, {5, 3}}));
 }
 
-TEST(ConvexPolyhedron, FindsLargeFaces) {
+TEST(ConvexPolyhedron, FindsFacesWithManyCorners) {
   Points points;
   for (int i = -6; i <= 6; ++i) {
     for (const double z : {0.0, 1.0}) {
@@ -71,7 +75,7 @@ TEST(ConvexPolyhedron, FindsLargeFaces) {
   EXPECT_EQ(faces_by_corners(prism), (std::map<std::size_t, int>{{4, 13}, {13, 2}}));
 }
 
-TEST(ConvexPolyhedron, IsConvexExactlyForRandomPoints) {
+TEST(ConvexPolyhedron, OfRandomPointsIsExactlyConvex) {
   int hulls = 0;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     properties::Stream stream = properties::stream_from(seed);
@@ -85,7 +89,7 @@ TEST(ConvexPolyhedron, IsConvexExactlyForRandomPoints) {
 }
 
 /// A point one ulp above a face is a corner.
-TEST(ConvexPolyhedron, DecidesToTheLastPlace) {
+TEST(ConvexPolyhedron, HasACornerOneUlpAboveAFace) {
   Points points = unit::box_points({1, 1, 1});
   points.emplace_back(0.3, 0.7, std::nextafter(1.0, 2.0));
   EXPECT_EQ(unit::hull_of(points).faces.size(), 9U);
@@ -93,7 +97,7 @@ TEST(ConvexPolyhedron, DecidesToTheLastPlace) {
   EXPECT_NE(unit::defect_of(points).find("vertex 8 is not a corner"), std::string::npos);
 }
 
-TEST(ConvexPolyhedron, SaysWhatIsWrong) {
+TEST(ConvexPolyhedron, IsRefusedWithTheReasonIfAPointIsNoCorner) {
   const Points cube = unit::box_points({1, 1, 1});
   const auto with = [&](const Vector& point) {
     Points points = cube;
@@ -115,11 +119,47 @@ TEST(ConvexPolyhedron, SaysWhatIsWrong) {
             "all vertices lie in one plane; a polyhedron needs a volume");
 }
 
-TEST(ConvexPolyhedron, TakesTheSmallestAndTheGreatestNumbers) {
+TEST(ConvexPolyhedron, MayHaveTheSmallestAndTheGreatestCoordinates) {
   for (const double scale : {0x1p-1074, 0x1p-500, 0x1p500, 0x1p1023}) {
     const ConvexPolyhedron box = unit::hull_of(unit::box_points({scale, scale, scale}));
     EXPECT_EQ(box.faces.size(), 6U) << scale;
   }
+}
+
+/// The sign of ((b − a) × (c − a)) · (d − a) in ℚ.
+int exact_sign(const std::array<Vector3<double>, 4>& points) {
+  const auto side = [&](std::size_t i) {
+    Vector3<Rational> result;
+    for (int axis = 0; axis < 3; ++axis) {
+      result[axis] = Rational(points[i][axis]) - Rational(points[0][axis]);
+    }
+    return result;
+  };
+  return oracles::sign_of(side(1).cross(side(2)).dot(side(3)));
+}
+
+/// 2³⁰⁰ · 2⁻⁵⁴⁰ · 2⁻⁵⁴⁰ − 2⁻²⁶⁰ · 2⁻⁵⁴⁰ is positive. In binary64 the first product underflows.
+TEST(SideOfPlane, IsExactIfAProductUnderflows) {
+  EXPECT_EQ(side_of_plane({0, 0, 0}, {0x1p-260, 0x1p-540, 0}, {0, 0, 0x1p-540}, {0x1p+300, 1, 0}), 1);
+}
+
+/// Numbers of like and of very unlike sizes; often the four points nearly lie in a plane.
+TEST(SideOfPlane, IsExactForNumbersOfAnySize) {
+  properties::Stream stream = properties::stream_from(17);
+  int decided = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const int spread = stream.chance(2) ? 3 : 400;
+    std::array<Vector3<double>, 4> p;
+    for (Vector3<double>& point : p) {
+      for (double& number : point) {
+        number = stream.chance(4) ? 0 : std::ldexp(stream.integer(-3, 3), stream.integer(-spread, spread));
+      }
+    }
+    const int expected = exact_sign(p);
+    decided += expected != 0 ? 1 : 0;
+    ASSERT_EQ(side_of_plane(p[0], p[1], p[2], p[3]), expected) << i;
+  }
+  EXPECT_GT(decided, 5000);
 }
 
 }  // namespace
