@@ -49,7 +49,7 @@ tools=(g++ cmake ninja-build gnuplot-nox)
 engines=(libbullet-dev libode-dev) # the gate reports an engine as absent if its package is not installed
 batch_systems=(openmpi-bin slurm-client slurmctld slurmd) # the tests of docs/guide/scale.md run shards under these
 compilers=(clang g++-i686-linux-gnu g++-aarch64-linux-gnu qemu-user) # these build the families, too
-judged='/all$|generate|^gate/' # of the judge's benchmarks; those of each subject and family take four minutes more
+judged='/all$|generate|^gate/' # of the judge's benchmarks; those of one subject alone take longer
 jobs=$(nproc 2>/dev/null || echo 2)
 
 # install_packages [PACKAGE…]: installs the missing packages among these and those that every build needs

@@ -10,7 +10,6 @@
 #include <carom/oracles/bounds/stage.hpp>
 #include <carom/oracles/judge/accuracy.hpp>
 #include <carom/oracles/judge/norm_at_most.hpp>
-#include <carom/oracles/judge/permitted_noise.hpp>
 
 namespace carom::oracles {
 namespace {

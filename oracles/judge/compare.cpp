@@ -11,7 +11,6 @@
 #include <carom/oracles/bounds/stage.hpp>
 #include <carom/oracles/judge/compare.hpp>
 #include <carom/oracles/judge/norm_at_most.hpp>
-#include <carom/oracles/judge/permitted_noise.hpp>
 #include <carom/oracles/judge/permitted_residual.hpp>
 
 namespace carom::oracles {

@@ -12,8 +12,6 @@
 #include <carom/oracles/bounds/moderate.hpp>
 #include <carom/oracles/judge/exact_case.hpp>
 #include <carom/oracles/judge/exact_case_bounds.hpp>
-#include <carom/oracles/judge/permitted_noise.hpp>
-#include <carom/oracles/judge/second_order.hpp>
 #include <carom/oracles/laws/certify.hpp>
 #include <carom/oracles/laws/rough.hpp>
 #include <carom/oracles/truths/models.hpp>

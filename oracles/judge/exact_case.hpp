@@ -8,7 +8,6 @@
 #include <carom/oracles/bounds/lazy.hpp>
 #include <carom/oracles/judge/permitted_inputs.hpp>
 #include <carom/oracles/judge/yardstick.hpp>
-#include <carom/oracles/laws/branch.hpp>
 #include <carom/oracles/laws/equations.hpp>
 #include <carom/oracles/laws/truth.hpp>
 #include <carom/oracles/truths/sensitivity.hpp>

@@ -6,7 +6,7 @@
 #include <carom/collision/law.hpp>
 #include <carom/collision/vector.hpp>
 #include <carom/oracles/bounds/norm.hpp>
-#include <carom/oracles/laws/branch.hpp>
+#include <carom/oracles/laws/truth.hpp>
 
 namespace carom::oracles {
 

@@ -6,10 +6,8 @@
 #include <utility>
 
 #include <carom/collision/expects.hpp>
-#include <carom/oracles/truths/frictionless.hpp>
-#include <carom/oracles/truths/reflection.hpp>
+#include <carom/oracles/truths/linear_laws.hpp>
 #include <carom/oracles/truths/rough.hpp>
-#include <carom/oracles/truths/sticking.hpp>
 
 /// A type for each law that determines an outcome. docs/internals/adding-a-law.md describes the members of such a type.
 namespace carom::oracles {

@@ -3,10 +3,9 @@
 
 #include <cmath>
 
-#include <carom/oracles/laws/branch.hpp>
 #include <carom/oracles/laws/rough.hpp>
-#include <carom/oracles/truths/frictionless.hpp>
-#include <carom/oracles/truths/sticking.hpp>
+#include <carom/oracles/laws/truth.hpp>
+#include <carom/oracles/truths/linear_laws.hpp>
 
 namespace carom::oracles {
 

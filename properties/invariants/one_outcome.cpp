@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include <carom/oracles/bounds/stage.hpp>
-#include <carom/oracles/judge/permitted_noise.hpp>
+#include <carom/oracles/judge/yardstick.hpp>
 #include <carom/properties/invariants/invariant_groups.hpp>
 #include <carom/properties/invariants/verdicts.hpp>
 

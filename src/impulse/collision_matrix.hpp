@@ -4,7 +4,7 @@
 #include <type_traits>
 
 #include <carom/impulse/contact.hpp>
-#include <carom/impulse/numbers/symmetric_matrix.hpp>
+#include <carom/impulse/numbers/products.hpp>
 
 namespace carom::impulse {
 
@@ -53,6 +53,22 @@ void see_matrix(const Contact<S, Inertia>& contact, const S& normal_velocity, co
       see(collision_matrix(contact));
     }
   }
+}
+
+namespace detail {
+
+/// The contribution of one body to K F.
+template <class S, class Inertia>
+[[nodiscard]] Vector3<S> response(const ContactBody<S, Inertia>& body, const Vector3<S>& impulse) {
+  return impulse * body.inverse_mass + velocity_by_turning(body.inertia, body.lever_arm, impulse);
+}
+
+}  // namespace detail
+
+/// K F without forming the collision matrix K: the change of the relative velocity V by the impulse F on A and −F on B.
+template <class S, class Inertia>
+[[nodiscard]] Vector3<S> response(const Contact<S, Inertia>& contact, const Vector3<S>& impulse) {
+  return detail::response(contact.a, impulse) + detail::response(contact.b, impulse);
 }
 
 /// C = Bᵀ K B: the collision matrix in the basis of the columns of B. Exactly symmetric.

@@ -4,7 +4,6 @@
 #include <carom/collision/expects.hpp>
 #include <carom/impulse/numbers/difference_of_products.hpp>
 #include <carom/impulse/numbers/products.hpp>
-#include <carom/impulse/numbers/symmetric_matrix.hpp>
 #include <carom/impulse/rotation.hpp>
 #include <carom/impulse/select.hpp>
 #include <carom/impulse/turning.hpp>

@@ -3,7 +3,6 @@
 
 #include <carom/collision/expects.hpp>
 #include <carom/impulse/collision_matrix.hpp>
-#include <carom/impulse/response.hpp>
 #include <carom/impulse/solve3.hpp>
 
 /// Laws with one step of iterative refinement (N. J. Higham, "Accuracy and Stability of Numerical Algorithms", 2nd ed.

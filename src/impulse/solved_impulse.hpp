@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include <carom/impulse/collision_matrix.hpp>
-#include <carom/impulse/response.hpp>
 #include <carom/impulse/select.hpp>
 
 namespace carom::impulse {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <carom/impulse/numbers/products.hpp>
-#include <carom/impulse/numbers/symmetric_matrix.hpp>
 #include <carom/impulse/rotation.hpp>
 #include <carom/impulse/turning.hpp>
 

@@ -110,13 +110,13 @@ std::map<std::string, double>& rates() {
   return all;
 }
 
-void judge(benchmark::State& state, const std::string& name, const std::vector<Subject>& subjects,
-           const std::vector<const properties::Family*>& families, std::uint64_t cases, bool filtered,
+void judge(benchmark::State& state, const std::string& name, const std::vector<Subject>& subjects, bool filtered,
            bool with_relations) {
+  constexpr std::uint64_t cases = 8;  // for each family
   const std::vector<Claim> claims = claims_of(subjects, filtered);
   std::vector<Prepared> work;
-  for (const properties::Family* family : families) {
-    work.push_back(prepared(subjects, claims, *family, cases, with_relations));
+  for (const properties::Family& family : properties::all_families()) {
+    work.push_back(prepared(subjects, claims, family, cases, with_relations));
   }
   std::uint64_t judgements = 0;
   std::uint64_t verdicts = 0;
@@ -163,29 +163,14 @@ void whole_gate(benchmark::State& state, const std::vector<Subject>& subjects, u
 
 int run(int argc, char** argv) {
   const std::vector<Subject> sound = sound_subjects();
-  std::vector<const properties::Family*> families;
-  for (const properties::Family& family : properties::all_families()) {
-    families.push_back(&family);
-  }
+  const std::vector<Subject> alone{subjects::subject_named("reflection-double").value()};
   for (const bool with_relations : {false, true}) {
     for (const bool filtered : {false, true}) {
-      const std::string kind =
-          std::string(filtered ? "filtered" : "rational") + (with_relations ? "/relations" : "/one_outcome");
-      constexpr std::uint64_t cases = 8;  // for each family
-      const std::string all = kind + "/all";
-      benchmark::RegisterBenchmark(("judge/" + all).c_str(), [=](benchmark::State& state) {
-        judge(state, all, sound, families, cases, filtered, with_relations);
-      })->Unit(benchmark::kMillisecond);
-      for (const Subject& subject : sound) {
-        const std::string name = kind + "/alone/" + subject.name;
-        benchmark::RegisterBenchmark(("judge/" + name).c_str(), [=](benchmark::State& state) {
-          judge(state, name, {subject}, families, cases, filtered, with_relations);
-        })->Unit(benchmark::kMillisecond);
-      }
-      for (const properties::Family* family : families) {
-        const std::string name = kind + "/family/" + std::string(family->name);
-        benchmark::RegisterBenchmark(("judge/" + name).c_str(), [=](benchmark::State& state) {
-          judge(state, name, sound, {family}, cases, filtered, with_relations);
+      for (const auto& [judged, subjects] : {std::pair("all", sound), std::pair("alone/reflection-double", alone)}) {
+        const std::string name = fmt::format("{}/{}/{}", filtered ? "filtered" : "rational",
+                                             with_relations ? "relations" : "one_outcome", judged);
+        benchmark::RegisterBenchmark(("judge/" + name).c_str(), [=, subjects = subjects](benchmark::State& state) {
+          judge(state, name, subjects, filtered, with_relations);
         })->Unit(benchmark::kMillisecond);
       }
     }

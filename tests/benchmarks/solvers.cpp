@@ -19,8 +19,8 @@
 
 #include <carom/impulse/batch/solve.hpp>
 #include <carom/impulse/laws.hpp>
-#include <carom/properties/cases/body_pairs.hpp>
 #include <carom/properties/cases/beyond_domain.hpp>
+#include <carom/properties/cases/body_pairs.hpp>
 #include <carom/properties/draws/stream.hpp>
 #include <carom/subjects/methods.hpp>
 
@@ -40,43 +40,34 @@ std::size_t multiply_and_add(double* sink);
 
 namespace carom::benchmarks {
 
-/// The number of operations performed on scalars of the type Counted. A change of sign counts as free, and a root as a
-/// division.
-struct Operations {
-  int additions = 0;
-  int multiplications = 0;
-  int divisions = 0;
-
-  [[nodiscard]] int all() const { return additions + multiplications + divisions; }
-};
-
+/// Counts the operations performed on it. A change of sign counts as free, and a root as a division.
 class Counted {
  public:
   Counted() = default;
   // NOLINTNEXTLINE(google-explicit-constructor): solvers write S(1)
   Counted(double number) : number_(number) {}
 
-  static inline Operations operations;
+  static inline int operations = 0;
 
   friend Counted operator-(const Counted& x) { return {-x.number_}; }
   friend Counted operator+(const Counted& x, const Counted& y) {
-    ++operations.additions;
+    ++operations;
     return {x.number_ + y.number_};
   }
   friend Counted operator-(const Counted& x, const Counted& y) {
-    ++operations.additions;
+    ++operations;
     return {x.number_ - y.number_};
   }
   friend Counted operator*(const Counted& x, const Counted& y) {
-    ++operations.multiplications;
+    ++operations;
     return {x.number_ * y.number_};
   }
   friend Counted operator/(const Counted& x, const Counted& y) {
-    ++operations.divisions;
+    ++operations;
     return {x.number_ / y.number_};
   }
   friend Counted sqrt(const Counted& x) {
-    ++operations.divisions;
+    ++operations;
     return {std::sqrt(x.number_)};
   }
   Counted& operator+=(const Counted& y) { return *this = *this + y; }
@@ -359,7 +350,7 @@ std::size_t peak_operations() {
   return operations;
 }
 
-Operations operations_of(Law law) {
+int operations_of(Law law) {
   const auto contact = impulse::make_contact<double>(usual_collisions()[0]);
   const auto counted = [](const auto& matrix) { return matrix.template cast<Counted>().eval(); };
   const auto body = [&](const impulse::ContactBody<double>& b) {
@@ -371,7 +362,7 @@ Operations operations_of(Law law) {
   };
   const impulse::Contact<Counted> posed{body(contact.a),     body(contact.b),  counted(contact.normal),
                                         contact.restitution, contact.friction, contact.tangential_restitution};
-  Counted::operations = {};
+  Counted::operations = 0;
   impulse::with_law(law, [&](const auto& solver) { static_cast<void>(impulse::apply_impulse(posed, solver(posed))); });
   return Counted::operations;
 }
@@ -423,7 +414,7 @@ void print_goals(const Recorder& recorder) {
   };
   for (const auto& [law, operations, of_plain] : {Goals{Law::reflection, 300, 15}, Goals{Law::frictionless, 170, 20}}) {
     const std::string name(name_of(law));
-    const double needed = operations_of(law).all();
+    const double needed = operations_of(law);
     print_goal(name + ", flop a contact of bodies that are not slender", needed, Goal::at_most, operations);
     print_goal(name + ", share of the arithmetic", needed / batch(law, in_cache) / arithmetic, Goal::at_least, 0.7);
     print_goal(name + ", share of the memory", bytes_of_contact / batch(law, out_of_cache) / memory, Goal::at_least,

@@ -10,10 +10,10 @@
 #include <carom/impulse/numbers/exact_sum.hpp>
 #include <carom/impulse/reflection.hpp>
 #include <carom/impulse/rough.hpp>
-#include <carom/oracles/judge/norm_at_most.hpp>
 #include <carom/oracles/bounds/lifted_outcome.hpp>
-#include <carom/oracles/laws/branch.hpp>
+#include <carom/oracles/judge/norm_at_most.hpp>
 #include <carom/oracles/laws/equations.hpp>
+#include <carom/oracles/laws/truth.hpp>
 #include <carom/properties/gate/histogram.hpp>
 #include <carom/properties/gate/trial.hpp>
 #include <carom/scene/crossing.hpp>

@@ -39,7 +39,6 @@ oracles/
 oracles/laws/               carom/collision/ carom/oracles/laws/ Eigen/
 oracles/exact/              {EXACT} Eigen/
 oracles/exact/gmpq.hpp      {EXACT} CGAL/Gmpq.h
-oracles/exact/elimination.cpp  {EXACT} CGAL/Linear_algebraCd.h Eigen/
 oracles/exact/radical.cpp   {EXACT} CGAL/Sqrt_extension.h
 oracles/exact/roots.cpp     {EXACT} CGAL/Algebraic_kernel_d_1.h CGAL/Gmpz.h CGAL/Polynomial.h
 oracles/bounds/             {EXACT} carom/oracles/bounds/ Eigen/

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <array>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -8,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <carom/impulse/coulomb.hpp>
 #include <carom/impulse/frictionless.hpp>
 #include <carom/impulse/reflection.hpp>
 #include <carom/impulse/reflection_in_basis.hpp>
@@ -137,15 +139,6 @@ TEST(Solvers, KeepTheSignOfZeroWhereNothingHappens) {
   expect_unchanged_by({c}, any_method);
 }
 
-TEST(Solvers, LeaveTwoImmovableBodiesUnchangedThatApproach) {
-  Collision c;
-  c.a.immovable = true;
-  c.b.immovable = true;
-  c.a.velocity = {0, -1, 0};
-  c.b.velocity = {0.1, 1, 0};
-  expect_unchanged_by({c}, any_method);
-}
-
 TEST(Solvers, ChangeACollidingContact) {
   const Collision collision = unit::case_of("elastic", 0).collision;
   for (const subjects::Method& method : subjects::methods()) {
@@ -259,6 +252,39 @@ TEST(TangentBasis, HasNoTangentsWhereThereIsNoTangentialVelocity) {
   EXPECT_EQ(basis.col(0), (Vector3<double>{0, 1, 0}));
   EXPECT_EQ(basis.col(1), (Vector3<double>{0, 0, 0}));
   EXPECT_EQ(basis.col(2), (Vector3<double>{0, 0, 0}));
+}
+
+/// K = diag(3, 1, 3), V⁻ = (−3, −4, 0).
+Collision ball_on_a_plane(double friction) { return unit::ball_on_a_plane(0.5, friction); }
+
+TEST(Coulomb, SticksWhereFrictionSufficesAndSlidesElsewhere) {
+  for (const auto& [friction, slip, spin] : {std::array{0.25, -2.0, 2.0}, {0.125, -2.25, 1.5}}) {
+    const Outcome<double> after = coulomb(make_contact<double>(ball_on_a_plane(friction)));
+    EXPECT_TRUE(after.a.velocity.isApprox(Vector3<double>(slip, 2, 0), 0x1p-50)) << after.a.velocity;
+    EXPECT_TRUE(after.a.angular_velocity.isApprox(Vector3<double>(0, 0, spin), 0x1p-50)) << after.a.angular_velocity;
+  }
+}
+
+TEST(Coulomb, HasTheBitsOfFrictionlessWithoutFriction) {
+  const auto contact = make_contact<double>(ball_on_a_plane(0));
+  const Outcome<double> after = coulomb(contact);
+  EXPECT_EQ(after.a.velocity, frictionless(contact).a.velocity);
+  EXPECT_EQ(after.a.angular_velocity, frictionless(contact).a.angular_velocity);
+}
+
+/// λ = 1/m_A + 1/m_B is finite, but the trace of K is not.
+TEST(Coulomb, EndsWhereTheTraceOverflows) {
+  Collision c = ball_on_a_plane(0.125);
+  c.a.mass = 1e-308;
+  c.a.principal_inertia.setConstant(1e-300);
+  const Outcome<double> after = coulomb(make_contact<double>(c));
+  EXPECT_TRUE(std::isfinite(after.a.velocity.norm())) << after.a.velocity;
+}
+
+TEST(Coulomb, LeavesASeparatingContactUnchanged) {
+  Collision c = ball_on_a_plane(0.5);
+  c.a.velocity[1] = 4;
+  EXPECT_EQ(coulomb(make_contact<double>(c)).a.velocity, c.a.velocity);
 }
 
 }  // namespace

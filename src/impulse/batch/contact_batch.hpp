@@ -9,7 +9,7 @@
 #include <vector>
 
 #include <carom/collision/expects.hpp>
-#include <carom/impulse/batch/contact_numbers.hpp>
+#include <carom/impulse/batch/contact_arrays.hpp>
 
 namespace carom::impulse {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <carom/collision/law.hpp>
-#include <carom/impulse/batch/pack_task.hpp>
+#include <carom/impulse/batch/contact_arrays.hpp>
 
 /// The units that pack_kernels.cpp compiles to, one namespace for each instruction set. A unit of a wide instruction
 /// set must not define anything that the linker could use in another unit (tests/impulse/batch/isolation.cmake).

@@ -8,7 +8,6 @@
 #include <carom/impulse/batch/contact_arrays.hpp>
 #include <carom/impulse/batch/contact_batch.hpp>
 #include <carom/impulse/batch/instruction_set.hpp>
-#include <carom/impulse/batch/pack_task.hpp>
 
 /// Solves many contacts with the laws of laws.hpp, one contact in each lane of a pack. Every instruction set gives the
 /// same bits as the scalar solvers compiled without contraction of a·b + c. The library is carom::batch.

@@ -5,8 +5,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#include <carom/impulse/batch/contact_numbers.hpp>
-#include <carom/impulse/batch/pack_task.hpp>
+#include <carom/impulse/batch/contact_arrays.hpp>
 #include <carom/impulse/contact_impulse.hpp>
 #include <carom/impulse/numbers/pack.hpp>
 #include <carom/impulse/principal_inertia.hpp>
@@ -57,10 +56,6 @@ class BlockPrefetch {
   const PackTask<S>& task_;
 };
 
-}  // namespace detail
-
-namespace detail {
-
 constexpr std::experimental::element_aligned_tag unaligned;
 
 /// The pack of the k-th numbers of the contacts from i on.
@@ -79,12 +74,7 @@ template <class P>
 template <class P, class Inertia, class Solver>
 void solve_as(const PackTask<typename P::value_type>& task, std::size_t i, const Solver& solver) {
   const Contact<P, Inertia> contact = contact_of<P, Inertia>([&](std::size_t k) { return read_pack<P>(task, k, i); });
-  const auto answer = solver(contact);
-  if constexpr (std::is_same_v<decltype(answer), const Outcome<P>>) {
-    write_outcome(answer, writer<P>(task, i));
-  } else {
-    write_outcome(apply_impulse(contact, answer), writer<P>(task, i));
-  }
+  write_outcome(apply_impulse(contact, solver(contact)), writer<P>(task, i));
 }
 
 /// Solves a pack with slender bodies. Not inlined, so that it takes no registers from the usual case. Each instruction
@@ -187,9 +177,8 @@ struct OnePack {
 
 }  // namespace detail
 
-/// Applies `solver` to all contacts. `solver` maps a Contact<P> to a ContactImpulse<P>, a RoughImpulse<P> or an
-/// Outcome<P>. An array of outcomes may be the array of the contacts' velocities that it
-/// replaces. Otherwise no two arrays overlap.
+/// Applies `solver` to all contacts. `solver` maps a Contact<P> to a ContactImpulse<P> or a RoughImpulse<P>. An array
+/// of outcomes may be the array of the contacts' velocities that it replaces. Otherwise no two arrays overlap.
 template <class P, class Solver>
 void solve_packs(const PackTask<typename P::value_type>& task, const Solver& solver) {
   const std::size_t solved = detail::solve_full_packs<P>(task, solver);

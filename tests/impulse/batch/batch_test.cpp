@@ -12,7 +12,6 @@
 #include <gtest/gtest.h>
 
 #include <carom/impulse/batch/solve.hpp>
-#include <carom/impulse/batch/solve_packs.hpp>
 #include <carom/impulse/laws.hpp>
 #include <carom/impulse/numbers/pack.hpp>
 #include <carom/properties/cases/family.hpp>
@@ -223,34 +222,6 @@ TYPED_TEST(Batch, MayReplaceTheVelocitiesThatItReads) {
   }
 }
 
-TYPED_TEST(Batch, AcceptsASolverThatReturnsAnImpulseOrAnOutcome) {
-  using S = TypeParam;
-  const auto contacts = mixed_contacts<S>(4 * Pack<S>::size() - 1);
-  ContactBatch<S> batch(contacts.size());
-  OutcomeBatch<S> by_impulse(contacts.size());
-  OutcomeBatch<S> by_outcome(contacts.size());
-  PackTask<S> task{};
-  task.count = contacts.size();
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    batch.set(i, contacts[i]);
-  }
-  for (std::size_t k = 0; k < contact_number_count; ++k) {
-    task.contacts[k] = std::as_const(batch).begin_of(k);
-  }
-  const auto solve_into = [&](OutcomeBatch<S>& outcomes, const auto& solver) {
-    for (std::size_t k = 0; k < outcome_number_count; ++k) {
-      task.outcomes[k] = outcomes.begin_of(k);
-    }
-    solve_packs<Pack<S>>(task, solver);
-  };
-  solve_into(by_impulse, [](const Contact<Pack<S>>& contact) { return frictionless_impulse(contact); });
-  solve_into(by_outcome, [](const Contact<Pack<S>>& contact) { return frictionless(contact); });
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    EXPECT_TRUE(same_bits(by_impulse.at(i), frictionless(contacts[i]))) << i;
-    EXPECT_TRUE(same_bits(by_outcome.at(i), frictionless(contacts[i]))) << i;
-  }
-}
-
 /// Like the scalar solver, a pack must keep a pivot that is NaN.
 TYPED_TEST(Batch, BoundsEachNumberFromBelowAsTheScalarDoes) {
   using S = TypeParam;
@@ -263,20 +234,6 @@ TYPED_TEST(Batch, BoundsEachNumberFromBelowAsTheScalarDoes) {
       EXPECT_TRUE(same_bits<S>(scalar, pack[0])) << least << ' ' << number;
       EXPECT_TRUE(same_bits<S>(scalar, number < least ? least : number)) << least << ' ' << number;
     }
-  }
-}
-
-TEST(ContactBatch, GivesBackWhatWasSet) {
-  const auto contacts = mixed_contacts<double>(50);
-  ContactBatch<double> batch = batch_of(contacts);
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const Contact<double> back = batch.at(i);
-    EXPECT_EQ(back.a.inertia.axes, contacts[i].a.inertia.axes) << i;
-    EXPECT_EQ(back.a.inertia.inverse_moments, contacts[i].a.inertia.inverse_moments) << i;
-    EXPECT_EQ(back.b.lever_arm, contacts[i].b.lever_arm) << i;
-    EXPECT_EQ(back.b.inverse_mass, contacts[i].b.inverse_mass) << i;
-    EXPECT_EQ(back.normal, contacts[i].normal) << i;
-    EXPECT_EQ(back.restitution, contacts[i].restitution) << i;
   }
 }
 

@@ -133,14 +133,6 @@ TEST(Lift, IsExactForRandomBitsAndExponents) {
   }
 }
 
-TEST(Lift, TakesEveryNumberOfACollision) {
-  const Collision c = unit::case_of("generic", 4).collision;
-  const BasicCollision<Rational> lifted = lift(c);
-  for_each_number(
-      [](const FieldPath& path, const double& x, const Rational& y) { EXPECT_EQ(Rational(x), y) << path.text(); }, c,
-      lifted);
-}
-
 TEST(ToDouble, IsWithinOneUnitInTheLastPlace) {
   properties::Stream stream = properties::stream_from(22);
   for (int i = 0; i < 2000; ++i) {

@@ -39,38 +39,19 @@ void expect_positive_roots(const std::vector<Rational>& expected, const Coeffici
   }
 }
 
-TEST(PositiveRoots, ComeInAscendingOrder) {
-  expect_positive_roots({ratio(1, 3), Rational(2), ratio(7, 3)},
-                        with_roots({Rational(2), ratio(7, 3), ratio(1, 3), Rational(-5)}));
-}
-
-TEST(PositiveRoots, AreToldApartHoweverNear) {
+TEST(PositiveRoots, AreAllDifferentOnesInAscendingOrderHoweverNearOrFarApart) {
   const Rational near = Rational(1) + Rational(1).times_power_of_two(-200);
-  expect_positive_roots({Rational(1), near}, with_roots({Rational(1), near, Rational(-1)}));
-}
-
-TEST(PositiveRoots, AreFoundHoweverFarApart) {
   const Rational small = Rational(3).times_power_of_two(-900);
   const Rational large = Rational(5).times_power_of_two(900);
+  expect_positive_roots({ratio(1, 3), 2, ratio(7, 3)}, with_roots({2, ratio(7, 3), ratio(1, 3), -5}));
+  expect_positive_roots({1, near}, with_roots({1, near, -1}));
   expect_positive_roots({small, large}, with_roots({large, small}));
-}
-
-TEST(PositiveRoots, CountOnceIfTheyAreMultiple) {
-  expect_positive_roots({Rational(1), Rational(4)}, with_roots({Rational(1), Rational(1), Rational(4), Rational(4)}));
-}
-
-TEST(PositiveRoots, DoNotIncludeZero) {
-  expect_positive_roots({Rational(3)}, with_roots({Rational(0), Rational(0), Rational(3)}));
-}
-
-TEST(PositiveRoots, AreNoneOfAConstantOrOfASum) {
-  expect_positive_roots({}, {Rational(7)});
-  expect_positive_roots({}, {Rational(1), Rational(0), Rational(1)});
-  expect_positive_roots({}, {Rational(1), Rational(2), Rational(1)});
-}
-
-TEST(PositiveRoots, OfLowerDegreeMayHaveZeroAsLeadingCoefficient) {
-  expect_positive_roots({Rational(2)}, {Rational(-2), Rational(1), Rational(0)});
+  expect_positive_roots({1, 4}, with_roots({1, 1, 4, 4}));
+  expect_positive_roots({3}, with_roots({0, 0, 3}));
+  expect_positive_roots({2}, {-2, 1, 0});  // the leading coefficient is zero
+  for (const Coefficients& without_roots : {Coefficients{7}, Coefficients{1, 0, 1}, Coefficients{1, 2, 1}}) {
+    expect_positive_roots({}, without_roots);
+  }
 }
 
 /// A root counts only if `side` is positive at the root, even if only slightly.

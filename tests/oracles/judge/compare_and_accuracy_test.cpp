@@ -8,7 +8,6 @@
 #include <carom/oracles/judge/accuracy.hpp>
 #include <carom/oracles/judge/compare.hpp>
 #include <carom/oracles/judge/norm_at_most.hpp>
-#include <carom/oracles/judge/permitted_noise.hpp>
 #include <carom/properties/cases/family.hpp>
 
 #include "support/exact.hpp"

@@ -7,7 +7,7 @@
 #include <carom/oracles/judge/accuracy.hpp>
 #include <carom/oracles/laws/judge_error.hpp>
 
-/// The build plants a wrong formula in models/frictionless.hpp: ε is halved. Only this program is compiled with it.
+/// The build plants a wrong formula in truths/linear_laws.hpp: ε is halved. Only this program is compiled with it.
 namespace carom::oracles {
 namespace {
 

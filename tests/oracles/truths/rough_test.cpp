@@ -7,7 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/oracles/exact/elimination.hpp>
 #include <carom/oracles/judge/accuracy.hpp>
 #include <carom/oracles/judge/exact_case.hpp>
 #include <carom/oracles/laws/rough.hpp>
@@ -49,47 +48,6 @@ TEST(Rough, SlidesIfFrictionDoesNotSuffice) {
   EXPECT_EQ(truth.impulse[1], Radical(6));
   EXPECT_EQ(truth.outcome.a.velocity[0], Radical(ratio(-9, 4)));
   EXPECT_EQ(truth.outcome.a.angular_velocity[2], Radical(ratio(3, 2)));
-}
-
-/// If F is inside the friction cone, κ = 1 + e_t. `truth_by_elimination` shares no formula with the truth.
-TEST(Rough, IsTheCombinationOfTheLinearLawsByElimination) {
-  int inside = 0;
-  for (const auto& [family, one] : unit::sampled_cases(20)) {
-    const ExactCase exact_case(one.collision);
-    if (exact_case.approach() != Approach::colliding || exact_case.branch(Law::rough) != Branch::inside_cone) {
-      continue;
-    }
-    BasicCollision<Rational> inelastic = lift(one.collision);
-    inelastic.restitution = Rational(0);
-    const Vector3<Rational> approach = truth_by_elimination(inelastic, Law::frictionless).impulse;
-    const Vector3<Rational> point = truth_by_elimination(inelastic, Law::sticking).impulse;
-    const Rational whole = 1 + Rational(one.collision.tangential_restitution);
-    const Vector3<Rational> expected =
-        approach * Rational(1 + Rational(one.collision.restitution)) + Vector3<Rational>(point - approach) * whole;
-    EXPECT_TRUE(same(exact_case.truth(Law::rough).impulse, expected)) << family;
-    ++inside;
-  }
-  EXPECT_GT(inside, unit::effort(100));
-}
-
-/// ExactCase throws if its truth does not satisfy the law exactly.
-TEST(Rough, IsCertifiedOnBothSidesOfTheCone) {
-  int on_cone = 0;
-  int irrational = 0;
-  for (const auto& [family, one] : unit::sampled_cases(40)) {
-    const ExactCase exact_case(one.collision);
-    if (exact_case.approach() != Approach::colliding) {
-      continue;
-    }
-    exact_case.with_truth(Law::rough, Approach::colliding,
-                          []<class T>(const Truth<T>& truth) { EXPECT_NO_THROW((void)truth); });
-    if (exact_case.branch(Law::rough) == Branch::on_cone) {
-      ++on_cone;
-      irrational += exact_case.truth_on_cone(Law::rough).impulse[0].is_rational() ? 0 : 1;
-    }
-  }
-  EXPECT_GT(on_cone, unit::effort(100));
-  EXPECT_GT(irrational, unit::effort(100));
 }
 
 class CertifiedRough : public testing::Test {

@@ -7,7 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/oracles/exact/elimination.hpp>
 #include <carom/oracles/laws/certify.hpp>
 #include <carom/oracles/truths/models.hpp>
 
@@ -20,32 +19,6 @@ namespace {
 using unit::ratio;
 using unit::same;
 
-void expect_same_truth(const Collision& collision, const std::string& what) {
-  const BasicCollision<Rational> exact = lift(collision);
-  for (const Law law : linear_laws) {
-    const Truth<Rational> fast = colliding_truth(exact, law, Branch::only);
-    const Truth<Rational> slow = truth_by_elimination(exact, law);
-    EXPECT_TRUE(same(fast.impulse, slow.impulse)) << what << ", " << name_of(law);
-    EXPECT_TRUE(same(fast.outcome, slow.outcome)) << what << ", " << name_of(law);
-  }
-}
-
-/// Neither the truth nor the elimination uses the sign of N·V⁻. So the test also takes resting and separating contacts.
-TEST(Truth, EqualsEliminationOnSmallDyadicNumbers) {
-  for (std::uint64_t i = 0; i < static_cast<std::uint64_t>(unit::effort(2000)); ++i) {
-    properties::Stream stream = properties::stream_from(50000 + i);
-    expect_same_truth(unit::small_collision(stream), std::to_string(i));
-  }
-}
-
-TEST(Truth, EqualsEliminationOnEveryFamily) {
-  for (const auto& [family, one] : unit::sampled_cases(50)) {
-    if (family != "both_immovable") {
-      expect_same_truth(one.collision, std::string(family));
-    }
-  }
-}
-
 TEST(Truth, RefusesTheLawThatDeterminesNoOutcome) {
   const BasicCollision<Rational> exact = lift(unit::case_of("generic", 0).collision);
   try {
@@ -54,7 +27,6 @@ TEST(Truth, RefusesTheLawThatDeterminesNoOutcome) {
   } catch (const std::invalid_argument& error) {
     EXPECT_STREQ(error.what(), "the law `any` determines no outcome");
   }
-  EXPECT_THROW((void)truth_by_elimination(exact, Law::any), std::invalid_argument);
 }
 
 /// A ball of mass 2 and moments 1 falls with (1, −4, 0) on a fixed plane, ε = 1/2. Without friction F = (0, 12, 0) and
@@ -77,18 +49,6 @@ TEST(Truth, OfAFallingBallIsThatOfATextbook) {
   EXPECT_TRUE(same(sticking.impulse, unit::ExactVector(ratio(-2, 3), 12, 0)));
   EXPECT_TRUE(same(sticking.outcome.a.velocity, unit::ExactVector(ratio(2, 3), 2, 0)));
   EXPECT_TRUE(same(sticking.outcome.a.angular_velocity, unit::ExactVector(0, 0, ratio(-2, 3))));
-}
-
-TEST(Truth, IsTheVelocitiesBeforeWhereTheContactDoesNotCollide) {
-  for (const char* family : {"separating", "resting", "both_immovable"}) {
-    for (std::uint64_t i = 0; i < 20; ++i) {
-      const ExactCase exact_case(unit::case_of(family, i).collision);
-      for (const Law law : linear_laws) {
-        EXPECT_TRUE(same(exact_case.truth(law).outcome, unchanged(exact_case.exact()))) << family;
-        EXPECT_TRUE(same(exact_case.truth(law).impulse, unit::ExactVector(0, 0, 0))) << family;
-      }
-    }
-  }
 }
 
 TEST(Approach, IsTheSignOfTheExactNormalVelocity) {

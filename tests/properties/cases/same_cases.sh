@@ -60,7 +60,8 @@ draw() {
   rm -f "$work/$name"/*.o # of removed sources
   # The compiling shell gets the folder as $0, and the file as $1 before the command.
   # shellcheck disable=SC2016
-  printf '%s\0' "$source"/properties/{draws,families,features}/*.cpp "$source/oracles/exact/rational.cpp" \
+  printf '%s\0' "$source"/properties/{draws,features}/*.cpp "$source/oracles/exact/rational.cpp" \
+    "$source"/properties/cases/{beyond_domain,body_pairs,choices,families,family,friction,polyhedron,published,sweep}.cpp \
     "$source"/tests/properties/cases/same_cases{,_main}.cpp |
     xargs -0 -P "$(nproc)" -I{} sh -c 'out=$0/$(basename "$1").o && shift && exec "$@" -o "$out"' "$work/$name" {} \
       "$@" -std=c++20 -DNDEBUG -DFMT_HEADER_ONLY -isystem "$work/include" -isystem /usr/include/eigen3 "$contraction" -c {}

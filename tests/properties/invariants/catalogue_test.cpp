@@ -39,19 +39,6 @@ TEST(Invariants, AreEachOfOneAnswerOfRelatedOnesOrOfASession) {
   }
 }
 
-/// If none of these holds in a run, no colliding contact was answered.
-TEST(Invariants, OfCollidingContactsAreThese) {
-  std::vector<std::string_view> names;
-  for (const Invariant& invariant : all_invariants()) {
-    const auto* const about = std::get_if<AboutOutcome>(&invariant.about);
-    if (about != nullptr && about->is_of_colliding) {
-      names.push_back(invariant.name);
-    }
-  }
-  EXPECT_EQ(names, (std::vector<std::string_view>{"backward_error", "linear_momentum", "angular_momentum",
-                                                  "restitution", "non_penetration", "push"}));
-}
-
 TEST(Invariants, AreRankedAsCausesFromOneWithoutAGap) {
   std::vector<int> ranks;
   for (const Invariant& invariant : all_invariants()) {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include <carom/oracles/bounds/norm.hpp>
-#include <carom/oracles/judge/permitted_noise.hpp>
+#include <carom/oracles/judge/yardstick.hpp>
 
 namespace carom::oracles {
 

@@ -4,6 +4,7 @@
 #include <carom/oracles/truths/implicit_differentiation.hpp>
 #include <carom/oracles/truths/superposition.hpp>
 
+/// The laws whose impulse is linear in the change of relative velocity that they require.
 namespace carom::oracles {
 
 /// The law `frictionless` (eq. 18 of the note, docs/findings/note.md): F = φ N with N·K F = −(1 + ε) N·V⁻.
@@ -52,6 +53,45 @@ struct Frictionless {
   }
 
   static constexpr bool acts_at_once = false;
+};
+
+/// The laws that determine K F.
+struct SolvedByMatrix {
+  template <class T>
+  [[nodiscard]] static Vector3<T> impulse_for(const BasicCollision<T>& collision, const Vector3<T>& change,
+                                              const Matrix3<T>* matrix) {
+    return impulse_by_matrix<T>(collision, change, matrix);
+  }
+
+  template <class S>
+  [[nodiscard]] static Derivatives<S> derivatives(const BasicCollision<S>& /*collision*/,
+                                                  const ImpulseDifferential<S>& of) {
+    return derivatives_by_matrix<S>(of);
+  }
+};
+
+/// The law `reflection` (eq. 17, 20, 21 of the note, docs/findings/note.md): K F = −(1 + ε) (N·V⁻) / (N·N) N.
+struct Reflection : SolvedByMatrix {
+  template <class T>
+  [[nodiscard]] static Vector3<T> wanted_change(const Vector3<T>& n, const T& restitution,
+                                                const Vector3<T>& velocity_before) {
+    return change_by_restitution<T>(n, restitution, velocity_before);
+  }
+
+  static constexpr bool acts_at_once = false;
+};
+
+/// The law `sticking`, the limit μ → ∞ of Coulomb friction: K F = −(V⁻ + ε (N·V⁻) / (N·N) N).
+struct Sticking : SolvedByMatrix {
+  template <class T>
+  [[nodiscard]] static Vector3<T> wanted_change(const Vector3<T>& n, const T& restitution,
+                                                const Vector3<T>& velocity_before) {
+    const T rebound = restitution * n.dot(velocity_before);
+    return -(velocity_before + n * T(rebound / n.dot(n)));
+  }
+
+  /// The impulse stops the slip for any N·V⁻ < 0.
+  static constexpr bool acts_at_once = true;
 };
 
 }  // namespace carom::oracles
