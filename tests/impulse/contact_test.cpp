@@ -139,18 +139,6 @@ TEST(Solvers, KeepTheSignOfZeroWhereNothingHappens) {
   expect_unchanged_by({c}, any_method);
 }
 
-TEST(Solvers, ChangeACollidingContact) {
-  const Collision collision = unit::case_of("elastic", 0).collision;
-  for (const subjects::Method& method : subjects::methods()) {
-    Session session = method.subject.open();
-    const auto outcome = std::get<ReportedOutcome>(session(std::span(&collision, 1)).at(0));
-    for (int j = 0; j < 3; ++j) {
-      EXPECT_FALSE(is_unchanged(outcome.a.velocity[j], collision.a.velocity[j], method.subject.precision))
-          << method.subject.name << '[' << j << ']';
-    }
-  }
-}
-
 /// The smallest example that gains energy (docs/findings/note.md).
 Contact<double> box_on_plane(double tangential_velocity) {
   Collision c;

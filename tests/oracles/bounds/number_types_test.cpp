@@ -11,7 +11,6 @@
 #include <carom/oracles/bounds/enclosure.hpp>
 
 #include "support/exact.hpp"
-#include "support/number_laws.hpp"
 
 namespace carom::oracles {
 namespace {
@@ -283,48 +282,3 @@ TEST(Dual, GivesConstantsNoDerivative) {
 
 }  // namespace
 }  // namespace carom::oracles
-
-namespace carom::unit {
-
-template <>
-struct NumberType<oracles::Enclosure> {
-  using T = oracles::Enclosure;
-  static T draw(properties::Stream& stream) {
-    return stream.chance(9) ? T(0) : T(stream.signed_unit()) / T(stream.integer(1, 9));
-  }
-  static bool is_zero(const T& x) { return !(x.magnitude_below() > 0); }
-  static bool same(const T& x, const T& y) {
-    return x.middle() == y.middle() && x.lower_part() == y.lower_part() && x.radius() == y.radius();
-  }
-  static bool same_value(const T& x, const T& y) {
-    return x.middle() == y.middle() && x.lower_part() == y.lower_part();
-  }
-  static bool agrees(const T& x, const T& y, double) { return (x - y).magnitude_below() == 0; }
-  static double size(const T& x) { return x.magnitude_above(); }
-};
-
-INSTANTIATE_TYPED_TEST_SUITE_P(Enclosure, NumberLaws, oracles::Enclosure);
-
-using RationalDual = oracles::Dual<Rational, 2>;
-
-/// A dual number of value zero has no inverse, so `is_zero` tests the value.
-template <>
-struct NumberType<RationalDual> {
-  static RationalDual draw(properties::Stream& stream) {
-    const auto any = [&] { return ratio(stream.integer(-20, 20), stream.integer(1, 9)); };
-    RationalDual x(any());
-    x.derivative = {any(), any()};
-    return x;
-  }
-  static bool is_zero(const RationalDual& x) { return x.value == 0; }
-  static bool same(const RationalDual& x, const RationalDual& y) {
-    return x.value == y.value && x.derivative == y.derivative;
-  }
-  static bool same_value(const RationalDual& x, const RationalDual& y) { return same(x, y); }
-  static bool agrees(const RationalDual& x, const RationalDual& y, double) { return same(x, y); }
-  static double size(const RationalDual& x) { return oracles::to_double(abs(x.value)); }
-};
-
-INSTANTIATE_TYPED_TEST_SUITE_P(Dual, NumberLaws, RationalDual);
-
-}  // namespace carom::unit

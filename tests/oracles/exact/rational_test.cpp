@@ -13,7 +13,6 @@
 #include <carom/oracles/exact/rational.hpp>
 
 #include "support/exact.hpp"
-#include "support/number_laws.hpp"
 
 namespace carom::oracles {
 namespace {
@@ -30,7 +29,6 @@ Rational scaled(const Rational& p, int exponent) {
 
 Rational integer(const char* digits) { return Rational(digits); }
 
-/// rational_laws_test.cpp tests arithmetic.
 TEST(Rational, IsOrderedAndHasASign) {
   const std::vector<Rational> ascending{ratio(-3, 2), Rational(-1), ratio(2, -3),
                                         Rational(0),  ratio(1, 2),  Rational(1)};
@@ -215,21 +213,4 @@ TEST(IsFinite, SeesEachComponent) {
 }
 
 }  // namespace
-
 }  // namespace carom::oracles
-
-namespace carom::unit {
-
-template <>
-struct NumberType<Rational> {
-  static Rational draw(properties::Stream& stream) { return ratio(stream.integer(-40, 40), stream.integer(1, 40)); }
-  static bool is_zero(const Rational& x) { return x == 0; }
-  static bool same(const Rational& x, const Rational& y) { return x == y; }
-  static bool same_value(const Rational& x, const Rational& y) { return same(x, y); }
-  static bool agrees(const Rational& x, const Rational& y, double) { return x == y; }
-  static double size(const Rational& x) { return oracles::to_double(abs(x)); }
-};
-
-INSTANTIATE_TYPED_TEST_SUITE_P(Rational, NumberLaws, Rational);
-
-}  // namespace carom::unit
