@@ -182,7 +182,7 @@ TEST(Domain, NamesTheWrongPartOfAText) {
   }
 }
 
-constexpr std::uint64_t seed = 3;
+constexpr std::uint64_t seed_of_cases = 3;
 
 std::string text_of(const Case& one) { return collision_to_json(one.collision).dump(); }
 
@@ -221,7 +221,7 @@ TEST(DrawWithin, DrawsEachFamilyIntoTheDomain) {
     const Domain domain = domain_from(text);
     for (const Family& family : all_families()) {
       for (int i = 0; i < unit::effort(20); ++i) {
-        const Case one = drawn_case_within(domain, family, seed, static_cast<std::uint64_t>(i));
+        const Case one = drawn_case_within(domain, family, seed_of_cases, static_cast<std::uint64_t>(i));
         const std::optional<LimitedQuantity> outside = quantity_outside(domain, one.collision);
         EXPECT_FALSE(outside) << text << ' ' << family.name << ' ' << i << ' ' << name_of(*outside);
         EXPECT_EQ(validate(one.collision).empty(), family.is_valid) << text << ' ' << family.name << ' ' << i;
@@ -237,7 +237,7 @@ TEST(DrawWithin, LeavesNoFamilyWithoutCasesIfOnlyMagnitudesAreLimited) {
       const bool is_limited = family.keeps && domain.ranges[*family.keeps] != whole_range(*family.keeps);
       // Bodies of spin_alone do not move, so they have no approach of their own.
       if (!is_limited && family.name != "spin_alone") {
-        EXPECT_TRUE(has_cases_within(domain, family, seed)) << text << ' ' << family.name;
+        EXPECT_TRUE(has_cases_within(domain, family, seed_of_cases)) << text << ' ' << family.name;
       }
     }
   }
@@ -246,7 +246,9 @@ TEST(DrawWithin, LeavesNoFamilyWithoutCasesIfOnlyMagnitudesAreLimited) {
 TEST(DrawWithin, DrawsTheCasesOfTheGateIntoEverything) {
   const Family& family = *family_named("structured");
   for (std::uint64_t i = 0; i < 50; ++i) {
-    EXPECT_EQ(text_of(drawn_case_within(Domain(), family, seed, i)), text_of(drawn_case(family, seed, i))) << i;
+    EXPECT_EQ(text_of(drawn_case_within(Domain(), family, seed_of_cases, i)),
+              text_of(drawn_case(family, seed_of_cases, i)))
+        << i;
   }
 }
 
@@ -295,7 +297,7 @@ TEST(DrawWithin, KeepsLeverArmsOfSpheresAlongTheNormal) {
   const Domain domain = domain_from("size=0.1:0.2,mass=1:2,speed=1:2");
   int along = 0;
   for (std::uint64_t i = 0; i < 100; ++i) {
-    const Collision c = drawn_case_within(domain, *family_named("collinear_spheres"), seed, i).collision;
+    const Collision c = drawn_case_within(domain, *family_named("collinear_spheres"), seed_of_cases, i).collision;
     for (const Body* body : {&c.a, &c.b}) {
       along += body->immovable || features::are_parallel(features::lever_arm(c, *body), c.normal) ? 1 : 0;
     }
@@ -309,7 +311,9 @@ TEST(DrawWithin, LeavesMostContactsAwayFromTheOrigin) {
     int at_origin = 0;
     for (std::uint64_t i = 0; i < 100; ++i) {
       at_origin +=
-          drawn_case_within(domain_from(text), *family_named("generic"), seed, i).collision.point.isZero(0) ? 1 : 0;
+          drawn_case_within(domain_from(text), *family_named("generic"), seed_of_cases, i).collision.point.isZero(0)
+              ? 1
+              : 0;
     }
     EXPECT_LT(at_origin, 20) << text;
   }
@@ -318,25 +322,26 @@ TEST(DrawWithin, LeavesMostContactsAwayFromTheOrigin) {
 TEST(DrawWithin, KeepsApproachesAndSeparations) {
   const Domain domain = domain_from("size=0.1:0.2,mass=1:2,mass_ratio=:1.5,speed=1:2,spin=:1");
   for (std::uint64_t i = 0; i < 100; ++i) {
-    EXPECT_TRUE(is_approaching(drawn_case_within(domain, *family_named("elastic"), seed, i).collision)) << i;
-    EXPECT_FALSE(is_approaching(drawn_case_within(domain, *family_named("resting"), seed, i).collision)) << i;
-    EXPECT_FALSE(is_approaching(drawn_case_within(domain, *family_named("separating"), seed, i).collision)) << i;
+    EXPECT_TRUE(is_approaching(drawn_case_within(domain, *family_named("elastic"), seed_of_cases, i).collision)) << i;
+    EXPECT_FALSE(is_approaching(drawn_case_within(domain, *family_named("resting"), seed_of_cases, i).collision)) << i;
+    EXPECT_FALSE(is_approaching(drawn_case_within(domain, *family_named("separating"), seed_of_cases, i).collision))
+        << i;
   }
 }
 
 TEST(DrawWithin, DrawsOtherCasesForAFamilyWithoutCases) {
   const Domain domain = domain_from("restitution=0.25:0.5");
   const Family& elastic = *family_named("elastic");
-  EXPECT_FALSE(has_cases_within(domain, elastic, seed));
-  const Case one = drawn_case_within(domain, elastic, seed, 0);
-  EXPECT_EQ(text_of(one), text_of(drawn_case_within(domain, *family_named("generic"), seed, 0)));
+  EXPECT_FALSE(has_cases_within(domain, elastic, seed_of_cases));
+  const Case one = drawn_case_within(domain, elastic, seed_of_cases, 0);
+  EXPECT_EQ(text_of(one), text_of(drawn_case_within(domain, *family_named("generic"), seed_of_cases, 0)));
 }
 
 TEST(DrawWithin, FailsIfNoCollisionLiesInTheDomain) {
   const Domain empty = domain_from("size=1:2,size_ratio=3:");
-  EXPECT_FALSE(has_cases_within(empty, *family_named("generic"), seed));
+  EXPECT_FALSE(has_cases_within(empty, *family_named("generic"), seed_of_cases));
   try {
-    (void)drawn_case_within(empty, *family_named("head_on"), seed, 0);
+    (void)drawn_case_within(empty, *family_named("head_on"), seed_of_cases, 0);
     ADD_FAILURE();
   } catch (const std::invalid_argument& error) {
     EXPECT_STREQ(error.what(), "no case of `head_on` lies within size=1:2,size_ratio=3:");
