@@ -5,10 +5,9 @@
 #include <utility>
 
 #include <carom/collision/validate.hpp>
-#include <carom/properties/diagnosis/binary32.hpp>
-#include <carom/properties/diagnosis/evidence.hpp>
-#include <carom/properties/diagnosis/without_effects.hpp>
-#include <carom/properties/diagnosis/without_outcome.hpp>
+#include <carom/properties/diagnosis/known_case.hpp>
+#include <carom/properties/diagnosis/plain_faults.hpp>
+#include <carom/properties/diagnosis/where.hpp>
 #include <carom/properties/draws/stream.hpp>
 #include <carom/properties/gate/in_words.hpp>
 #include <carom/properties/gate/trial.hpp>

@@ -36,7 +36,7 @@ struct Property {
   std::string_view title;      // in words
   std::string_view statement;  // one sentence
   /// The invariants of `all_invariants()` that judge the property. The theorems of these invariants (`Proof`,
-  /// invariants/proof.hpp) prove it.
+  /// invariants/invariant.hpp) prove it.
   std::vector<std::string_view> invariants;
 };
 

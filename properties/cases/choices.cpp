@@ -29,8 +29,6 @@ std::uint64_t scaled(const Choice& choice, const StreamQuestion& question) {
   return std::min(static_cast<std::uint64_t>(share * static_cast<long double>(question.count)), question.count - 1);
 }
 
-bool is_valid(const Family& family) { return family.name != "invalid"; }
-
 }  // namespace
 
 ChosenCase chosen_case(const Draw& draw, const std::function<std::uint64_t()>& next, int size) {
@@ -46,24 +44,6 @@ ChosenCase replayed_case(const Draw& draw, const std::vector<Choice>& choices) {
   return noted(draw, [&](const StreamQuestion& question) {
     return place < choices.size() ? scaled(choices[place++], question) : question.simplest;
   });
-}
-
-Case case_of_any_family(Stream& stream) {
-  std::uint64_t weights = 0;
-  std::uint64_t simplest = 0;  // the sum of the weights before `generic`
-  for (const Family& family : all_families()) {
-    simplest = family.name == "generic" ? weights : simplest;
-    weights += is_valid(family) ? static_cast<std::uint64_t>(family.weight) : 0;
-  }
-  std::uint64_t chosen = stream.below(weights, simplest);
-  for (const Family& family : all_families()) {
-    const auto weight = is_valid(family) ? static_cast<std::uint64_t>(family.weight) : 0;
-    if (chosen < weight) {
-      return family.generate(stream);
-    }
-    chosen -= weight;
-  }
-  return {};  // not reached: `chosen` is below the sum of the weights
 }
 
 }  // namespace carom::properties

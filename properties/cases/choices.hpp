@@ -35,7 +35,4 @@ inline constexpr int whole_size = 50;
 /// after the last choice get their simplest answers.
 [[nodiscard]] ChosenCase replayed_case(const Draw& draw, const std::vector<Choice>& choices);
 
-/// A case of a random family of valid collisions. The probability of a family is proportional to its weight.
-[[nodiscard]] Case case_of_any_family(Stream& stream);
-
 }  // namespace carom::properties

@@ -11,7 +11,7 @@
 #include <carom/collision/json/json.hpp>
 #include <carom/collision/validate.hpp>
 #include <carom/properties/cases/domain.hpp>
-#include <carom/properties/draws/moment_ratio.hpp>
+#include <carom/properties/draws/general_collision.hpp>
 #include <carom/properties/draws/relative_velocity.hpp>
 #include <carom/properties/draws/vectors.hpp>
 #include <carom/properties/features/geometry.hpp>
@@ -19,10 +19,25 @@
 namespace carom::properties {
 namespace {
 
-constexpr std::array<std::string_view, all_limited_quantities.size()> names{
-    "size",     "mass", "mass_ratio", "moment_ratio", "size_ratio", "speed",
-    "approach", "spin", "distance",   "restitution",  "friction",   "tangential_restitution",
+struct QuantityFacts {
+  std::string_view name;
+  std::string_view unit;  // empty if there is none
+  Range whole = {};
 };
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr PerLimitedQuantity<QuantityFacts> facts{{{{"size", "m"},
+                                                    {"mass", "kg"},
+                                                    {"mass_ratio", "", {1, infinity}},
+                                                    {"moment_ratio", "", {1, infinity}},
+                                                    {"size_ratio", "", {1, infinity}},
+                                                    {"speed", "m/s"},
+                                                    {"approach", "m/s"},
+                                                    {"spin", ""},
+                                                    {"distance", ""},
+                                                    {"restitution", "", {0, 1}},
+                                                    {"friction", ""},
+                                                    {"tangential_restitution", "", {-1, 1}}}}};
 
 constexpr std::array domains{
     NamedDomain{"games", "what the manuals of game engines state", "size=0.1:10,speed=:500,distance=:500,friction=:1"},
@@ -67,53 +82,13 @@ std::optional<double> number_from(std::string_view text) {
 
 }  // namespace
 
-std::string_view name_of(LimitedQuantity quantity) { return names[static_cast<std::size_t>(quantity)]; }
+std::string_view name_of(LimitedQuantity quantity) { return facts[quantity].name; }
 
-std::string_view unit_of(LimitedQuantity quantity) {
-  switch (quantity) {
-    case LimitedQuantity::size:
-      return "m";
-    case LimitedQuantity::mass:
-      return "kg";
-    case LimitedQuantity::speed:
-    case LimitedQuantity::approach:
-      return "m/s";
-    case LimitedQuantity::mass_ratio:
-    case LimitedQuantity::moment_ratio:
-    case LimitedQuantity::size_ratio:
-    case LimitedQuantity::spin:
-    case LimitedQuantity::distance:
-    case LimitedQuantity::restitution:
-    case LimitedQuantity::friction:
-    case LimitedQuantity::tangential_restitution:
-      break;
-  }
-  return "";
-}
+std::string_view unit_of(LimitedQuantity quantity) { return facts[quantity].unit; }
+
+Range whole_range(LimitedQuantity quantity) { return facts[quantity].whole; }
 
 std::span<const NamedDomain> named_domains() { return domains; }
-
-Range whole_range(LimitedQuantity quantity) {
-  switch (quantity) {
-    case LimitedQuantity::mass_ratio:
-    case LimitedQuantity::moment_ratio:
-    case LimitedQuantity::size_ratio:
-      return {1, Range().most};
-    case LimitedQuantity::restitution:
-      return {0, 1};
-    case LimitedQuantity::tangential_restitution:
-      return {-1, 1};
-    case LimitedQuantity::size:
-    case LimitedQuantity::mass:
-    case LimitedQuantity::speed:
-    case LimitedQuantity::approach:
-    case LimitedQuantity::spin:
-    case LimitedQuantity::distance:
-    case LimitedQuantity::friction:
-      break;
-  }
-  return {};
-}
 
 Domain::Domain() {
   for (const LimitedQuantity quantity : all_limited_quantities) {
@@ -250,13 +225,13 @@ Domain domain_from_ranges(std::string_view text) {
     const std::size_t sign = std::min(part.find('='), part.size());
     const std::optional<LimitedQuantity> quantity = quantity_named(part.substr(0, sign));
     if (!quantity) {
-      std::string named;
-      for (const NamedDomain& one : domains) {
-        named += fmt::format("{}{}", named.empty() ? "" : ", ", one.name);
-      }
+      std::vector<std::string_view> names;
+      std::ranges::transform(facts, std::back_inserter(names), [](const QuantityFacts& one) { return one.name; });
+      std::vector<std::string_view> named;
+      std::ranges::transform(domains, std::back_inserter(named), [](const NamedDomain& one) { return one.name; });
       throw std::invalid_argument(
           fmt::format("'{}' names no quantity; expected QUANTITY=LEAST:MOST with one of {}, or a domain: {}", part,
-                      fmt::join(names, ", "), named));
+                      fmt::join(names, ", "), fmt::join(named, ", ")));
     }
     if (given[*quantity]) {
       throw std::invalid_argument(fmt::format("{} occurs twice", name_of(*quantity)));

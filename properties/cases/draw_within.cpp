@@ -97,11 +97,6 @@ class Fit {
     }
   }
 
-  static void scale_mass(Body& body, double by) {
-    body.mass *= by;
-    body.principal_inertia *= by;
-  }
-
   /// Moves the centre so that the lever arm is r: exactly if the lever arm is parallel to the normal or the spin,
   /// because rounding would undo this. An exact lever arm may need the contact at the origin.
   void set_arm(Body& body, const Vector3<double>& r) {
@@ -162,14 +157,14 @@ class Fit {
   void masses() {
     for_each_movable([&](Body& body) {
       if (const double by = factor(LimitedQuantity::mass, body.mass); by != 1) {
-        scale_mass(body, by);
+        features::scale_mass(body, by);
         if (range(LimitedQuantity::mass).least == range(LimitedQuantity::mass).most) {
           body.mass = range(LimitedQuantity::mass).least;
         }
       }
     });
     ratio(
-        LimitedQuantity::mass_ratio, [](const Body& body) { return body.mass; }, &scale_mass);
+        LimitedQuantity::mass_ratio, [](const Body& body) { return body.mass; }, &features::scale_mass);
   }
 
   /// Raises the lesser moments if the ratio is too great. If it is too small, makes two moments equal and the third

@@ -5,10 +5,10 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include <carom/collision/collision.hpp>
-#include <carom/properties/draws/adjustment.hpp>
-#include <carom/properties/draws/limited_quantity.hpp>
+#include <carom/properties/cases/domain.hpp>
 #include <carom/properties/draws/stream.hpp>
 
 namespace carom::properties {
@@ -35,7 +35,7 @@ struct Family {
   std::string_view name;
   std::string_view summary;
   Case (*generate)(Stream&);
-  /// The place of the family in the gate's order of turns, from 1 (gate/schedule.hpp). `first_violation --families`
+  /// The place of the family in the gate's order of turns, from 1 (gate/task.hpp). `first_violation --families`
   /// (tests/benchmarks) counts the planted defects (tests/mutants) that the first two cases of a family find, for eight
   /// seeds. Each of families 1 to 10 finds the most of the defects that the families before it miss. The ten together
   /// find all. The others follow by the number of defects that each finds alone; the last three are not ranked.
@@ -56,10 +56,15 @@ struct Family {
 
 [[nodiscard]] std::span<const Family> families_beyond_domain();
 
+[[nodiscard]] std::vector<const Family*> pointers_to(std::span<const Family> families);
+
 /// In the claimed domain or beyond it; nullptr if no family has this name.
 [[nodiscard]] const Family* family_named(std::string_view name);
 
 /// The family's case with the number `index`, from 0. It depends only on the seed, the family's name and the number.
 [[nodiscard]] Case drawn_case(const Family& family, std::uint64_t seed, std::uint64_t index);
+
+/// A case of a random family of valid collisions. The probability of a family is proportional to its weight.
+[[nodiscard]] Case case_of_any_family(Stream& stream);
 
 }  // namespace carom::properties

@@ -8,6 +8,7 @@
 #include <carom/properties/cases/sweep.hpp>
 #include <carom/properties/draws/relative_velocity.hpp>
 #include <carom/properties/draws/vectors.hpp>
+#include <carom/properties/features/geometry.hpp>
 
 namespace carom::properties {
 namespace {
@@ -39,16 +40,14 @@ Collision tangential_velocity(Stream& stream, double ratio) {
 Collision mass_ratio(Stream& stream, double ratio) {
   Collision c = general_bodies(stream).collision;
   Body& heavy = stream.chance(2) ? c.a : c.b;
-  heavy.mass *= ratio;
-  heavy.principal_inertia *= ratio;
+  features::scale_mass(heavy, ratio);
   return c;
 }
 
 Collision mass_unit(Stream& stream, double unit) {
   Collision c = general_bodies(stream).collision;
   for (Body* body : {&c.a, &c.b}) {
-    body->mass *= unit;
-    body->principal_inertia *= unit;
+    features::scale_mass(*body, unit);
   }
   return c;
 }

@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
-#include <carom/properties/diagnosis/evidence.hpp>
 #include <carom/properties/diagnosis/explanation.hpp>
+#include <carom/properties/diagnosis/where.hpp>
 
 namespace carom::properties::diagnosis {
 namespace {

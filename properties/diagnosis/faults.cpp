@@ -7,12 +7,11 @@
 #include <fmt/format.h>
 
 #include <carom/collision/validate.hpp>
-#include <carom/properties/diagnosis/binary32.hpp>
-#include <carom/properties/diagnosis/evidence.hpp>
 #include <carom/properties/diagnosis/explanation.hpp>
 #include <carom/properties/diagnosis/faults.hpp>
-#include <carom/properties/diagnosis/without_effects.hpp>
-#include <carom/properties/diagnosis/without_outcome.hpp>
+#include <carom/properties/diagnosis/known_case.hpp>
+#include <carom/properties/diagnosis/plain_faults.hpp>
+#include <carom/properties/diagnosis/where.hpp>
 
 namespace carom::properties::diagnosis {
 namespace {
@@ -49,11 +48,11 @@ std::vector<ViolatedCase> examples_of(const SubjectResult& result) {
   return examples;
 }
 
-/// The defects of the first invalid collision that was not refused.
+/// The errors of the first invalid collision that was not refused.
 std::string first_invalid(std::span<const ViolatedCase> examples) {
   for (const ViolatedCase& one : examples) {
-    if (const std::vector<Defect> defects = validate(one.one.collision); !defects.empty()) {
-      return ", for example one with " + describe(defects);
+    if (const std::vector<InputError> errors = validate(one.one.collision); !errors.empty()) {
+      return ", for example one with " + describe(errors);
     }
   }
   return {};

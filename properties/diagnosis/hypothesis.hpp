@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include <carom/properties/diagnosis/fit.hpp>
 #include <carom/properties/diagnosis/known_case.hpp>
 #include <carom/properties/diagnosis/steps.hpp>
 
@@ -34,5 +33,10 @@ struct Hypothesis {
 /// several faults makes a mistake of each.
 [[nodiscard]] bool explains(std::span<const Hypothesis* const> together, const KnownCase& one);
 [[nodiscard]] bool explains(const Hypothesis& hypothesis, const KnownCase& one);
+
+// The groups of the hypotheses, one file each.
+[[nodiscard]] std::vector<Hypothesis> misused_impulses();
+[[nodiscard]] std::vector<Hypothesis> misread_contacts();
+[[nodiscard]] std::vector<Hypothesis> misread_bodies();
 
 }  // namespace carom::properties::diagnosis

@@ -9,7 +9,8 @@
 #include <carom/oracles/truths/models.hpp>
 #include <carom/oracles/truths/sensitivity.hpp>
 #include <carom/properties/diagnosis/known_case.hpp>
-#include <carom/properties/draws/moment_ratio.hpp>
+#include <carom/properties/draws/general_collision.hpp>
+#include <carom/properties/gate/declared_effects.hpp>
 
 namespace carom::properties::diagnosis {
 namespace {
@@ -214,6 +215,20 @@ Outcome<double> pushed(const Collision& collision, const Vector3<double>& impuls
   Outcome<double> sizes;  // whose numbers decide the scalar
   sizes.a.velocity = impulse;
   return in_wide(outcome, collision, sizes);
+}
+
+ViolatedCase without_effects(const ViolatedCase& one, const Subject& subject) {
+  ViolatedCase changed = one;
+  if (subject.effects == DeclaredEffects{} || !validate(one.one.collision).empty()) {
+    return changed;
+  }
+  changed.one.collision = judged_collision(one.one.collision, subject.effects);
+  ExactAnswer answer = lift(one.answer);
+  take_out_effects(answer, subject.effects, oracles::ExactCase(changed.one.collision), subject.law, 0);
+  if (const auto* outcome = std::get_if<oracles::LiftedOutcome>(&answer)) {
+    changed.answer = reported(outcome->rounded());
+  }
+  return changed;
 }
 
 }  // namespace carom::properties::diagnosis

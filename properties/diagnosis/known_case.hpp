@@ -60,4 +60,8 @@ struct KnownCase {
 /// The velocities after the impulse F on A and −F on B: v ± F/m, w ± J⁻¹(r × F) for movable bodies.
 [[nodiscard]] Outcome<double> pushed(const Collision& collision, const Vector3<double>& impulse);
 
+/// The case that the judge compares with the law, and the answer without the effects that the subject declares
+/// (declared_effects.hpp), rounded to binary64. An invalid case stays as it is.
+[[nodiscard]] ViolatedCase without_effects(const ViolatedCase& one, const Subject& subject);
+
 }  // namespace carom::properties::diagnosis

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include <carom/oracles/laws/kinematics.hpp>
-#include <carom/properties/diagnosis/hypothesis_groups.hpp>
+#include <carom/properties/diagnosis/hypothesis.hpp>
 
 namespace carom::properties::diagnosis {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include <carom/properties/diagnosis/hypothesis_groups.hpp>
+#include <carom/properties/diagnosis/hypothesis.hpp>
 
 namespace carom::properties::diagnosis {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <carom/properties/diagnosis/hypothesis_groups.hpp>
+#include <carom/properties/diagnosis/hypothesis.hpp>
 
 namespace carom::properties::diagnosis {
 namespace {

@@ -8,11 +8,11 @@
 #include <map>
 #include <optional>
 #include <utility>
+#include <valarray>
 
 #include <fmt/format.h>
 
 #include <carom/oracles/judge/yardstick.hpp>
-#include <carom/properties/diagnosis/evidence.hpp>
 #include <carom/properties/diagnosis/where.hpp>
 #include <carom/properties/features/quantities.hpp>
 
@@ -36,23 +36,20 @@ class CaseSet {
   }
 
   friend CaseSet operator&(CaseSet x, const CaseSet& y) {
-    std::transform(x.words_.begin(), x.words_.end(), y.words_.begin(), x.words_.begin(), std::bit_and<>());
+    x.words_ &= y.words_;
     return x;
   }
   friend CaseSet operator|(CaseSet x, const CaseSet& y) {
-    std::transform(x.words_.begin(), x.words_.end(), y.words_.begin(), x.words_.begin(), std::bit_or<>());
+    x.words_ |= y.words_;
     return x;
   }
-  [[nodiscard]] CaseSet without(const CaseSet& y) const {
-    CaseSet rest = *this;
-    for (std::size_t i = 0; i < words_.size(); ++i) {
-      rest.words_[i] &= ~y.words_[i];
-    }
-    return rest;
+  [[nodiscard]] CaseSet without(CaseSet y) const {
+    y.words_ = words_ & ~y.words_;
+    return y;
   }
 
  private:
-  std::vector<std::uint64_t> words_;
+  std::valarray<std::uint64_t> words_;
 };
 
 /// If two conditions fit equally well, the plainer one wins: the one with the lower value.
@@ -290,6 +287,20 @@ class Sample {
   std::vector<Literal> literals_;
   std::vector<Literal> approaches_;
 };
+
+/// An upper bound of the probability that at least `found` of `drawn` cases lie in a part of a set. The cases are drawn
+/// by chance from the set, and the part is the fraction `share` of the set. Source: W. Hoeffding, "Probability
+/// inequalities for sums of bounded random variables", J. Amer. Statist. Assoc. 58, 1963, theorem 1, and section 6 for
+/// draws without replacement. Preconditions: 0 < found ≤ drawn; 0 < share ≤ 1.
+double chance_bound(std::uint64_t found, std::uint64_t drawn, double share) {
+  const double fraction = static_cast<double>(found) / static_cast<double>(drawn);
+  if (fraction <= share) {
+    return 1;
+  }
+  const double rest = 1 - fraction;
+  const double of_rest = rest > 0 ? rest * std::log((1 - share) / rest) : 0;
+  return std::exp(static_cast<double>(drawn) * (fraction * std::log(share / fraction) + of_rest));
+}
 
 /// The greatest probability that one search finds a condition by chance. A subject has at most six searches.
 constexpr double greatest_chance = 1e-3;

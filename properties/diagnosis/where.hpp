@@ -9,6 +9,10 @@
 
 namespace carom::properties::diagnosis {
 
+/// The number of violated cases that a hint needs. If at most half of all violated cases have a property, five random
+/// ones all have it with a probability of at most 2⁻⁵ < 1/20. For four, the bound is 1/16.
+inline constexpr std::uint64_t least_violated = 5;
+
 struct Condition {
   std::string words;        // "for A or B the orientation is exactly 1, 0, 0, 0"
   std::string usual_cause;  // of such violations, as a place in a solver to check; empty if none is known
@@ -41,7 +45,7 @@ struct Violations {
 /// of the cases that meet all conditions are violated.
 [[nodiscard]] Where where_violated(const GateReport& report, const Violations& violations);
 
-/// The result in one sentence. Empty if there are fewer than `least_violated` violated cases (evidence.hpp).
+/// The result in one sentence. Empty if there are fewer than `least_violated` violated cases.
 [[nodiscard]] std::string in_words(const Where& where);
 
 }  // namespace carom::properties::diagnosis

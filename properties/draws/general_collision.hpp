@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <carom/collision/collision.hpp>
 #include <carom/properties/draws/relative_velocity.hpp>
 #include <carom/properties/draws/stream.hpp>
+#include <carom/properties/draws/vectors.hpp>
 
 namespace carom::properties {
 
@@ -34,5 +36,10 @@ template <class MakeBody>
 
 /// Two approaching bodies of general inertia. The contact is at most about one body size from each centre of mass.
 [[nodiscard]] Collision general_collision(Stream& stream);
+
+/// The greatest principal moment of a body over its least; 0 if the body is immovable.
+[[nodiscard]] inline double moment_ratio(const Body& body) {
+  return body.immovable ? 0 : greatest(body.principal_inertia) / least(body.principal_inertia);
+}
 
 }  // namespace carom::properties

@@ -21,6 +21,20 @@ constexpr std::array<double, 31> powers_of_ten{1e0,  1e1,  1e2,  1e3,  1e4,  1e5
 
 }  // namespace
 
+std::string_view name_of(Adjustment adjustment) {
+  switch (adjustment) {
+    case Adjustment::moments_enlarged:
+      return "moments_enlarged";
+    case Adjustment::moved_to_origin:
+      return "moved_to_origin";
+    case Adjustment::reversed:
+      return "reversed";
+    case Adjustment::drawn_again:
+      return "drawn_again";
+  }
+  return "";
+}
+
 std::uint64_t Stream::bits() {
   constexpr std::uint64_t half = std::uint64_t{1} << 32U;
   if (!answer_) {

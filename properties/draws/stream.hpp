@@ -2,14 +2,33 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <string_view>
 
+#include <carom/collision/enum_array.hpp>
 #include <carom/collision/vector.hpp>
-#include <carom/properties/draws/adjustment.hpp>
 
 namespace carom::properties {
+
+/// A change that a family makes to a case after drawing it. It does not depend on any solver.
+enum class Adjustment {
+  moments_enlarged,  // enlarged until the contact lies within twice the radius of gyration
+  moved_to_origin,   // the contact is at the origin, so that parallel vectors are exactly parallel
+  reversed,          // because the bodies separated
+  drawn_again,       // because masses, sizes or speeds left the domain
+};
+inline constexpr std::array all_adjustments{Adjustment::moments_enlarged, Adjustment::moved_to_origin,
+                                            Adjustment::reversed, Adjustment::drawn_again};
+static_assert(counts_from_zero_to(all_adjustments, Adjustment::drawn_again));
+
+template <class T>
+using PerAdjustment = EnumArray<Adjustment, T, all_adjustments.size()>;
+
+using AdjustmentCounts = PerAdjustment<std::uint64_t>;
+
+[[nodiscard]] std::string_view name_of(Adjustment adjustment);
 
 /// A question that a family asks its stream, with the answers 0 … count − 1. The answer `simplest` gives the simplest
 /// collisions.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <cmath>
+
 #include <carom/collision/vector.hpp>
 
 /// Vector operations for families and features. Each operation is rounded separately in the order given here, so
@@ -58,5 +60,12 @@ struct Columns {
 /// A vector exactly orthogonal to this one: two components are exchanged, and one of these is negated. Zero only for
 /// zero.
 [[nodiscard]] Vector3<double> orthogonal(const Vector3<double>& vector);
+
+/// The number, rounded to this many bits. Preconditions: the number is finite; `bits` is positive.
+[[nodiscard]] inline double rounded_to_bits(double number, int bits) {
+  int exponent = 0;
+  const double mantissa = std::frexp(number, &exponent);
+  return std::ldexp(std::round(std::ldexp(mantissa, bits)), exponent - bits);
+}
 
 }  // namespace carom::properties

@@ -141,8 +141,7 @@ std::vector<Feature> of_both_bodies() {
           [](const Collision& c) { return are_movable(c) && c.a.mass == c.b.mass; },
           [](Stream& stream, Collision& c) {
             make_both_movable(stream, c);
-            c.b.principal_inertia *= c.a.mass / c.b.mass;
-            c.b.mass = c.a.mass;
+            set_mass(c.b, c.a.mass);
           }),
       pair_relation(
           "moments_alike", "both bodies have the same moments", "the moments of the two bodies may be confused",
@@ -159,8 +158,7 @@ std::vector<Feature> of_both_bodies() {
           },
           [](Stream& stream, Collision& c) {
             make_both_movable(stream, c);
-            c.b.principal_inertia *= c.a.mass / c.b.mass;
-            c.b.mass = c.a.mass;
+            set_mass(c.b, c.a.mass);
             take_moments(c);
           }),
       pair_relation(

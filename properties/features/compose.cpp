@@ -1,47 +1,133 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include <carom/properties/draws/general_collision.hpp>
 #include <carom/properties/draws/vectors.hpp>
 #include <carom/properties/features/compose.hpp>
 #include <carom/properties/features/geometry.hpp>
-#include <carom/properties/features/seldom.hpp>
 
 namespace carom::properties {
 namespace {
 
-const std::vector<const Feature*>& values_and_relations() {
-  static const std::vector<const Feature*> chosen = [] {
-    std::vector<const Feature*> features;
-    for (const Feature& feature : all_features()) {
-      if (feature.kind == FeatureKind::special_value || feature.kind == FeatureKind::relation) {
-        features.push_back(&feature);
-      }
+using Features = std::vector<const Feature*>;
+
+template <class Is>
+Features features_if(const Is& is) {
+  Features features;
+  for (const Feature& feature : all_features()) {
+    if (is(feature)) {
+      features.push_back(&feature);
     }
-    return features;
-  }();
+  }
+  return features;
+}
+
+const Features& values_and_relations() {
+  static const Features chosen = features_if([](const Feature& feature) {
+    return feature.kind == FeatureKind::special_value || feature.kind == FeatureKind::relation;
+  });
   return chosen;
 }
 
 /// Features that seldom occur together unless `composed` chooses both.
-const std::vector<const Feature*>& ratios_and_relations() {
-  static const std::vector<const Feature*> chosen = [] {
-    std::vector<const Feature*> features;
-    for (const Feature& feature : all_features()) {
-      if (feature.kind == FeatureKind::relation || feature.is_seldom_with_others) {
-        features.push_back(&feature);
-      }
-    }
-    return features;
-  }();
+const Features& ratios_and_relations() {
+  static const Features chosen = features_if(
+      [](const Feature& feature) { return feature.kind == FeatureKind::relation || feature.is_seldom_with_others; });
   return chosen;
 }
 
+/// The beginnings of the names of two groups of features. A feature of one group seldom occurs with a feature of the
+/// other unless both are chosen.
+struct Beginnings {
+  std::string_view first;
+  std::string_view second;
+};
+constexpr Beginnings seldom_together[]{{"whole_numbers", "approach_1e-"},
+                                       {"whole_numbers", "normal_near_"},
+                                       {"whole_numbers", "a.size_1e-"},
+                                       {"whole_numbers", "b.size_1e-"},
+                                       {"whole_numbers", "near_head_on"},
+                                       {"whole_numbers", "a.orientation_"},
+                                       {"whole_numbers", "b.orientation_"},
+                                       {"lever_arms_opposite", "a.lever_arm_1e"},
+                                       {"lever_arms_opposite", "b.lever_arm_1e"},
+                                       {"grazing", "approach_1e"},
+                                       {"approach_1e", "a.speed_1e"},
+                                       {"approach_1e", "b.speed_1e"},
+                                       {"approach_1e", "a.lever_arm_1e"},
+                                       {"approach_1e", "b.lever_arm_1e"},
+                                       {"a.rolling", "velocities_"},
+                                       {"b.rolling", "velocities_"},
+                                       {"a.rolling", "momenta_"},
+                                       {"b.rolling", "momenta_"},
+                                       {"a.rolling", "approach_along_axis"},
+                                       {"b.rolling", "approach_along_axis"},
+                                       {"a.rolling", "whole_numbers"},
+                                       {"b.rolling", "whole_numbers"},
+                                       {"a.spin_equals_velocity", "head_on"},
+                                       {"b.spin_equals_velocity", "head_on"},
+                                       {"a.moments_one", "momenta_opposite"},
+                                       {"b.moments_one", "momenta_opposite"},
+                                       {"a.moments_one", "whole_numbers"},
+                                       {"b.moments_one", "whole_numbers"},
+                                       {"centres_coincide", "a.lever_arm_1e"},
+                                       {"centres_coincide", "b.lever_arm_1e"},
+                                       {"whole_numbers", "momenta_"},
+                                       {"whole_numbers", "velocities_"},
+                                       {"whole_numbers", "lever_arms_opposite"},
+                                       {"whole_numbers", "central"},
+                                       {"a.rolling", "b.rolling"},
+                                       {"a.rolling", "b.at_rest"},
+                                       {"a.at_rest", "b.rolling"},
+                                       {"moments_alike", "size_ratio_1e"},
+                                       {"normal_unit", "approach_1e"},
+                                       {"central", "velocities_"},
+                                       {"planar", "normal_near_"},
+                                       {"planar", "approach_1e"},
+                                       {"distance_1e", "a.lever_arm_1e"},
+                                       {"distance_1e", "b.lever_arm_1e"},
+                                       {"a.moments_one", "a.mass_"},
+                                       {"b.moments_one", "b.mass_"},
+                                       {"bodies_alike", "a.moment_ratio_1e"},
+                                       {"bodies_alike", "b.moment_ratio_1e"},
+                                       {"whole_numbers", "a.moment_ratio_1e"},
+                                       {"whole_numbers", "b.moment_ratio_1e"},
+                                       {"a.lever_arm_1e", "a.moment_ratio_1e"},
+                                       {"b.lever_arm_1e", "b.moment_ratio_1e"}};
+
+/// The features whose names begin with this text. Throws std::logic_error if there is none.
+Features features_beginning(std::string_view beginning) {
+  Features features = features_if([&](const Feature& feature) { return feature.name.starts_with(beginning); });
+  if (features.empty()) {
+    throw std::logic_error("no feature has a name that begins with \"" + std::string(beginning) + '"');
+  }
+  return features;
+}
+
+struct SeldomPair {
+  Features first;
+  Features second;
+};
+
+const std::vector<SeldomPair>& seldom_pairs() {
+  static const std::vector<SeldomPair> pairs = [] {
+    std::vector<SeldomPair> resolved;
+    for (const Beginnings& names : seldom_together) {
+      resolved.push_back({features_beginning(names.first), features_beginning(names.second)});
+    }
+    return resolved;
+  }();
+  return pairs;
+}
+
 /// The near features; that of A and that of B stand together.
-const std::vector<std::vector<const Feature*>>& near_features() {
-  static const std::vector<std::vector<const Feature*>> chosen = [] {
-    std::vector<std::vector<const Feature*>> features;
+const std::vector<Features>& near_features() {
+  static const std::vector<Features> chosen = [] {
+    std::vector<Features> features;
     for (const Feature& feature : all_features()) {
       if (feature.kind != FeatureKind::near) {
         continue;
@@ -57,9 +143,7 @@ const std::vector<std::vector<const Feature*>>& near_features() {
   return chosen;
 }
 
-const Feature& drawn_of(Stream& stream, const std::vector<const Feature*>& features) {
-  return *features[stream.below(features.size())];
-}
+const Feature& drawn_of(Stream& stream, const Features& features) { return *features[stream.below(features.size())]; }
 
 void reverse_if_separating(Stream& stream, Collision& c) {
   if (properties::reverse_if_separating(c)) {
@@ -181,7 +265,7 @@ Collision composed(Stream& stream) {
   for (int i = 0; i < count; ++i) {
     drawn_of(stream, values_and_relations()).make(stream, c);
   }
-  const SeldomPair& seldom = seldom_together()[stream.below(seldom_together().size())];
+  const SeldomPair& seldom = seldom_pairs()[stream.below(seldom_pairs().size())];
   const bool is_seldom = stream.chance(8);
   const Feature& first = drawn_of(stream, is_seldom ? seldom.first : values_and_relations());
   const Feature& second = is_seldom          ? drawn_of(stream, seldom.second)
@@ -219,7 +303,7 @@ void make_several_near(Stream& stream, Collision& collision) {
   constexpr int attempts = 4;
   for (int i = 0; i < attempts; ++i) {
     Collision tried = collision;
-    std::vector<const Feature*> chosen;
+    Features chosen;
     const int count = stream.integer(6, 14);
     for (int j = 0; j < count; ++j) {
       const auto& of_either = near_features()[stream.below(near_features().size())];

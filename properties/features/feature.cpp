@@ -4,10 +4,16 @@
 
 #include <carom/properties/features/feature_groups.hpp>
 #include <carom/properties/features/geometry.hpp>
-#include <carom/properties/features/near.hpp>
 
 namespace carom::properties {
 namespace features {
+
+Feature special_value(std::string name, std::string statement, std::string why,
+                      std::function<bool(const Collision&)> is_present, std::function<void(Stream&, Collision&)> make) {
+  return {
+      std::move(name), FeatureKind::special_value, std::move(statement), std::move(why), {}, 0, std::move(is_present),
+      std::move(make)};
+}
 
 Feature pair_relation(const char* name, const char* statement, const char* why, bool (*is_present)(const Collision&),
                       void (*make)(Stream&, Collision&)) {

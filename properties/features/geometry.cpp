@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include <carom/collision/expects.hpp>
-#include <carom/properties/draws/rounded_to_bits.hpp>
+#include <carom/properties/draws/vectors.hpp>
 #include <carom/properties/features/geometry.hpp>
 
 namespace carom::properties::features {
@@ -64,6 +64,23 @@ Vector3<double> turned_across(Stream& stream, const Vector3<double>& v, const Ve
     across[last] = direction[next];
   }
   return turned_along(v, stream.chance(2) ? across : negated(across));
+}
+
+void put_in_plane(Stream& stream, Vector3<double>& v) {
+  const int zero = stream.integer(0, 2);
+  for (int i = 0; i < 3; ++i) {
+    v[i] = i == zero ? 0 : (v[i] == 0 ? size_of(v) : v[i]);
+  }
+}
+
+void scale_mass(Body& body, double by) {
+  body.mass *= by;
+  body.principal_inertia *= by;
+}
+
+void set_mass(Body& body, double mass) {
+  body.principal_inertia *= mass / body.mass;
+  body.mass = mass;
 }
 
 double radius_of_gyration(const Body& body) {
@@ -129,6 +146,12 @@ void set_exact_lever_arm(Collision& collision, Body& body, const Vector3<double>
     collision.point.setZero();
     body.position = negated(r);
     other.position = negated(of_other);
+  }
+}
+
+void spin_along_lever_arm(const Collision& collision, Body& body) {
+  if (!is_zero(body.angular_velocity) && !is_zero(lever_arm(collision, body))) {
+    body.angular_velocity = turned_along(body.angular_velocity, lever_arm(collision, body));
   }
 }
 

@@ -45,6 +45,13 @@ inline constexpr double largest_mass = 1e10;
 /// A vector about as long as v, and exactly orthogonal to a direction of few bits.
 [[nodiscard]] Vector3<double> turned_across(Stream& stream, const Vector3<double>& v, const Vector3<double>& direction);
 
+/// Makes one component zero, and the others nonzero.
+void put_in_plane(Stream& stream, Vector3<double>& v);
+
+/// Multiplies the mass and the moments of inertia.
+void scale_mass(Body& body, double by);
+void set_mass(Body& body, double mass);
+
 /// √((I₁ + I₂ + I₃) / 2m), the root mean square distance of the mass from its centre [m]; 0 for an immovable body.
 [[nodiscard]] double radius_of_gyration(const Body& body);
 
@@ -69,6 +76,9 @@ void set_exact_lever_arm(Collision& collision, Body& body, const Vector3<double>
 
 /// Moves the contact to the origin, and the bodies with it. Each lever arm becomes exactly its rounded value.
 void move_point_to_origin(Collision& collision);
+
+/// Turns the spin along the lever arm, unless one of them is zero.
+void spin_along_lever_arm(const Collision& collision, Body& body);
 
 /// Replaces an immovable body by a movable one, about as large as its lever arm is long.
 void make_movable(Stream& stream, const Collision& collision, Body& body);

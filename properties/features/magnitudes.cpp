@@ -98,8 +98,7 @@ std::vector<Quantity> of_body(const std::string& letter, Body Collision::*body) 
        [=](const Collision& c) { return (c.*body).immovable ? 0 : (c.*body).mass; },
        [=](Stream& stream, Collision& c, double value) {
          make_movable(stream, c, c.*body);
-         (c.*body).principal_inertia *= value / (c.*body).mass;
-         (c.*body).mass = value;
+         set_mass(c.*body, value);
        }},
       {letter + ".size", "the radius of gyration of " + letter + " [m]",
        "tiny moments treated as zero (failure case 64), thresholds in metres", -9, 9,
@@ -167,9 +166,7 @@ std::vector<Quantity> quantities() {
                    make_movable(stream, c, c.b);
                    Body& changed = stream.chance(2) ? c.a : c.b;
                    const Body& other = &changed == &c.a ? c.b : c.a;
-                   const double mass = other.mass > 1 ? other.mass / value : other.mass * value;
-                   changed.principal_inertia *= mass / changed.mass;
-                   changed.mass = mass;
+                   set_mass(changed, other.mass > 1 ? other.mass / value : other.mass * value);
                  },
                  6, true});
   all.push_back({"size_ratio", "the larger radius of gyration over the smaller", "a marble on the earth", 0, 9,
@@ -212,9 +209,7 @@ std::vector<Quantity> quantities() {
                      c.normal = V::Unit(stream.integer(0, 2)) * size_of(c.normal);
                    }
                    for (Body* b : {&c.a, &c.b}) {
-                     if (!is_zero(b->angular_velocity) && !is_zero(lever_arm(c, *b))) {
-                       b->angular_velocity = turned_along(b->angular_velocity, lever_arm(c, *b));
-                     }
+                     spin_along_lever_arm(c, *b);
                      if (!is_zero(b->velocity)) {
                        b->velocity = turned_across(stream, b->velocity, c.normal);
                      }

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include <carom/properties/features/near.hpp>
+#include <carom/properties/features/feature_groups.hpp>
 
 namespace carom::properties::features {
 namespace {

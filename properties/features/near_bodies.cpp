@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <carom/properties/features/feature_groups.hpp>
 #include <carom/properties/features/geometry.hpp>
-#include <carom/properties/features/near.hpp>
 
 namespace carom::properties::features {
 namespace {
@@ -112,11 +112,6 @@ double distance_from_equal_pair(const V& moments) {
     nearest = std::min(nearest, std::abs(x - y) / std::max(x, y));
   }
   return nearest;
-}
-
-void scale_mass(Body& b, double by) {
-  b.mass *= by;
-  b.principal_inertia *= by;
 }
 
 std::vector<Near> near_inertia() {

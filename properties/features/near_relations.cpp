@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include <carom/properties/draws/relative_velocity.hpp>
+#include <carom/properties/features/feature_groups.hpp>
 #include <carom/properties/features/geometry.hpp>
-#include <carom/properties/features/near.hpp>
 
 namespace carom::properties::features {
 namespace {
@@ -123,9 +123,7 @@ double distance_of_moments(const Collision& c) {
 }
 
 void move_masses(Stream& stream, Collision& c, double distance) {
-  const double by = stream.chance(2) ? 1 + distance : 1 - distance;
-  c.b.mass *= by;
-  c.b.principal_inertia *= by;
+  scale_mass(c.b, stream.chance(2) ? 1 + distance : 1 - distance);
 }
 void move_moments(Stream& stream, Collision& c, double distance) {
   for (int i = 0; i < 3; ++i) {

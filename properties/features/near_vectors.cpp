@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include <carom/properties/draws/relative_velocity.hpp>
+#include <carom/properties/features/feature_groups.hpp>
 #include <carom/properties/features/geometry.hpp>
-#include <carom/properties/features/near.hpp>
 
 namespace carom::properties::features {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <carom/collision/expects.hpp>
 #include <carom/collision/validate.hpp>
-#include <carom/properties/draws/moment_ratio.hpp>
+#include <carom/properties/draws/general_collision.hpp>
 #include <carom/properties/draws/relative_velocity.hpp>
 #include <carom/properties/draws/vectors.hpp>
 #include <carom/properties/features/geometry.hpp>

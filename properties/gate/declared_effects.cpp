@@ -11,8 +11,8 @@
 #include <carom/oracles/bounds/norm.hpp>
 #include <carom/oracles/exact/radical.hpp>
 #include <carom/oracles/laws/mechanics.hpp>
+#include <carom/properties/gate/by_name.hpp>
 #include <carom/properties/gate/declared_effects.hpp>
-#include <carom/properties/gate/nearest_name.hpp>
 
 namespace carom::properties {
 namespace {

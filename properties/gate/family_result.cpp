@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
+#include <carom/properties/cases/draw_within.hpp>
+#include <carom/properties/features/coverage.hpp>
+#include <carom/properties/features/quantities.hpp>
 #include <carom/properties/gate/family_result.hpp>
 
 namespace carom::properties {
@@ -30,12 +34,8 @@ void FamilyResult::keep_if_worst(const Invariant& invariant, const WorstViolatio
 FamilyResult& FamilyResult::operator+=(const FamilyResult& other) {
   cases += other.cases;
   skipped += other.skipped;
-  for (const Unjudged reason : all_reasons_unjudged) {
-    unjudged[reason] += other.unjudged[reason];
-  }
-  for (const DeclaredEffect effect : all_declared_effects) {
-    decided_by[effect] += other.decided_by[effect];
-  }
+  unjudged += other.unjudged;
+  decided_by += other.decided_by;
   violated += other.violated;
   worst_backward_error = std::max(worst_backward_error, other.worst_backward_error);
   keep_if_least(boundary, other.boundary);
@@ -103,6 +103,45 @@ void keep_if_first(std::vector<ViolatedCase>& kept, const ViolatedCase& violated
     kept.insert(place, violated);
     kept.resize(std::min(kept.size(), most_violated_kept), violated);
   }
+}
+
+void keep_if_least(std::optional<Boundary>& kept, const std::optional<Boundary>& other) {
+  const auto place = [](const Boundary& boundary) { return std::pair(boundary.quantity, boundary.index); };
+  if (other && (!kept || place(*other) < place(*kept))) {
+    kept = other;
+  }
+}
+
+std::optional<Boundary> boundary_by(const Family& family, std::uint64_t index, const Collision& collision,
+                                    const Judgement& judgement) {
+  const auto violated =
+      std::find_if(judgement.verdicts.begin(), judgement.verdicts.end(),
+                   [](const NamedVerdict& named) { return named.verdict.status == Status::violated; });
+  if (!family.is_beyond_domain() || violated == judgement.verdicts.end()) {
+    return std::nullopt;
+  }
+  return Boundary{family.beyond.of(collision), index, violated->invariant};
+}
+
+std::uint64_t sampled_of(const Family& family) {
+  return sampled_of_each_family * static_cast<std::uint64_t>(family.weight);
+}
+
+SampledCase sampled_case(const JudgedCase& judged_case, std::vector<std::uint16_t> features) {
+  const Collision& collision = judged_case.generated().collision;
+  return {true, judged_case.exact().approach(), std::move(features), quantities_of(collision), collision};
+}
+
+std::vector<SampledCase> drawn_sample(const Domain& within, const Family& family, std::uint64_t seed,
+                                      std::uint64_t cases) {
+  std::vector<SampledCase> sample(std::min(cases, sampled_of(family)));
+  for (std::uint64_t index = 0; index < sample.size(); ++index) {
+    const JudgedCase one(drawn_case_within(within, family, seed, index));
+    if (one.is_valid()) {
+      sample[index] = sampled_case(one, feature_places_of(one.generated().collision));
+    }
+  }
+  return sample;
 }
 
 }  // namespace carom::properties

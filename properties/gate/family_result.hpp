@@ -8,7 +8,9 @@
 #include <vector>
 
 #include <carom/collision/enum_array.hpp>
-#include <carom/properties/gate/boundary.hpp>
+#include <carom/oracles/judge/exact_case.hpp>
+#include <carom/properties/cases/domain.hpp>
+#include <carom/properties/cases/family.hpp>
 #include <carom/properties/gate/trial.hpp>
 
 namespace carom::properties {
@@ -22,6 +24,20 @@ struct Count {
 
   Count& operator+=(const Count& other);
 };
+
+/// A subject's limit in a family beyond the claimed domain: the violation with the least value of `Family::beyond`.
+struct Boundary {
+  double quantity = 0;
+  std::uint64_t index = 0;  // number of the case in its family
+  const Invariant* invariant = nullptr;
+};
+
+/// Keeps the boundary with the lesser quantity, or with the lesser case number if the quantities are equal.
+void keep_if_least(std::optional<Boundary>& kept, const std::optional<Boundary>& other);
+
+/// The boundary that a judged case shows. None if no invariant is violated, or if the family has no `Family::beyond`.
+[[nodiscard]] std::optional<Boundary> boundary_by(const Family& family, std::uint64_t index, const Collision& collision,
+                                                  const Judgement& judgement);
 
 /// The case of a family with the most serious violation of an invariant (`seriousness`). The first case wins a tie.
 struct WorstViolation {
@@ -45,7 +61,7 @@ static_assert(counts_from_zero_to(all_answer_kinds, AnswerKind::skipped));
 
 [[nodiscard]] AnswerKind kind_of(const Answer& answer);
 
-/// The answer to a sampled case (sample.hpp), without its words.
+/// The answer to a sampled case (SampledCase), without its words.
 struct SampledAnswer {
   std::uint64_t index;  // of the case
   AnswerKind kind;
@@ -68,7 +84,7 @@ struct FamilyResult {
   std::optional<Boundary> boundary;  // for a family beyond the claimed domain
   PerInvariant<Count> counts;
   PerInvariant<WorstViolation> worst;
-  std::uint64_t sampled = 0;  // this many of the first cases are sampled (sample.hpp)
+  std::uint64_t sampled = 0;  // this many of the first cases are sampled (SampledCase)
   // The numbers of the sampled cases that violated each invariant. After the run, they ascend and are unique.
   PerInvariant<std::vector<std::uint64_t>> violated_cases;
   // The answers to the sampled cases that violated an invariant of one answer. After the run, they ascend and are
@@ -97,5 +113,25 @@ struct FamilyResult {
 
 /// Keeps the case if it is one of the first most_violated_kept. Cases may come in any order and repeatedly.
 void keep_if_first(std::vector<ViolatedCase>& kept, const ViolatedCase& violated);
+
+/// A sampled case, with the properties that a diagnosis compares.
+struct SampledCase {
+  bool is_valid = false;
+  oracles::Approach approach = oracles::Approach::inert;  // of a valid case
+  std::vector<std::uint16_t> features = {};               // places in all_features(), ascending
+  std::vector<float> quantities = {};  // decimal logarithms, in the order of all_compared_quantities()
+  Collision collision = {};
+};
+
+/// This many of a family's first cases, times the family's weight, are sampled.
+inline constexpr std::uint64_t sampled_of_each_family = 1000;
+[[nodiscard]] std::uint64_t sampled_of(const Family& family);
+
+/// A valid case with these features (indices of all_features()).
+[[nodiscard]] SampledCase sampled_case(const JudgedCase& judged_case, std::vector<std::uint16_t> features);
+
+/// Draws the sampled cases among the first `cases` of the family. Invalid cases stay default-constructed.
+[[nodiscard]] std::vector<SampledCase> drawn_sample(const Domain& within, const Family& family, std::uint64_t seed,
+                                                    std::uint64_t cases);
 
 }  // namespace carom::properties

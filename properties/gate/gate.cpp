@@ -14,8 +14,6 @@
 #include <carom/properties/cases/draw_within.hpp>
 #include <carom/properties/gate/answers.hpp>
 #include <carom/properties/gate/gate.hpp>
-#include <carom/properties/gate/restarts.hpp>
-#include <carom/properties/gate/schedule.hpp>
 #include <carom/properties/gate/subject_tally.hpp>
 #include <carom/properties/gate/task.hpp>
 #include <carom/properties/gate/witness.hpp>

@@ -13,8 +13,7 @@
 #include <carom/properties/cases/domain.hpp>
 #include <carom/properties/features/coverage.hpp>
 #include <carom/properties/gate/family_result.hpp>
-#include <carom/properties/gate/sample.hpp>
-#include <carom/properties/gate/scales.hpp>
+#include <carom/properties/gate/histogram.hpp>
 #include <carom/properties/gate/trial.hpp>
 #include <carom/properties/gate/workers.hpp>
 

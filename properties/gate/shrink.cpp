@@ -7,7 +7,7 @@
 
 #include <carom/collision/expects.hpp>
 #include <carom/collision/validate.hpp>
-#include <carom/properties/draws/rounded_to_bits.hpp>
+#include <carom/properties/draws/vectors.hpp>
 #include <carom/properties/gate/shrink.hpp>
 
 namespace carom::properties {

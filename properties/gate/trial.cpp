@@ -334,7 +334,7 @@ std::optional<Verdict> Trial::verdict_on_outcome(const Invariant& invariant, con
     return std::nullopt;
   }
   if (is_any(limited_) && (of_outcome == nullptr || !of_outcome->judges_limited)) {
-    return outside_domain("a declared limit shortens a velocity; `backward_error` judges the outcome");
+    return does_not_apply("a declared limit shortens a velocity; `backward_error` judges the outcome");
   }
   return of_outcome != nullptr ? of_outcome->check(evidence) : of_matrix->check(evidence);
 }
@@ -343,7 +343,7 @@ template <class AnswersTo>
 Verdict Trial::verdict_on_relation(const Invariant& invariant, std::span<const oracles::ExactCase> questions,
                                    const Evidence& evidence, const AnswersTo& answers_to) const {
   if (questions.empty()) {
-    return outside_domain("the related collision is out of range");
+    return does_not_apply("the related collision is out of range");
   }
   const std::span<ExactAnswer> answers = answers_to(questions);
   const auto& relation = std::get<AboutRelation>(invariant.about);
@@ -351,7 +351,7 @@ Verdict Trial::verdict_on_relation(const Invariant& invariant, std::span<const o
                              ? judged_case_->are_questions_judged_by(claim_->yardstick, invariant)
                              : are_judged(questions, claim_->yardstick);
   if (!is_judged) {
-    return outside_domain("the gate does not judge the related collision");
+    return does_not_apply("the gate does not judge the related collision");
   }
   std::vector<Related> related;
   related.reserve(questions.size());

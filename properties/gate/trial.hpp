@@ -14,8 +14,8 @@
 #include <carom/oracles/bounds/lazy.hpp>
 #include <carom/properties/cases/domain.hpp>
 #include <carom/properties/cases/family.hpp>
+#include <carom/properties/gate/by_name.hpp>
 #include <carom/properties/gate/declared_effects.hpp>
-#include <carom/properties/gate/deviation.hpp>
 #include <carom/properties/gate/unjudged.hpp>
 #include <carom/properties/invariants/invariant.hpp>
 

@@ -5,7 +5,6 @@
 #include <carom/properties/cases/beyond_domain.hpp>
 #include <carom/properties/gate/answers.hpp>
 #include <carom/properties/gate/in_words.hpp>
-#include <carom/properties/gate/restarts.hpp>
 #include <carom/properties/gate/shrink.hpp>
 #include <carom/properties/gate/witness.hpp>
 

@@ -10,14 +10,13 @@
 
 #include <carom/collision/subject.hpp>
 #include <carom/oracles/judge/accuracy.hpp>
-#include <carom/properties/invariants/proof.hpp>
 
 namespace carom::properties {
 
 enum class Status {
   holds,
   violated,
-  skipped,  // outside the invariant's domain, or the case could not be given to the subject
+  skipped,  // the invariant does not apply, or the case could not be given to the subject
 };
 
 /// The kind of a violation. The words of a kind begin the detail of the verdict, except for `sides_differ`.
@@ -48,7 +47,7 @@ struct Verdict {
   double allowed = 0;
   std::vector<double> left = {};  // both sides of the formula
   std::vector<double> right = {};
-  bool is_undecided = false;  // a skip inside the domain, because numbers leave their range
+  bool is_undecided = false;  // a skip where the invariant applies, because numbers leave their range
   ViolationKind kind = ViolationKind::sides_differ;
 
   /// The residual divided by the permitted residual; infinite if one of them is zero. 0 if not violated.
@@ -147,6 +146,25 @@ struct AboutSession {
   Verdict (*check)(const Answer& first, const Answer& again, Sameness sameness);
 };
 
+/// A theorem that Coq checks.
+struct Theorem {
+  std::string_view name;
+  std::string_view file;  // in properties/proofs
+};
+
+/// The laws for which the theorems of an invariant hold.
+enum class ProvedOf {
+  every_impulse,  // every law, or the collision matrix, which does not depend on the law
+  its_laws,       // the laws that it is claimed for and that determine one outcome
+};
+
+/// The proof that an invariant follows from the exact laws. Without theorems, an invariant is only tested, because it
+/// is about a program (`finite`) or defines its law (`slip_opposed`).
+struct Proof {
+  ProvedOf of = ProvedOf::its_laws;
+  std::vector<Theorem> theorems = {};
+};
+
 /// `Invariant::rank_as_cause` of an invariant whose violation explains no other violation.
 inline constexpr int explains_none = 1000;
 
@@ -156,8 +174,8 @@ struct Invariant {
   std::string_view statement;  // one sentence
   std::string_view formula;    // LaTeX
   std::string_view source;
-  std::string_view domain;  // the collisions to which it applies
-  std::vector<Law> laws;    // the laws for which it is claimed
+  std::string_view applies_to;  // the collisions that it is about
+  std::vector<Law> laws;        // the laws for which it is claimed
   std::variant<AboutAnswer, AboutOutcome, AboutMatrix, AboutRelation, AboutSession> about;
   Proof proof = {};
   /// If several invariants are violated, the one with the lowest rank is the likely cause of the others.

@@ -82,12 +82,12 @@ bool owes_matrix(const Evidence& e) {
 template <Verdict (*check)(const Evidence&, const LiftedMatrix&)>
 Verdict of_shown_matrix(const Evidence& e) {
   if (e.exact_case.approach() == oracles::Approach::inert) {
-    return outside_domain("both bodies are immovable");
+    return does_not_apply("both bodies are immovable");
   }
   const LiftedMatrix* shown = e.outcome.collision_matrix();
   if (shown == nullptr) {
     return owes_matrix(e) ? violation(ViolationKind::matrix_missing)
-                          : outside_domain("the subject need not show C, because the contact does not surely collide");
+                          : does_not_apply("the subject need not show C, because the contact does not surely collide");
   }
   if (!shown->is_finite()) {
     return violation(ViolationKind::matrix_not_finite);
@@ -137,7 +137,7 @@ Verdict check_well_conditioned(const Evidence& e, const LiftedMatrix& shown) {
 Verdict check_well_conditioned_if_convex(const Evidence& e) {
   return e.convex_uniform
              ? of_shown_matrix<check_well_conditioned>(e)
-             : outside_domain("the bodies are not known to be uniform and star-shaped from the contact point");
+             : does_not_apply("the bodies are not known to be uniform and star-shaped from the contact point");
 }
 
 /// Checks C = K: the permitted error of C is the allowance times the sensitivity of K.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -7,7 +8,6 @@
 #include <carom/oracles/bounds/stage.hpp>
 #include <carom/oracles/judge/permitted_noise.hpp>
 #include <carom/properties/invariants/invariant_groups.hpp>
-#include <carom/properties/invariants/untouched.hpp>
 #include <carom/properties/invariants/verdicts.hpp>
 
 namespace carom::properties {
@@ -45,13 +45,13 @@ double rounded_for_print(const T& exact) {
 
 Verdict check_linear_momentum(const Evidence& e) {
   if (body(e, true).immovable || body(e, false).immovable) {
-    return outside_domain("a body is immovable");
+    return does_not_apply("a body is immovable");
   }
   return holds(e, Relation::equal, "m_A Δv_A and −m_B Δv_B", equation::LinearMomentum{});
 }
 
 Verdict check_angular_momentum(const Evidence& e) {
-  Verdict worst = outside_domain("both bodies are immovable");
+  Verdict worst = does_not_apply("both bodies are immovable");
   for (const bool a : {true, false}) {
     if (!body(e, a).immovable) {
       worst = both(std::move(worst),
@@ -69,21 +69,21 @@ Verdict check_angular_momentum(const Evidence& e) {
 
 Verdict check_restitution(const Evidence& e) {
   if (!collides(e)) {
-    return outside_domain("the contact is not colliding");
+    return does_not_apply("the contact is not colliding");
   }
   return holds(e, Relation::equal, "N·V⁺ and −ε N·V⁻", equation::Restitution{});
 }
 
 Verdict check_non_penetration(const Evidence& e) {
   if (is_inert(e)) {
-    return outside_domain("both bodies are immovable");
+    return does_not_apply("both bodies are immovable");
   }
   return holds(e, Relation::at_least, "N·V⁺ and 0", equation::NonPenetration{});
 }
 
 Verdict check_parting_speed(const Evidence& e) {
   if (is_inert(e)) {
-    return outside_domain("both bodies are immovable");
+    return does_not_apply("both bodies are immovable");
   }
   const auto by_sign = [&](bool is_colliding) {
     return holds(e, Relation::at_most, "N·V⁺ and |N·V⁻|", equation::PartingSpeed{is_colliding});
@@ -108,7 +108,7 @@ const char* sides_of(oracles::ImpulseBoundOf bound) {
 
 Verdict check_impulse_bound(const Evidence& e) {
   if (is_inert(e)) {
-    return outside_domain("both bodies are immovable");
+    return does_not_apply("both bodies are immovable");
   }
   const Collision& c = e.exact_case.collision();
   const oracles::ImpulseBoundOf bound = oracles::impulse_bound_of(e.law, c);
@@ -157,7 +157,7 @@ Verdict check_backward_error(const Evidence& e) {
 
 Verdict check_push(const Evidence& e) {
   if (is_inert(e)) {
-    return outside_domain("both bodies are immovable");
+    return does_not_apply("both bodies are immovable");
   }
   Verdict verdict =
       holds(e, Relation::at_least, "N·F and 0", equation::Push{oracles::reads_impulse_off_a(e.exact_case.collision())});
@@ -191,7 +191,7 @@ Verdict untouched_bodies(const Evidence& e) {
 
 Verdict check_separating_untouched(const Evidence& e) {
   if (collides(e)) {
-    return outside_domain("the contact is colliding");
+    return does_not_apply("the contact is colliding");
   }
   Verdict untouched = untouched_bodies(e);
   // An outcome may be that of either side. Both sides share the bound of the impulse. `backward_error`, `sticks` and
@@ -200,7 +200,7 @@ Verdict check_separating_untouched(const Evidence& e) {
 }
 
 Verdict check_immovable_untouched(const Evidence& e) {
-  Verdict worst = outside_domain("both bodies are movable");
+  Verdict worst = does_not_apply("both bodies are movable");
   for (const bool a : {true, false}) {
     if (body(e, a).immovable) {
       worst = both(std::move(worst), untouched_body(e, a));
@@ -211,7 +211,7 @@ Verdict check_immovable_untouched(const Evidence& e) {
 
 Verdict check_frictionless_direction(const Evidence& e) {
   if (is_inert(e)) {
-    return outside_domain("both bodies are immovable");
+    return does_not_apply("both bodies are immovable");
   }
   return holds(e, Relation::equal, "N × F and 0",
                equation::FrictionlessDirection{oracles::reads_impulse_off_a(e.exact_case.collision())});
@@ -219,14 +219,14 @@ Verdict check_frictionless_direction(const Evidence& e) {
 
 Verdict check_reflection_plane(const Evidence& e) {
   if (is_inert(e)) {
-    return outside_domain("both bodies are immovable");
+    return does_not_apply("both bodies are immovable");
   }
   return holds(e, Relation::equal, "N × V⁺ and N × V⁻", equation::ReflectionPlane{});
 }
 
 Verdict check_sticks(const Evidence& e) {
   if (!collides(e)) {
-    return outside_domain("the contact is not colliding");
+    return does_not_apply("the contact is not colliding");
   }
   Verdict sticks = holds(e, Relation::equal, "N × V⁺ and 0", equation::Sticks{});
   const bool may_be_untouched = sticks.status == Status::violated && may_act_at_once(e);
@@ -235,7 +235,7 @@ Verdict check_sticks(const Evidence& e) {
 
 Verdict check_friction_cone(const Evidence& e) {
   if (is_inert(e)) {
-    return outside_domain("both bodies are immovable");
+    return does_not_apply("both bodies are immovable");
   }
   return both(check_push(e), holds(e, Relation::at_most, "‖N × F‖² and (μ N·F)²",
                                    equation::FrictionCone{oracles::reads_impulse_off_a(e.exact_case.collision())}));
@@ -244,7 +244,7 @@ Verdict check_friction_cone(const Evidence& e) {
 /// Bodies that the impulse leaves alone satisfy the statement, so it applies to contacts that do not collide, too.
 Verdict check_slip_opposed(const Evidence& e) {
   if (is_inert(e)) {
-    return outside_domain("both bodies are immovable");
+    return does_not_apply("both bodies are immovable");
   }
   Verdict sticks = holds(e, Relation::equal, "N × V⁺ and 0", equation::Sticks{});
   if (sticks.status != Status::violated) {  // it holds, or cannot be decided
@@ -259,7 +259,7 @@ Verdict check_slip_opposed(const Evidence& e) {
 
 Verdict check_energy(const Evidence& e) {
   if (is_inert(e)) {
-    return outside_domain("both bodies are immovable");
+    return does_not_apply("both bodies are immovable");
   }
   return holds(e, Relation::at_most, "E⁺ − E⁻ and the work of the wall", equation::Energy{});
 }
@@ -400,6 +400,41 @@ std::vector<Invariant> outcome_invariants() {
                        {"energy_of_rough_law", "friction.v"},
                        {"energy_of_frictionless_with_driven_walls", "driven_walls.v"},
                        {"energy_of_rough_with_driven_walls", "driven_walls.v"}}}}};
+}
+
+namespace {
+
+constexpr std::array spins{OutcomeVector::angular_velocity_of_a, OutcomeVector::angular_velocity_of_b};
+
+Verdict check_collinear_spin(const Evidence& e) {
+  if (e.exact_case.approach() != oracles::Approach::colliding) {
+    return does_not_apply("the contact is not colliding");
+  }
+  if (!e.exact_case.is_collinear()) {
+    return does_not_apply("a lever arm is not along the normal");
+  }
+  if (is_surely_untouched(e.exact_case, e.outcome, e.yardstick, spins)) {
+    return {};
+  }
+  const oracles::Sensitivity sensitivity = e.exact_case.sensitivity_with_noise(e.law, e.yardstick);
+  Verdict worst;
+  for (const OutcomeVector k : spins) {
+    worst = both(std::move(worst), vector_untouched(e, k, sensitivity));
+  }
+  return worst;
+}
+
+}  // namespace
+
+std::vector<Invariant> collinear_spin_invariants() {
+  return {Invariant{"collinear_spin",
+                    "If both lever arms are along the normal, as for spheres, no body changes its spin.",
+                    R"(r_A \times N = r_B \times N = 0 \Rightarrow w_A^+ = w_A^-,\ w_B^+ = w_B^-)", "note eq. 19",
+                    "colliding contacts with both lever arms exactly along the normal",
+                    std::vector{Law::frictionless, Law::reflection}, AboutOutcome{check_collinear_spin},
+                    Proof{ProvedOf::its_laws,
+                          {{"collinear_spin_of_frictionless", "laws_of_impulse.v"},
+                           {"collinear_spin_of_reflection", "laws_of_impulse.v"}}}}};
 }
 
 }  // namespace carom::properties

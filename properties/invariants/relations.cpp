@@ -6,7 +6,6 @@
 
 #include <carom/oracles/bounds/stage.hpp>
 #include <carom/properties/draws/relative_velocity.hpp>
-#include <carom/properties/draws/rounded_to_bits.hpp>
 #include <carom/properties/draws/vectors.hpp>
 #include <carom/properties/invariants/invariant_groups.hpp>
 #include <carom/properties/invariants/verdicts.hpp>
@@ -20,10 +19,10 @@ std::variant<const oracles::LiftedOutcome*, Verdict> outcome_of(const Related& r
     return outcome;
   }
   if (const auto* skipped = std::get_if<Skipped>(&related.answer)) {
-    return outside_domain("the subject skipped the related collision: " + skipped->why);
+    return does_not_apply("the subject skipped the related collision: " + skipped->why);
   }
   if (std::holds_alternative<Failed>(related.answer)) {
-    return outside_domain("the subject did not answer the related collision; `finite` judges this");
+    return does_not_apply("the subject did not answer the related collision; `finite` judges this");
   }
   const auto* refused = std::get_if<Refused>(&related.answer);
   return refused != nullptr ? violation(ViolationKind::related_refused, ": " + refused->why)
@@ -426,17 +425,17 @@ double slack_of_separation(const Evidence& e) {
 
 Verdict check_repeat(const Evidence& e, std::span<const Related> related) {
   if (e.exact_case.approach() != oracles::Approach::colliding || e.exact_case.collision().restitution == 0) {
-    return outside_domain("the contact is not colliding, or ε = 0");
+    return does_not_apply("the contact is not colliding, or ε = 0");
   }
   const Collision& c = e.exact_case.collision();
   const double approach = std::abs(c.normal.dot(relative_velocity(c)));
   if (c.restitution * approach <= 2 * e.allowance() * slack_of_separation(e)) {
-    return outside_domain("the separation after the impulse is within rounding");
+    return does_not_apply("the separation after the impulse is within rounding");
   }
   const Related& second = related[0];
   // The question has the velocities of the first outcome, with its permitted error, rounded to binary64.
   if (second.exact_case.is_grazing(2 * e.allowance() + unit_roundoff(Precision::binary64))) {
-    return outside_domain("after the impulse, rounding decides whether the contact collides");
+    return does_not_apply("after the impulse, rounding decides whether the contact collides");
   }
   const auto answer = outcome_of(second);
   if (const auto* verdict = std::get_if<Verdict>(&answer)) {

@@ -17,7 +17,7 @@
 
 namespace carom::properties {
 
-[[nodiscard]] inline Verdict outside_domain(std::string why) {
+[[nodiscard]] inline Verdict does_not_apply(std::string why) {
   return {.status = Status::skipped, .detail = std::move(why)};
 }
 
@@ -45,7 +45,7 @@ namespace carom::properties {
   return determines_outcome(e.law) && exact_case.has_two_answers(e.law, e.allowance());
 }
 [[nodiscard]] inline Verdict between_two_answers() {
-  return outside_domain(
+  return does_not_apply(
       "the contact differs from colliding and from separating contacts by rounding only, and their answers differ");
 }
 
@@ -112,8 +112,8 @@ template <class Exact>
                      exact_case.norms_before(), which);
 }
 
-/// The worse of two verdicts that must both hold. The order from the worst is: violated, undecided, holds, outside the
-/// domain. So a verdict outside the domain leaves the decision to the other.
+/// The worse of two verdicts that must both hold. The order from the worst is: violated, undecided, holds, does not
+/// apply. So a verdict that does not apply leaves the decision to the other.
 [[nodiscard]] inline Verdict both(Verdict first, Verdict second) {
   const auto rank = [](const Verdict& verdict) {
     switch (verdict.status) {
@@ -129,6 +129,19 @@ template <class Exact>
   const int lead = rank(second) - rank(first);
   const bool is_second = lead > 0 || (lead == 0 && second.severity() > first.severity());
   return is_second ? std::move(second) : std::move(first);
+}
+
+/// Compares one vector of the outcome with the vector before the impulse. The permitted difference is the allowance
+/// times the law's sensitivity.
+[[nodiscard]] inline Verdict vector_untouched(const Evidence& e, OutcomeVector k,
+                                              const oracles::Sensitivity& sensitivity) {
+  const auto before = unchanged(e.exact_case.enclosed());
+  const auto exact_pair = [&] {
+    const auto exactly_before = unchanged(e.exact_case.exact());
+    return std::pair{*vectors(e.outcome.exact())[k], *vectors(exactly_before)[k]};
+  };
+  return vector_equals(*vectors(e.outcome.enclosed())[k], *vectors(before)[k], exact_pair,
+                       e.yardstick.allowed(sensitivity[k]), e.yardstick.filtered(), name_of(k), "after and before");
 }
 
 }  // namespace carom::properties

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <ctime>
+#include <exception>
 #include <span>
+#include <stop_token>
 #include <utility>
 
 #include <carom/collision/json/json.hpp>
 #include <carom/collision/validate.hpp>
 #include <carom/properties/cases/draw_within.hpp>
+#include <carom/properties/diagnosis/diagnosis.hpp>
+#include <carom/properties/gate/gate.hpp>
 #include <carom/properties/gate/in_words.hpp>
 #include <carom/properties/gate/witness.hpp>
 #include <carom/properties/kit/examination.hpp>
-#include <carom/properties/kit/gate_diagnosis.hpp>
 
 namespace carom::conformance {
 namespace {
@@ -51,6 +55,45 @@ Verdict single_verdict(const Judgement& judgement) {
   }
   return judgement.verdicts.empty() ? skipped("the invariant does not apply to this case")
                                     : judgement.verdicts.front().verdict;
+}
+
+/// A hint needs few cases. A relation multiplies the questions to a subject, and explains nothing that others do not.
+constexpr std::uint64_t cases_of_each_family = 100;
+constexpr std::uint64_t relations_every = 10;
+constexpr std::clock_t longest =
+    4 * CLOCKS_PER_SEC;                // of processor time, so that other programs do not shorten the run
+constexpr std::size_t most_lines = 9;  // after the heading
+
+/// The diagnosis of the suite's subject by a short run of the gate, in at most ten lines. Empty if the run finds no
+/// violation. The run takes at most about four seconds of processor time. A fault of the run costs the diagnosis, and
+/// nothing else.
+std::string gate_diagnosis(const Suite& suite) {
+  std::stop_source stop;
+  properties::GateOptions options;
+  options.cases = cases_of_each_family;
+  options.families = suite.families;
+  options.within = suite.within;
+  options.limits = suite.yardstick.limits();
+  options.relations_every = relations_every;
+  options.shrinks = false;
+  options.stop = stop.get_token();
+  options.progress = [&, start = std::clock()](std::uint64_t, std::uint64_t) {
+    if (std::clock() - start > longest) {
+      stop.request_stop();
+    }
+  };
+  try {
+    const properties::GateReport report = properties::run_gate({suite.subject}, options);
+    const properties::SubjectResult& result = report.results.front();
+    if (result.violated_invariants().empty()) {
+      return {};
+    }
+    const properties::diagnosis::Diagnosis diagnosis = properties::diagnosis::diagnose(result, report);
+    return "  The gate's diagnosis, of " + std::to_string(result.cases()) + " cases:\n" +
+           properties::diagnosis::in_words(diagnosis.faults, "    ", most_lines);
+  } catch (const std::exception& error) {
+    return std::string("  No diagnosis: ") + error.what() + '\n';
+  }
 }
 
 }  // namespace
@@ -195,7 +238,7 @@ std::string Examination::why_skipped() const {
   const std::string family(statement_.family->name);
   const std::string invariant(statement_.invariant->name);
   return why_no_outcome_.empty() ? "no case of " + family + " is in the domain of " + invariant + " (" +
-                                       std::string(statement_.invariant->domain) + "); first case: " + why_outside_
+                                       std::string(statement_.invariant->applies_to) + "); first case: " + why_outside_
                                  : invariant + " judged no case of " + family + ": " + why_no_outcome_;
 }
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include <carom/properties/cases/draw_within.hpp>
-#include <carom/properties/gate/posed_families.hpp>
+#include <carom/properties/gate/by_name.hpp>
 #include <carom/properties/gate/trial.hpp>
 #include <carom/properties/kit/statement.hpp>
 
@@ -58,11 +58,8 @@ std::vector<const Family*> families_of(const Options& options, const properties:
     }
   }
   if (options.families.empty()) {
-    for (const Family& family : properties::all_families()) {
-      if (has_cases(family)) {
-        families.push_back(&family);
-      }
-    }
+    families = pointers_to(properties::all_families());
+    std::erase_if(families, [&](const Family* family) { return !has_cases(*family); });
   }
   return families;
 }

@@ -49,9 +49,9 @@ template <class Solver>
 
 template <class S, class Solver>
 [[nodiscard]] Answer answer(Solver& solver, const Collision& collision) {
-  const std::vector<Defect> defects = validate(collision);
-  if (!defects.empty()) {
-    return Refused{describe(defects)};
+  const std::vector<InputError> errors = validate(collision);
+  if (!errors.empty()) {
+    return Refused{describe(errors)};
   }
   const auto solved = [&] {
     if constexpr (SolvesContacts<Solver, S>) {

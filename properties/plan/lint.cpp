@@ -24,10 +24,10 @@ class Linter {
 
   void coefficients() {
     const Collision& c = contact_.collision;
-    // An invalid collision here is out of range, so only its coefficients have defects.
-    for (const Defect& defect : validate(c)) {
-      add(Lint::coefficient, Severity::warning, defect.field,
-          "expected " + defect.expected + "; no law is defined for this value, so the plan ignores the contact");
+    // An invalid collision here is out of range, so only its coefficients have errors.
+    for (const InputError& error : validate(c)) {
+      add(Lint::coefficient, Severity::warning, error.field,
+          "expected " + error.expected + "; no law is defined for this value, so the plan ignores the contact");
     }
     if (c.friction > friction_noted) {
       add(Lint::coefficient, Severity::note, "friction",
@@ -172,11 +172,11 @@ class Linter {
 }  // namespace
 
 bool is_out_of_range(const Collision& collision) {
-  const std::vector<Defect> defects = validate(collision);
-  return !defects.empty() && std::ranges::all_of(defects, [](const Defect& defect) {
+  const std::vector<InputError> errors = validate(collision);
+  return !errors.empty() && std::ranges::all_of(errors, [](const InputError& error) {
     const bool is_coefficient =
-        defect.field == "restitution" || defect.field == "friction" || defect.field == "tangential_restitution";
-    return is_coefficient && defect.expected != "a finite number";
+        error.field == "restitution" || error.field == "friction" || error.field == "tangential_restitution";
+    return is_coefficient && error.expected != "a finite number";
   });
 }
 

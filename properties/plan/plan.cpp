@@ -226,8 +226,8 @@ Classified classified(std::span<const ClassedCollision> contacts, Plan& plan) {
   Classified result;
   for (const ClassedCollision& contact : contacts) {
     const bool is_left_out = is_out_of_range(contact.collision);
-    if (const std::vector<Defect> defects = validate(contact.collision); !is_left_out && !defects.empty()) {
-      throw std::invalid_argument(contact.place + ": " + describe(defects));
+    if (const std::vector<InputError> errors = validate(contact.collision); !is_left_out && !errors.empty()) {
+      throw std::invalid_argument(contact.place + ": " + describe(errors));
     }
     std::ranges::move(findings_of(contact), std::back_inserter(plan.findings));
     if (is_left_out) {

@@ -19,6 +19,13 @@ struct EnumArray {
   [[nodiscard]] constexpr auto begin() const { return values.begin(); }
   [[nodiscard]] constexpr auto end() const { return values.end(); }
 
+  constexpr EnumArray& operator+=(const EnumArray& other) {
+    for (std::size_t i = 0; i < Count; ++i) {
+      values[i] += other.values[i];
+    }
+    return *this;
+  }
+
   friend constexpr bool operator==(const EnumArray&, const EnumArray&) = default;
 };
 

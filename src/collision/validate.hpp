@@ -10,7 +10,7 @@
 
 namespace carom {
 
-struct Defect {
+struct InputError {
   std::string field;     // "a.mass", "normal", …
   std::string expected;  // "a finite number", "greater than 0", …
 };
@@ -18,20 +18,20 @@ struct Defect {
 namespace detail {
 
 // A NaN passes these comparisons. `validate` reports it as not finite.
-inline void check_body(const std::string& name, const Body& body, std::vector<Defect>& defects) {
+inline void check_body(const std::string& name, const Body& body, std::vector<InputError>& errors) {
   if (body.immovable) {
     return;
   }
   if (body.mass <= 0) {
-    defects.push_back({name + ".mass", "greater than 0"});
+    errors.push_back({name + ".mass", "greater than 0"});
   }
   for (int i = 0; i < 3; ++i) {
     if (body.principal_inertia[i] <= 0) {
-      defects.push_back({name + ".principal_inertia[" + std::to_string(i) + "]", "greater than 0"});
+      errors.push_back({name + ".principal_inertia[" + std::to_string(i) + "]", "greater than 0"});
     }
   }
   if ((body.orientation.array() == 0).all()) {
-    defects.push_back({name + ".orientation", "a quaternion of nonzero length"});
+    errors.push_back({name + ".orientation", "a quaternion of nonzero length"});
   }
 }
 
@@ -43,44 +43,44 @@ inline void check_body(const std::string& name, const Body& body, std::vector<De
 }
 
 inline void check_range(const char* field, double value, double low, double high, const char* expected,
-                        std::vector<Defect>& defects) {
+                        std::vector<InputError>& errors) {
   if (value < low || value > high) {
-    defects.push_back({field, expected});
+    errors.push_back({field, expected});
   }
 }
 
 }  // namespace detail
 
-/// Every defect of a collision; empty if the collision is valid.
-[[nodiscard]] inline std::vector<Defect> validate(const Collision& collision) {
-  std::vector<Defect> defects;
+/// Every error of a collision; empty if the collision is valid.
+[[nodiscard]] inline std::vector<InputError> validate(const Collision& collision) {
+  std::vector<InputError> errors;
   if (!detail::is_finite(collision)) {
     for_each_number(
         [&](const FieldPath& path, const double& number) {
           if (!std::isfinite(number)) {
-            defects.push_back({path.text(), "a finite number"});
+            errors.push_back({path.text(), "a finite number"});
           }
         },
         collision);
   }
-  detail::check_body("a", collision.a, defects);
-  detail::check_body("b", collision.b, defects);
+  detail::check_body("a", collision.a, errors);
+  detail::check_body("b", collision.b, errors);
   if ((collision.normal.array() == 0).all()) {
-    defects.push_back({"normal", "a vector of nonzero length"});
+    errors.push_back({"normal", "a vector of nonzero length"});
   }
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  detail::check_range("restitution", collision.restitution, 0, 1, "a number from 0 to 1", defects);
-  detail::check_range("friction", collision.friction, 0, infinity, "at least 0", defects);
+  detail::check_range("restitution", collision.restitution, 0, 1, "a number from 0 to 1", errors);
+  detail::check_range("friction", collision.friction, 0, infinity, "at least 0", errors);
   detail::check_range("tangential_restitution", collision.tangential_restitution, -1, 1, "a number from -1 to 1",
-                      defects);
-  return defects;
+                      errors);
+  return errors;
 }
 
-/// The defects in one line: "a.mass: expected greater than 0; normal: expected …".
-[[nodiscard]] inline std::string describe(const std::vector<Defect>& defects) {
+/// The errors in one line: "a.mass: expected greater than 0; normal: expected …".
+[[nodiscard]] inline std::string describe(const std::vector<InputError>& errors) {
   std::string text;
-  for (const Defect& defect : defects) {
-    text += (text.empty() ? "" : "; ") + defect.field + ": expected " + defect.expected;
+  for (const InputError& error : errors) {
+    text += (text.empty() ? "" : "; ") + error.field + ": expected " + error.expected;
   }
   return text;
 }

@@ -20,8 +20,8 @@ template <class Solve>
     std::vector<Answer> answers;
     answers.reserve(collisions.size());
     for (const Collision& collision : collisions) {
-      if (const std::vector<Defect> defects = validate(collision); !defects.empty()) {
-        answers.emplace_back(Refused{describe(defects)});
+      if (const std::vector<InputError> errors = validate(collision); !errors.empty()) {
+        answers.emplace_back(Refused{describe(errors)});
       } else if constexpr (std::is_invocable_v<Solve&, const Collision&, ReportedOutcome&>) {
         solve(collision, std::get<ReportedOutcome>(answers.emplace_back()));
       } else {

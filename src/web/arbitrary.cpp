@@ -10,7 +10,7 @@
 #include <carom/collision/validate.hpp>
 #include <carom/properties/cases/choices.hpp>
 #include <carom/properties/cases/draw_within.hpp>
-#include <carom/properties/gate/posed_families.hpp>
+#include <carom/properties/gate/by_name.hpp>
 #include <carom/properties/gate/simpler_cases.hpp>
 #include <carom/web/arbitrary.hpp>
 #include <carom/web/request.hpp>

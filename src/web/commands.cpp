@@ -12,8 +12,8 @@
 
 #include <carom/collision/json/json.hpp>
 #include <carom/properties/cases/draw_within.hpp>
+#include <carom/properties/gate/by_name.hpp>
 #include <carom/properties/gate/gate.hpp>
-#include <carom/properties/gate/posed_families.hpp>
 #include <carom/report/pages/pages.hpp>
 #include <carom/report/results/answer_json.hpp>
 #include <carom/report/results/lists.hpp>

@@ -7,7 +7,7 @@
 
 #include <carom/collision/json/json.hpp>
 #include <carom/collision/json/text.hpp>
-#include <carom/properties/gate/restarts.hpp>
+#include <carom/properties/gate/answers.hpp>
 #include <carom/properties/gate/witness.hpp>
 #include <carom/report/pages/case_drawing.hpp>
 #include <carom/report/pages/shown_case.hpp>

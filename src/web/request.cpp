@@ -7,9 +7,7 @@
 
 #include <carom/collision/json/json.hpp>
 #include <carom/collision/json/object_reader.hpp>
-#include <carom/properties/gate/deviation.hpp>
-#include <carom/properties/gate/nearest_name.hpp>
-#include <carom/properties/gate/posed_families.hpp>
+#include <carom/properties/gate/by_name.hpp>
 #include <carom/subjects/protocol/messages.hpp>
 #include <carom/web/request.hpp>
 #include <carom/web/solver.hpp>

@@ -3,7 +3,7 @@
 //
 //  first_violation                    for the planted defects, in this process
 //  first_violation 'exec:PROGRAM…'    for a program, including its starts
-//  first_violation --families         ranks the families for properties/gate/schedule.cpp
+//  first_violation --families         ranks the families for properties/gate/task.cpp
 #include <algorithm>
 #include <chrono>
 #include <iostream>

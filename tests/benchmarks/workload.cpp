@@ -5,8 +5,8 @@
 #include <span>
 #include <utility>
 
+#include <carom/properties/cases/beyond_domain.hpp>
 #include <carom/properties/cases/body_pairs.hpp>
-#include <carom/properties/cases/needle_tip.hpp>
 #include <carom/properties/draws/stream.hpp>
 
 namespace carom::benchmarks {

@@ -15,7 +15,6 @@
 #include <carom/oracles/laws/branch.hpp>
 #include <carom/oracles/laws/equations.hpp>
 #include <carom/properties/gate/histogram.hpp>
-#include <carom/properties/gate/scales.hpp>
 #include <carom/properties/gate/trial.hpp>
 #include <carom/scene/crossing.hpp>
 

@@ -49,7 +49,7 @@ properties/                 {JUDGE} carom/properties/ -carom/properties/scenes/ 
 properties/draws/           carom/collision/ carom/properties/draws/ Eigen/
 properties/cases/           {DRAW} carom/oracles/exact/rational.hpp carom/properties/cases/ carom/properties/features/
 properties/features/        {DRAW} carom/properties/features/
-properties/kit/             {JUDGE} carom/properties/ carom/rapidcheck.hpp carom/impulse/contact.hpp {KIT}
+properties/kit/             {JUDGE} carom/properties/ carom/conformance.hpp carom/rapidcheck.hpp carom/impulse/contact.hpp {KIT}
 properties/scenes/          {JUDGE} carom/properties/ carom/scene/ fmt/ Eigen/ boost/numeric/
 """.strip().splitlines())}
 MAY_INCLUDE[""] = ["*", "-carom/tool/", "-CGAL/"]

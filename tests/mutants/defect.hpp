@@ -3,7 +3,7 @@
 
 namespace carom::mutants {
 
-/// Defects of a solver; carom::Defect lists defects of a collision. catalogue.cpp describes each defect and names
+/// Defects of a solver; carom::InputError is one of a collision. catalogue.cpp describes each defect and names
 /// failure cases with this defect; mutable_solver.cpp implements the defects.
 enum class Defect {
   none,

@@ -72,8 +72,8 @@ class Solver {
   Solver(Law law, std::vector<Defect> defects) : law_(law), defects_(std::move(defects)) {}
 
   [[nodiscard]] Answer answer(const Collision& collision) {
-    std::vector<carom::Defect> refusal = validate(collision);
-    std::erase_if(refusal, [&](const carom::Defect& wrong) {
+    std::vector<InputError> refusal = validate(collision);
+    std::erase_if(refusal, [&](const InputError& wrong) {
       return (has(Defect::accepts_restitution_above_one) && wrong.field == "restitution") ||
              (has(Defect::accepts_mass_zero) && wrong.field.ends_with(".mass")) ||
              (has(Defect::accepts_normal_zero) && wrong.field == "normal");

@@ -48,7 +48,7 @@ TEST(Documents, EveryInvariantSaysWhatItClaims) {
     EXPECT_FALSE(invariant.statement.empty()) << invariant.name;
     EXPECT_FALSE(invariant.formula.empty()) << invariant.name;
     EXPECT_FALSE(invariant.source.empty()) << invariant.name;
-    EXPECT_FALSE(invariant.domain.empty()) << invariant.name;
+    EXPECT_FALSE(invariant.applies_to.empty()) << invariant.name;
     EXPECT_FALSE(invariant.laws.empty()) << invariant.name;
     EXPECT_EQ(properties::invariant_named(invariant.name), &invariant) << "the name stands twice";
   }

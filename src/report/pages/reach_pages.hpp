@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <carom/properties/widest_domain/reach.hpp>
+#include <carom/properties/widest_domain/widest_domain.hpp>
 
 /// Every form of a measured domain.
 namespace carom::report {
@@ -14,8 +14,8 @@ namespace carom::report {
 struct MeasuredDomain {
   std::string subject;
   std::vector<std::string> deviates;  // deviations from the command line
-  properties::ReachOptions options;
-  properties::Reach reach;
+  properties::WidestDomainOptions options;
+  properties::WidestDomain reach;
   DeclaredEffects effects = {};  // of the subject
 
   /// Whether the subject could be judged in the core, and holds there.

@@ -31,7 +31,7 @@ std::string stricter_end(const properties::Ends& stricter, const Face& face) {
 }
 
 Table table_of(const MeasuredDomain& measured) {
-  const properties::Reach& reach = measured.reach;
+  const properties::WidestDomain& reach = measured.reach;
   const bool has_stricter = reach.stricter && !reach.stricter->faces.empty();
   Table table{"The ends of each range", {{"quantity"}, {"end"}, {"holds to", true}}, {}};
   if (has_stricter) {

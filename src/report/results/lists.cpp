@@ -31,7 +31,7 @@ json invariants_list() {
                     {"statement", invariant.statement},
                     {"formula", invariant.formula},
                     {"source", invariant.source},
-                    {"domain", invariant.domain},
+                    {"domain", invariant.applies_to},
                     {"models", names_of(invariant.laws)},
                     {"proved_models", names_of(invariant.proved_laws())},
                     {"theorems", json::array()}});

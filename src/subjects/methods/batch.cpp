@@ -22,11 +22,11 @@ std::vector<Answer> answers_of(std::span<const Collision> collisions, Law law) {
   std::vector<std::size_t> valid;  // indices
   valid.reserve(collisions.size());
   for (std::size_t i = 0; i < collisions.size(); ++i) {
-    const std::vector<Defect> defects = validate(collisions[i]);
-    if (defects.empty()) {
+    const std::vector<InputError> errors = validate(collisions[i]);
+    if (errors.empty()) {
       valid.push_back(i);
     } else {
-      answers[i] = Refused{describe(defects)};
+      answers[i] = Refused{describe(errors)};
     }
   }
   impulse::ContactBatch<S> contacts(valid.size());

@@ -3,6 +3,7 @@
 #include <array>
 #include <bit>
 #include <charconv>
+#include <iterator>
 #include <optional>
 #include <span>
 
@@ -19,66 +20,26 @@ namespace {
 
 constexpr std::size_t digits_of_a_number = 16;
 constexpr std::size_t width = 1 + digits_of_a_number;  // of a space and a number
-constexpr std::string_view digits = "0123456789abcdef";
-constexpr unsigned no_digit = 16;
-
-/// The two digits of each byte.
-constexpr auto digits_of_byte = [] {
-  std::array<std::array<char, 2>, 256> table{};
-  for (std::size_t byte = 0; byte < table.size(); ++byte) {
-    table[byte] = {digits[byte / 16], digits[byte % 16]};
-  }
-  return table;
-}();
-
-/// The value of each digit, of either case; no_digit for all other letters.
-constexpr auto value_of_digit = [] {
-  std::array<unsigned char, 256> table{};
-  table.fill(no_digit);
-  for (std::size_t value = 0; value < digits.size(); ++value) {
-    const auto digit = static_cast<unsigned char>(digits[value]);
-    table[digit] = static_cast<unsigned char>(value);
-    table[value < 10 ? digit : digit - 'a' + 'A'] = static_cast<unsigned char>(value);
-  }
-  return table;
-}();
 
 void add_numbers(std::string& text, std::span<const double> numbers) {
-  std::size_t at = text.size();
-  text.resize(at + width * numbers.size());
   for (const double number : numbers) {
-    const auto bits = std::bit_cast<std::uint64_t>(number);
-    text[at++] = ' ';
-    for (unsigned shift = 64; shift > 0; at += 2) {
-      shift -= 8;
-      const std::array<char, 2>& two = digits_of_byte[(bits >> shift) & 0xffU];
-      text[at] = two[0];
-      text[at + 1] = two[1];
-    }
+    fmt::format_to(std::back_inserter(text), " {:016x}", std::bit_cast<std::uint64_t>(number));
   }
 }
 
-/// Reads a number from 16 digits. Returns false if a letter is no digit.
-bool read_number(const char* text, double& number) {
+/// Reads a number from 16 digits. Returns false if the word has another form.
+bool read_number(std::string_view word, double& number) {
   std::uint64_t bits = 0;
-  unsigned values = 0;
-  for (std::size_t i = 0; i < digits_of_a_number; ++i) {
-    const unsigned value = value_of_digit[static_cast<unsigned char>(text[i])];
-    values |= value;
-    bits = bits << 4U | value;
-  }
+  const auto [end, failure] = std::from_chars(word.data(), word.data() + word.size(), bits, 16);
   number = std::bit_cast<double>(bits);
-  return values < no_digit;
+  return word.size() == digits_of_a_number && failure == std::errc() && end == word.data() + word.size();
 }
 
 /// Reads numbers of this form: a space and 16 digits each. Returns false if the text has another form.
 bool read_numbers(std::string_view text, std::span<double> numbers) {
-  if (text.size() != width * numbers.size()) {
-    return false;
-  }
-  bool is_right = true;
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    is_right = text[width * i] == ' ' && read_number(text.data() + width * i + 1, numbers[i]) && is_right;
+  bool is_right = text.size() == width * numbers.size();
+  for (std::size_t i = 0; is_right && i < numbers.size(); ++i) {
+    is_right = text[width * i] == ' ' && read_number(text.substr(width * i + 1, digits_of_a_number), numbers[i]);
   }
   return is_right;
 }
@@ -117,7 +78,7 @@ std::string place_in_reply(std::size_t place) {
     if (found == count) {
       throw FormatError(fmt::format("expected {} numbers, found more: {}", count, shown(word)));
     }
-    if (word.size() != digits_of_a_number || !read_number(word.data(), number)) {
+    if (!read_number(word, number)) {
       throw FormatError(place_of(found), "expected 16 hexadecimal digits, found " + shown(word));
     }
     ++found;

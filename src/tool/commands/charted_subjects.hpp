@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <carom/collision/subject.hpp>
-#include <carom/properties/gate/restarts.hpp>
+#include <carom/properties/gate/answers.hpp>
 
 namespace carom::tool::chart {
 

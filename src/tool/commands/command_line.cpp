@@ -16,8 +16,8 @@
 #include <unistd.h>
 
 #include <carom/collision/json/text.hpp>
+#include <carom/properties/gate/by_name.hpp>
 #include <carom/properties/gate/in_words.hpp>
-#include <carom/properties/gate/nearest_name.hpp>
 #include <carom/report/results/version.hpp>
 #include <carom/subjects/protocol/shortage.hpp>
 

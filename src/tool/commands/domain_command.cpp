@@ -9,7 +9,7 @@
 
 #include <carom/collision/precision.hpp>
 #include <carom/properties/cases/draw_within.hpp>
-#include <carom/properties/widest_domain/reach.hpp>
+#include <carom/properties/widest_domain/widest_domain.hpp>
 #include <carom/report/pages/reach_pages.hpp>
 #include <carom/report/results/domain_json.hpp>
 #include <carom/report/results/words.hpp>
@@ -51,9 +51,9 @@ std::optional<oracles::Limits> stricter_than(const oracles::Limits& limits, Prec
   return limits.digits && is_stricter ? std::optional(in_ulps) : std::nullopt;
 }
 
-properties::ReachOptions options_of(const DomainArguments& arguments, Precision precision,
-                                    const std::stop_token& stop) {
-  properties::ReachOptions options;
+properties::WidestDomainOptions options_of(const DomainArguments& arguments, Precision precision,
+                                           const std::stop_token& stop) {
+  properties::WidestDomainOptions options;
   options.seed = arguments.seed;
   options.limits = arguments.judged.limits();
   options.stricter = stricter_than(options.limits, precision);
@@ -84,7 +84,7 @@ int measure_domain(const DomainArguments& arguments) {
   }
   report::MeasuredDomain measured{
       subject.name, deviates, options_of(arguments, subject.precision, stop), {}, subject.effects};
-  measured.reach = measured_reach(subject, measured.options);
+  measured.reach = measured_widest_domain(subject, measured.options);
   fmt::print("{}", arguments.format == "json"
                        ? reach_record(measured).dump(1, ' ', false, json::error_handler_t::replace) + '\n'
                        : reach_text(measured));

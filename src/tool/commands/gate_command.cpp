@@ -10,8 +10,8 @@
 
 #include <fmt/format.h>
 
+#include <carom/properties/gate/by_name.hpp>
 #include <carom/properties/gate/gate.hpp>
-#include <carom/properties/gate/posed_families.hpp>
 #include <carom/report/results/duration.hpp>
 #include <carom/report/results/words.hpp>
 #include <carom/subjects/catalogue.hpp>

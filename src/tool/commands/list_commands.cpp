@@ -85,12 +85,12 @@ void print_markdown() {
       "statement | claimed for | domain | shown by |\n| --- | --- | --- | --- | --- |\n");
   for (const properties::Invariant& invariant : properties::all_invariants()) {
     fmt::print("| [`{0}`](#{0}) | {1} | {2} | {3} | {4} |\n", invariant.name, invariant.statement,
-               joined(invariant.laws), invariant.domain,
+               joined(invariant.laws), invariant.applies_to,
                invariant.proved_laws().empty() ? "test" : fmt::format("proof{}, and test", proved_of(invariant)));
   }
   for (const properties::Invariant& invariant : properties::all_invariants()) {
     fmt::print("\n## {}\n\n{}\n\n$$ {} $$\n\n- Source: {}.\n- Claimed for: {}.\n- Domain: {}.\n- {}.\n", invariant.name,
-               invariant.statement, invariant.formula, invariant.source, joined(invariant.laws), invariant.domain,
+               invariant.statement, invariant.formula, invariant.source, joined(invariant.laws), invariant.applies_to,
                shown_in_markdown(invariant));
   }
 }
@@ -127,7 +127,7 @@ int list_invariants(const std::string& format) {
   }
   for (const properties::Invariant& invariant : properties::all_invariants()) {
     fmt::print("{}\n    {}\n    claimed for {}; {}\n    {}\n", invariant.name, invariant.statement,
-               joined(invariant.laws), invariant.domain, shown_in_text(invariant));
+               joined(invariant.laws), invariant.applies_to, shown_in_text(invariant));
   }
   return exit_all_hold;
 }

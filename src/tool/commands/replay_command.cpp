@@ -15,8 +15,8 @@
 
 #include <carom/collision/json/text.hpp>
 #include <carom/properties/cases/draw_within.hpp>
-#include <carom/properties/gate/posed_families.hpp>
-#include <carom/properties/gate/restarts.hpp>
+#include <carom/properties/gate/answers.hpp>
+#include <carom/properties/gate/by_name.hpp>
 #include <carom/properties/gate/trial.hpp>
 #include <carom/properties/gate/witness.hpp>
 #include <carom/report/pages/shown_case.hpp>

@@ -15,7 +15,7 @@
 #include <fmt/format.h>
 
 #include <carom/collision/json/text.hpp>
-#include <carom/properties/gate/nearest_name.hpp>
+#include <carom/properties/gate/by_name.hpp>
 
 #include "commands/commands.hpp"
 #include "commands/contacts_of_scene.hpp"

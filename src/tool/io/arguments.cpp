@@ -8,8 +8,7 @@
 
 #include <carom/collision/json/json.hpp>
 #include <carom/collision/json/text.hpp>
-#include <carom/properties/gate/deviation.hpp>
-#include <carom/properties/gate/nearest_name.hpp>
+#include <carom/properties/gate/by_name.hpp>
 #include <carom/report/results/domain_json.hpp>
 #include <carom/report/results/words.hpp>
 #include <carom/subjects/catalogue.hpp>

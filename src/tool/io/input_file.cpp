@@ -7,7 +7,7 @@
 #include <carom/collision/json/json.hpp>
 #include <carom/collision/json/text.hpp>
 #include <carom/collision/validate.hpp>
-#include <carom/properties/gate/nearest_name.hpp>
+#include <carom/properties/gate/by_name.hpp>
 #include <carom/properties/invariants/invariant.hpp>
 #include <carom/properties/plan/lint.hpp>
 
@@ -116,9 +116,9 @@ ReadCollision read_record(const json& record, const std::string& place, OutOfRan
   }
   const bool is_kept = out_of_range == OutOfRange::kept && properties::plan::is_out_of_range(read.one.collision);
   const bool may_be_invalid = is_kept || (read.witness && read.witness->is_of_invalid());
-  const std::vector<Defect> defects = validate(read.one.collision);
-  if (!defects.empty() && !may_be_invalid) {
-    fail(place, describe(defects));
+  const std::vector<InputError> errors = validate(read.one.collision);
+  if (!errors.empty() && !may_be_invalid) {
+    fail(place, describe(errors));
   }
   return read;
 }

@@ -8,7 +8,7 @@
 #include <carom/oracles/judge/exact_case.hpp>
 #include <carom/oracles/laws/equations.hpp>
 #include <carom/properties/cases/beyond_domain.hpp>
-#include <carom/properties/draws/moment_ratio.hpp>
+#include <carom/properties/draws/general_collision.hpp>
 
 #include "support/cases.hpp"
 

@@ -110,7 +110,7 @@ TEST(Families, AreCollinearAndIsotropicInCollinearSpheres) {
   }
 }
 
-TEST(Families, AreSeldomCollinearElsewhere) {
+TEST(Families, AreSeldomCollinearInNearCollinearAndGeneric) {
   int near = 0;
   int general = 0;
   for (std::uint64_t i = 0; i < cases; ++i) {
@@ -123,7 +123,7 @@ TEST(Families, AreSeldomCollinearElsewhere) {
 }
 
 /// The family draws |N·V| = 10^-k ‖V‖ with k from 1 to 18, and both signs.
-TEST(Families, GrazeInGrazing) {
+TEST(Families, HaveASmallNormalVelocityInGrazing) {
   int slight = 0;
   for (std::uint64_t i = 0; i < cases; ++i) {
     const auto exact = oracles::lift(unit::case_of("grazing", i).collision);

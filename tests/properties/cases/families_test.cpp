@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <carom/collision/validate.hpp>
-#include <carom/properties/draws/moment_ratio.hpp>
+#include <carom/properties/draws/general_collision.hpp>
 #include <carom/properties/draws/relative_velocity.hpp>
 
 #include "support/cases.hpp"
@@ -43,8 +43,8 @@ TEST(Families, AreFoundByTheirNames) {
 TEST(Families, AreValidButForTheInvalidOne) {
   for (const Family& family : all_families()) {
     for (std::uint64_t i = 0; i < cases; ++i) {
-      const auto defects = validate(unit::case_of(family.name, i).collision);
-      EXPECT_EQ(defects.empty(), family.is_valid) << family.name << ' ' << i << ": " << describe(defects);
+      const auto errors = validate(unit::case_of(family.name, i).collision);
+      EXPECT_EQ(errors.empty(), family.is_valid) << family.name << ' ' << i << ": " << describe(errors);
     }
   }
 }
@@ -52,8 +52,8 @@ TEST(Families, AreValidButForTheInvalidOne) {
 TEST(Families, MakeEachFieldInvalidInTurn) {
   std::set<std::string> fields;
   for (std::uint64_t i = 0; i < 2000; ++i) {
-    for (const Defect& defect : validate(unit::case_of("invalid", i).collision)) {
-      fields.insert(defect.field + ' ' + defect.expected);
+    for (const InputError& error : validate(unit::case_of("invalid", i).collision)) {
+      fields.insert(error.field + ' ' + error.expected);
     }
   }
   // Each of the 43 numbers may be infinite or NaN. The mass, the three moments and the orientation of each body, and
@@ -179,47 +179,6 @@ TEST(Families, CallOnlyConvexUniformBodiesConvexAndUniform) {
               family == "physical" || family == "collinear_spheres" || family == "spin_alone" || family == "chung_ooi")
         << family;
   }
-}
-
-TEST(Stream, DrawsIntegersFromTheWholeRange) {
-  Stream stream = stream_from(5);
-  std::map<int, int> counts;
-  for (int i = 0; i < 7000; ++i) {
-    ++counts[stream.integer(-3, 3)];
-  }
-  EXPECT_EQ(counts.size(), 7U);
-  EXPECT_EQ(counts.begin()->first, -3);
-  EXPECT_EQ(counts.rbegin()->first, 3);
-  // 1000 of 7000 each, ± five standard deviations of √(7000·6/49) = 29.3.
-  for (const auto& [value, count] : counts) {
-    EXPECT_NEAR(count, 1000, 147) << value;
-  }
-}
-
-TEST(Stream, DrawsFromTheUnitIntervalAndAtTimesSpecialValues) {
-  Stream stream = stream_from(6);
-  int eighths = 0;
-  for (int i = 0; i < 8000; ++i) {
-    const double x = stream.unit();
-    EXPECT_GE(x, 0);
-    EXPECT_LT(x, 1);
-    eighths += x * 8 == static_cast<int>(x * 8) ? 1 : 0;
-  }
-  // 1000 of 8000, ± five standard deviations of √(8000·7/64) = 29.6.
-  EXPECT_NEAR(eighths, 1000, 148);
-}
-
-TEST(Stream, DrawsPowersThatAreExact) {
-  Stream stream = stream_from(7);
-  std::set<double> tens;
-  for (int i = 0; i < 4000; ++i) {
-    int exponent = 0;
-    EXPECT_EQ(std::frexp(stream.power_of_two(-5, 5), &exponent), 0.5);
-    EXPECT_GE(exponent, -4);
-    EXPECT_LE(exponent, 6);
-    tens.insert(stream.power_of_ten(-3, 2));
-  }
-  EXPECT_EQ(tens, (std::set<double>{1e-3, 1e-2, 1e-1, 1, 10, 100}));
 }
 
 TEST(Stream, NeverDrawsAZeroDirectionOrQuaternion) {

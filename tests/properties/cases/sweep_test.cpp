@@ -23,7 +23,7 @@ Collision at(std::string_view sweep, double quantity) {
   return sweep_named(sweep).generate(stream, quantity);
 }
 
-TEST(Sweeps, AreValidAlongAllOfThem) {
+TEST(Sweeps, GiveValidCollisionsAtEveryDecade) {
   for (const Sweep& sweep : all_sweeps()) {
     const int step = sweep.last_exponent > sweep.first_exponent ? 1 : -1;
     for (int k = sweep.first_exponent; k != sweep.last_exponent + step; k += step) {
@@ -45,17 +45,6 @@ TEST(Sweeps, SetTheQuantityThatTheyAreNamedAfter) {
     EXPECT_NEAR(size_of_a(at("large_size", quantity)) / size_of_a(at("large_size", 1)), quantity, rounding);
     EXPECT_NEAR(size_of_a(at("size_ratio", quantity)) / size_of_a(at("size_ratio", 1)), quantity, rounding);
     EXPECT_EQ(at("small_restitution", 1 / quantity).restitution, 1 / quantity);
-  }
-}
-
-/// The contact point is on the rod, so K is bounded.
-TEST(Sweeps, StrikeTheRodWhereItIs) {
-  for (int k = 0; k <= 12; ++k) {
-    for (std::uint64_t i = 0; i < 50; ++i) {
-      Stream stream = stream_from(i);
-      const Collision c = sweep_named("slenderness").generate(stream, std::pow(10, k));
-      EXPECT_LT(features::overreach(c, c.a), 2) << k;
-    }
   }
 }
 

@@ -11,6 +11,8 @@
 #include <carom/properties/gate/gate.hpp>
 #include <carom/subjects/catalogue.hpp>
 
+#include "support/changed_subject.hpp"
+
 namespace carom::properties::diagnosis {
 namespace {
 
@@ -26,8 +28,8 @@ Diagnosis diagnosis_of(const Subject& subject, GateOptions options, const std::v
 TEST(Diagnosis, OfASingleViolatedCaseSaysThatItIsTooFewForAHint) {
   GateOptions options;
   options.fail_fast = true;
-  const Diagnosis diagnosis = diagnosis_of(subjects::subject_named("reflection-in-basis-double").value(), options,
-                                           {"structured", "near_head_on"});
+  const Diagnosis diagnosis =
+      diagnosis_of(unit::subject_of("reflection-in-basis-double"), options, {"structured", "near_head_on"});
   EXPECT_EQ(diagnosis.violated, 1U);
   ASSERT_EQ(diagnosis.faults.size(), 1U);
   EXPECT_EQ(
@@ -43,33 +45,23 @@ TEST(Diagnosis, OfSlenderBodiesNamesTheInverseInertiaInWorldAxes) {
   GateOptions options;
   options.cases = 200;
   const Diagnosis slender =
-      diagnosis_of(subjects::subject_named("frictionless-world-double").value(), options, {"physical", "structured"});
+      diagnosis_of(unit::subject_of("frictionless-world-double"), options, {"physical", "structured"});
   EXPECT_NE(slender.faults.at(0).where.find("If a body's greatest moment over its least is at least "),
             std::string::npos)
       << slender.faults.at(0).where;
   EXPECT_TRUE(slender.faults.at(0).look_at.starts_with("the inverse inertia: J⁻¹ as a matrix in world axes "))
       << slender.faults.at(0).look_at;
   const Diagnosis others =
-      diagnosis_of(subjects::subject_named("reflection-in-basis-double").value(), options, {"near_head_on", "head_on"});
+      diagnosis_of(unit::subject_of("reflection-in-basis-double"), options, {"near_head_on", "head_on"});
   EXPECT_EQ(others.faults.at(0).look_at.find("world axes"), std::string::npos) << others.faults.at(0).look_at;
 }
 
-/// The subject, with its answers changed.
+/// The subject, with the numbers of its answers changed.
 Subject changed(const char* name, double (*change)(double)) {
-  Subject subject = subjects::subject_named(name).value();
-  subject.open = [sound = subject.open, change]() -> Session {
-    return [session = sound(), change](std::span<const Collision> collisions) mutable {
-      std::vector<Answer> answers = session(collisions);
-      for (Answer& answer : answers) {
-        if (auto* outcome = std::get_if<ReportedOutcome>(&answer)) {
-          static_cast<Outcome<long double>&>(*outcome) = map_outcome<long double>(
-              *outcome, [&](long double x) { return static_cast<long double>(change(static_cast<double>(x))); });
-        }
-      }
-      return answers;
-    };
-  };
-  return subject;
+  return unit::with_outcomes(unit::subject_of(name), [change](const Collision&, ReportedOutcome& outcome) {
+    static_cast<Outcome<long double>&>(outcome) = map_outcome<long double>(
+        outcome, [&](long double x) { return static_cast<long double>(change(static_cast<double>(x))); });
+  });
 }
 
 TEST(Diagnosis, OfBinary32InDoublesNamesThePrecision) {
@@ -92,20 +84,13 @@ TEST(Diagnosis, OfBinary32InDoublesNamesThePrecision) {
 /// The subject changes A's spin by 5 % too much if A's greatest moment exceeds 3 times the least. This error loses no
 /// digits.
 TEST(Diagnosis, OfAWrongFormulaForSomeInertiasDoesNotNameLostDigits) {
-  Subject subject = subjects::subject_named("frictionless-double").value();
-  subject.open = [sound = subject.open] {
-    return Session([session = sound()](std::span<const Collision> collisions) mutable {
-      std::vector<Answer> answers = session(collisions);
-      for (std::size_t i = 0; i < answers.size(); ++i) {
-        const Body& a = collisions[i].a;
-        auto* outcome = std::get_if<ReportedOutcome>(&answers[i]);
-        if (outcome != nullptr && a.principal_inertia.maxCoeff() > 3 * a.principal_inertia.minCoeff()) {
-          outcome->a.angular_velocity += 0.05L * (outcome->a.angular_velocity - a.angular_velocity.cast<long double>());
+  const Subject subject = unit::with_outcomes(
+      unit::subject_of("frictionless-double"), [](const Collision& collision, ReportedOutcome& outcome) {
+        const Body& a = collision.a;
+        if (a.principal_inertia.maxCoeff() > 3 * a.principal_inertia.minCoeff()) {
+          outcome.a.angular_velocity += 0.05L * (outcome.a.angular_velocity - a.angular_velocity.cast<long double>());
         }
-      }
-      return answers;
-    });
-  };
+      });
   GateOptions options;
   options.cases = 200;
   const Diagnosis diagnosis = diagnosis_of(subject, options, {"physical"});
@@ -115,22 +100,13 @@ TEST(Diagnosis, OfAWrongFormulaForSomeInertiasDoesNotNameLostDigits) {
 }
 
 Subject inelastic(Subject subject) {
-  subject.open = [sound = subject.open] {
-    return Session([session = sound()](std::span<const Collision> collisions) mutable {
-      std::vector<Collision> without_restitution(collisions.begin(), collisions.end());
-      for (Collision& collision : without_restitution) {
-        collision.restitution = 0;
-      }
-      return session(without_restitution);
-    });
-  };
-  return subject;
+  return unit::misreading(std::move(subject), [](Collision& collision) { collision.restitution = 0; });
 }
 
 /// The law `coulomb` may have several answers. The nearest of them shows whether the impulse is wrong or has lost
 /// digits.
 TEST(Diagnosis, OfAWrongImpulseWithFrictionDoesNotNameLostDigits) {
-  const Subject subject = inelastic(subjects::subject_named("coulomb-double").value());
+  const Subject subject = inelastic(unit::subject_of("coulomb-double"));
   GateOptions options;
   options.cases = 50;
   const Diagnosis diagnosis = diagnosis_of(subject, options, {"generic", "sliding"});
@@ -139,7 +115,7 @@ TEST(Diagnosis, OfAWrongImpulseWithFrictionDoesNotNameLostDigits) {
 }
 
 TEST(Diagnosis, OfAWrongImpulseOfAnyLawNamesTheRestitution) {
-  Subject subject = subjects::subject_named("frictionless-double").value();
+  Subject subject = unit::subject_of("frictionless-double");
   subject.law = Law::any;
   GateOptions options;
   options.cases = 50;

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <carom/collision/validate.hpp>
-#include <carom/properties/diagnosis/evidence.hpp>
 #include <carom/properties/diagnosis/where.hpp>
 #include <carom/properties/features/coverage.hpp>
 #include <carom/properties/features/quantities.hpp>
@@ -48,11 +47,11 @@ void expect_in(const std::string& part, const std::string& text) {
   EXPECT_NE(text.find(part), std::string::npos) << text;
 }
 
-TEST(Where, NothingIsSaidWhereNothingIsViolated) {
+TEST(Where, NoSentenceIsGivenIfNothingIsViolated) {
   EXPECT_EQ(Sampled([](const Collision&, auto) { return false; }).words(), "");
 }
 
-TEST(Where, AllThatApproachAreSaidInOneWord) {
+TEST(Where, AllCollidingContactsAreNamedByTheirApproach) {
   expect_in("Nearly all colliding contacts (N·V⁻ < 0) fail: 100 %.",
             Sampled([](const Collision&, auto approach) { return approach == colliding; }).words());
   expect_in("separating contacts",
@@ -67,7 +66,7 @@ TEST(Where, AFeatureOfEitherBodyIsFound) {
   expect_in("for A or B the quaternion's w < 0, then 100 % of the colliding contacts (N·V⁻ < 0) fail: ", words);
 }
 
-TEST(Where, ALimitIsFoundOnTheSideWhereItIs) {
+TEST(Where, ALimitOfTheMassRatioIsFoundOnItsSide) {
   const std::string words = Sampled([](const Collision& c, auto approach) {
                               return approach == colliding && !c.a.immovable && !c.b.immovable &&
                                      (c.a.mass > 100 * c.b.mass || c.b.mass > 100 * c.a.mass);
@@ -76,14 +75,14 @@ TEST(Where, ALimitIsFoundOnTheSideWhereItIs) {
   expect_in(", then 100 % of the colliding contacts (N·V⁻ < 0) fail", words);
 }
 
-TEST(Where, AnAbsenceIsFound) {
+TEST(Where, AnAbsentFeatureIsFoundAsACondition) {
   const std::string words = Sampled([](const Collision& c, auto approach) {
                               return approach == colliding && !c.a.immovable && !c.b.immovable;
                             }).words();
   expect_in("If it holds for neither A nor B that the body is immovable, then ", words);
 }
 
-TEST(Where, NothingIsFoundWhereThereIsNothing) {
+TEST(Where, NoConditionIsFoundIfEverySeventhCaseFails) {
   int count = 0;
   const std::string words =
       Sampled([&](const Collision&, auto approach) { return approach == colliding && ++count % 7 == 0; }).words();

@@ -16,7 +16,6 @@
 #include <carom/properties/cases/body_pairs.hpp>
 #include <carom/properties/features/compose.hpp>
 #include <carom/properties/features/coverage.hpp>
-#include <carom/properties/features/seldom.hpp>
 #include <carom/properties/gate/gate_report.hpp>
 
 namespace carom::properties {
@@ -40,7 +39,7 @@ TEST(Features, HaveNamesOfTheirOwnAndReasons) {
 }
 
 /// `Feature::make` succeeds in at least half of the collisions, and its results are valid.
-TEST(Features, AreMade) {
+TEST(Features, AreMadeInMostCollisions) {
   constexpr int tries = 40;
   for (const Feature& feature : all_features()) {
     int made = 0;
@@ -183,16 +182,6 @@ TEST(Features, AreThereInNearlyAllPairsOfALongRun) {
     EXPECT_GE(coverage.count(i), 10U) << all_features()[i].name;
   }
   EXPECT_GE(100 * coverage.met_pairs(), 97 * pairs_of_long_run);
-}
-
-TEST(Features, ThatSeldomComeTogetherAreThere) {
-  EXPECT_GE(seldom_together().size(), 50U);
-  for (const SeldomPair& pair : seldom_together()) {
-    EXPECT_FALSE(pair.first.empty() || pair.second.empty());
-  }
-  EXPECT_EQ(features_beginning("near_head_on"), std::vector{feature_named("near_head_on")});
-  EXPECT_EQ(features_beginning("a.moments_two").size(), 1U);
-  EXPECT_THROW((void)features_beginning("near_head_off"), std::logic_error);
 }
 
 std::size_t place_of(std::string_view name) {

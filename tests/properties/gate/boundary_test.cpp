@@ -12,6 +12,7 @@
 #include <carom/subjects/catalogue.hpp>
 
 #include "io/threads.hpp"
+#include "support/changed_subject.hpp"
 
 /// In families beyond the claimed domain, the gate finds the least value of a quantity at which a subject fails. By
 /// default, this boundary affects no verdict.
@@ -20,26 +21,11 @@ namespace {
 
 constexpr double stops_at = 1e6;
 
-Subject sound_subject() { return subjects::subject_named("frictionless-double").value(); }
-
 /// Adds 1 to A's velocity along x if `condition_number_at_most` is at least 10⁶.
 Subject stopping() {
-  Subject subject = sound_subject();
-  subject.name = "stopping";
-  subject.open = [] {
-    return Session(
-        [session = std::make_shared<Session>(sound_subject().open())](std::span<const Collision> collisions) {
-          std::vector<Answer> answers = (*session)(collisions);
-          for (std::size_t i = 0; i < answers.size(); ++i) {
-            auto* outcome = std::get_if<ReportedOutcome>(&answers[i]);
-            if (outcome != nullptr && condition_number_at_most(collisions[i]) >= stops_at) {
-              outcome->a.velocity[0] += 1;
-            }
-          }
-          return answers;
-        });
-  };
-  return subject;
+  return unit::with_outcomes(unit::subject_of("frictionless-double"), [](const Collision& c, ReportedOutcome& outcome) {
+    outcome.a.velocity[0] += condition_number_at_most(c) >= stops_at ? 1 : 0;
+  });
 }
 
 GateOptions options_of(const char* family, unsigned jobs) {
@@ -54,7 +40,7 @@ GateOptions options_of(const char* family, unsigned jobs) {
 
 TEST(Boundary, IsTheLeastOfTheQuantityAtWhichSomethingIsViolated) {
   const GateOptions options = options_of("generic", 1);
-  const SubjectResult result = run_gate({sound_subject(), stopping()}, options).results.at(1);
+  const SubjectResult result = run_gate({unit::subject_of("frictionless-double"), stopping()}, options).results.at(1);
   // The condition numbers of `generic` are far below 10⁶.
   EXPECT_TRUE(result.is_sound()) << result.not_judged;
   EXPECT_EQ(result.cases(), 200U);
@@ -89,7 +75,7 @@ TEST(Boundary, DoesNotDependOnTheThreads) {
   EXPECT_EQ(one.violated, three.violated);
 }
 
-TEST(Boundary, DecidesWhereTheFamilyIsAskedFor) {
+TEST(Boundary, IsAViolationIfItsFamilyIsNamed) {
   GateOptions options = options_of("far_contacts", 1);
   options.beyond_domain = {};
   options.shrinks = false;
@@ -103,10 +89,10 @@ TEST(Boundary, DecidesWhereTheFamilyIsAskedFor) {
 TEST(Boundary, IsNotLookedForWithABudgetOrToTheFirstViolation) {
   GateOptions to_the_first = options_of("generic", 1);
   to_the_first.fail_fast = true;
-  EXPECT_TRUE(run_gate({sound_subject()}, to_the_first).results.at(0).beyond_domain.empty());
+  EXPECT_TRUE(run_gate({unit::subject_of("frictionless-double")}, to_the_first).results.at(0).beyond_domain.empty());
   GateOptions with_budget = options_of("generic", 1);
   with_budget.budget = std::chrono::milliseconds(20);
-  EXPECT_TRUE(run_gate({sound_subject()}, with_budget).results.at(0).beyond_domain.empty());
+  EXPECT_TRUE(run_gate({unit::subject_of("frictionless-double")}, with_budget).results.at(0).beyond_domain.empty());
 }
 
 TEST(Boundary, IsTheLeastOfTwo) {

@@ -8,6 +8,7 @@
 #include <carom/subjects/catalogue.hpp>
 
 #include "io/threads.hpp"
+#include "support/changed_subject.hpp"
 
 /// Runs that end before all cases are judged.
 namespace carom::properties {
@@ -17,38 +18,20 @@ GateOptions options_of_all_families(std::uint64_t of_each, unsigned jobs = 1) {
   GateOptions options;
   options.cases = of_each;
   options.workers = tool::threads(jobs);
-  for (const Family& family : all_families()) {
-    options.families.push_back(&family);
-  }
+  options.families = pointers_to(all_families());
   return options;
 }
 
-Subject right() { return subjects::subject_named("frictionless-double").value(); }
+Subject right() { return unit::subject_of("frictionless-double"); }
 
 /// Adds 1 to A's velocity along x if `is_wrong(collision, call)`. `call` is the number of earlier outcomes of the
 /// session.
 template <class IsWrong>
 Subject wrong_where(IsWrong is_wrong) {
-  Subject subject = right();
-  subject.name = "wrong";
-  subject.open = [is_wrong] {
-    struct State {
-      Session session;
-      std::uint64_t calls = 0;
-    };
-    auto state = std::make_shared<State>(State{right().open()});
-    return Session([state, is_wrong](std::span<const Collision> collisions) {
-      std::vector<Answer> answers = state->session(collisions);
-      for (std::size_t i = 0; i < answers.size(); ++i) {
-        auto* outcome = std::get_if<ReportedOutcome>(&answers[i]);
-        if (outcome != nullptr && is_wrong(collisions[i], state->calls++)) {
-          outcome->a.velocity[0] += 1;
-        }
-      }
-      return answers;
-    });
-  };
-  return subject;
+  return unit::with_outcomes(
+      right(), [is_wrong, calls = std::uint64_t{0}](const Collision& collision, ReportedOutcome& outcome) mutable {
+        outcome.a.velocity[0] += is_wrong(collision, calls++) ? 1 : 0;
+      });
 }
 
 Subject always_wrong() {
@@ -114,7 +97,7 @@ TEST(FailFast, GoesOnWithTheOtherSubjects) {
 }
 
 /// The subject claims only `memoryless`, which needs a repeated collision. Its violation also ends the run.
-TEST(FailFast, EndsAtWhatASessionRemembers) {
+TEST(FailFast, EndsAtAViolationOfMemoryless) {
   Subject subject = wrong_where([](const Collision&, std::uint64_t call) { return call > 0; });
   for (const Invariant& invariant : all_invariants()) {
     if (invariant.name != "memoryless") {
@@ -140,7 +123,7 @@ TEST(Budget, DrawsMoreCasesThanTheDefaultAndSaysNothingElse) {
 }
 
 /// Even with a budget, the seed, the family and the number determine the case.
-TEST(Budget, FindsWhatReplays) {
+TEST(Budget, FindsWitnessesThatTheSeedDrawsAgain) {
   GateOptions options = options_of_all_families(1);
   options.budget = std::chrono::milliseconds(100);
   const SubjectResult result = run_gate({always_wrong()}, options).results.at(0);
@@ -152,7 +135,7 @@ TEST(Budget, FindsWhatReplays) {
   EXPECT_EQ(again.normal, witness.original.collision.normal);
 }
 
-TEST(Budget, OfNothingJudgesNothing) {
+TEST(Budget, OfNoTimeLeavesTheSubjectNotJudged) {
   GateOptions options = options_of_all_families(1);
   options.budget = std::chrono::nanoseconds(0);
   const SubjectResult result = run_gate({right()}, options).results.at(0);
@@ -160,7 +143,7 @@ TEST(Budget, OfNothingJudgesNothing) {
   EXPECT_EQ(result.not_judged, "no case of the family structured was judged");
 }
 
-TEST(Budget, TellsOfTheTimeSpent) {
+TEST(Budget, ReportsItsProgressInMilliseconds) {
   GateOptions options = options_of_all_families(1);
   options.budget = std::chrono::milliseconds(50);
   std::uint64_t last = 0;

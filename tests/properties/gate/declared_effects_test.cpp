@@ -16,6 +16,7 @@
 #include <carom/subjects/catalogue.hpp>
 
 #include "io/threads.hpp"
+#include "support/changed_subject.hpp"
 #include "support/effort.hpp"
 
 namespace carom::properties {
@@ -71,14 +72,13 @@ Answer with_effects(Session& session, Collision c, const DeclaredEffects& effect
 
 /// A built-in solver with the effects `done`, which declares the effects `declared`.
 Subject with_effects(const std::string& solver, const DeclaredEffects& done, const DeclaredEffects& declared) {
-  Subject subject = *subjects::subject_named(solver);
-  subject.name += " with effects";
+  Subject subject = unit::subject_of(solver);
   subject.effects = declared;
   subject.open = [done, open = subject.open] {
-    return Session([done, session = std::make_shared<Session>(open())](std::span<const Collision> collisions) {
+    return Session([done, session = open()](std::span<const Collision> collisions) mutable {
       std::vector<Answer> answers;
       for (const Collision& collision : collisions) {
-        answers.push_back(with_effects(*session, collision, done));
+        answers.push_back(with_effects(session, collision, done));
       }
       return answers;
     });
@@ -157,16 +157,8 @@ TEST(DeclaredEffects, DoNotHideAnotherDefect) {
 TEST(DeclaredEffects, AreTakenOutBeforeTheDiagnosis) {
   DeclaredEffects damping;
   damping[DeclaredEffect::linear_damping] = damping[DeclaredEffect::angular_damping] = 0.5;
-  Subject subject = with_effects("frictionless-double", damping, damping);
-  subject.open = [open = subject.open] {
-    return Session([session = std::make_shared<Session>(open())](std::span<const Collision> collisions) {
-      std::vector<Collision> inelastic(collisions.begin(), collisions.end());
-      for (Collision& collision : inelastic) {
-        collision.restitution = 0;
-      }
-      return (*session)(inelastic);
-    });
-  };
+  const Subject subject = unit::misreading(with_effects("frictionless-double", damping, damping),
+                                           [](Collision& collision) { collision.restitution = 0; });
   const GateReport report = report_on(subject, "structured");
   const std::vector<diagnosis::Fault> faults = diagnosis::diagnose(report.results.at(0), report).faults;
   ASSERT_EQ(faults.size(), 1U);
@@ -238,7 +230,7 @@ std::string domain_in(const std::string& why) {
 
 /// All contacts approach at the threshold, so no outcome is judged.
 TEST(DeclaredEffects, LeaveASubjectWithoutAVerdictIfMostCasesLieAtALimit) {
-  Subject subject = *subjects::subject_named("frictionless-double");
+  Subject subject = unit::subject_of("frictionless-double");
   subject.effects = only(DeclaredEffect::restitution_threshold, 0.5);
   GateOptions options = options_within("");
   options.families = {family_named("elastic")};
@@ -271,19 +263,8 @@ TEST(DeclaredEffects, HaveADomainInsideThatOfTheRun) {
 
 /// A slop of this size excuses every answer.
 TEST(DeclaredEffects, DoNotExcuseASolverThatDoesNothing) {
-  Subject idle;
-  idle.name = "idle";
-  idle.law = Law::frictionless;
+  Subject idle = unit::idle_subject();
   idle.effects = only(DeclaredEffect::slop, 1e300);
-  idle.open = [] {
-    return Session([](std::span<const Collision> collisions) {
-      std::vector<Answer> answers;
-      for (const Collision& c : collisions) {
-        answers.push_back(validate(c).empty() ? Answer(reported(unchanged(c))) : Answer(Refused{"invalid"}));
-      }
-      return answers;
-    });
-  };
   const std::string why = why_not_judged(idle, options_within(""));
   EXPECT_EQ(why.find("the declared slop 1e+300 m/s decides "), 0U) << why;
   const GateReport faster = run_gate({idle}, options_within(domain_in(why).c_str()));
@@ -298,13 +279,10 @@ TEST(DeclaredEffects, OfDampingDecideNoCase) {
   EXPECT_TRUE(right.is_sound()) << right.not_judged;
   EXPECT_EQ(right.decided_by(), EffectCounts{});
   for (const Precision precision : {Precision::binary32, Precision::binary64}) {
-    Subject zeros = with_effects("frictionless-double", damping, damping);
+    Subject zeros =
+        unit::with_answers(with_effects("frictionless-double", damping, damping),
+                           [](const auto&, auto& answers) { std::ranges::fill(answers, Answer(ReportedOutcome())); });
     zeros.precision = precision;
-    zeros.open = [] {
-      return Session([](std::span<const Collision> collisions) {
-        return std::vector<Answer>(collisions.size(), ReportedOutcome());
-      });
-    };
     const SubjectResult wrong = judged(zeros);
     EXPECT_GT(wrong.count(*invariant_named("backward_error")).violated, 0U);
     EXPECT_GT(wrong.count(*invariant_named("separating_untouched")).violated, 0U);
@@ -336,13 +314,6 @@ TEST(DeclaredEffects, AreRefusedIfTheyAreNotValid) {
             "linear_damping: expected a positive number below 1, found 1");
   EXPECT_EQ(why(DeclaredEffect::max_speed, 10, Law::coulomb),
             "a limit of speeds needs a law that determines the outcome; coulomb does not");
-}
-
-TEST(DeclaredEffects, HaveATextWithUnits) {
-  EXPECT_EQ(to_text(DeclaredEffects{}), "");
-  EXPECT_EQ(to_text(sizes),
-            "restitution_threshold 0.5 m/s, slop 0.25 m/s, linear_damping 0.01, angular_damping 0.02, max_speed 2 m/s, "
-            "max_angular_velocity 3 rad/s");
 }
 
 }  // namespace

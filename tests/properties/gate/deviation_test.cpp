@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/properties/gate/deviation.hpp>
+#include <carom/properties/gate/by_name.hpp>
 #include <carom/properties/gate/trial.hpp>
 
 namespace carom::properties {

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <carom/properties/draws/stream.hpp>
-#include <carom/properties/gate/scales.hpp>
+#include <carom/properties/gate/histogram.hpp>
 
 namespace carom::properties {
 namespace {

@@ -9,6 +9,7 @@
 #include <carom/properties/gate/witness.hpp>
 #include <carom/subjects/catalogue.hpp>
 
+#include "support/changed_subject.hpp"
 #include "support/planted_formula.hpp"
 
 /// A fault of the judge ends a run. It is kept apart from the verdicts on subjects.
@@ -33,27 +34,11 @@ GateOptions options_of(const std::vector<const char*>& families) {
   return options;
 }
 
-Subject right() { return subjects::subject_named("frictionless-double").value(); }
-
-/// Leaves all bodies as they are.
-Subject doing_nothing() {
-  Subject subject = right();
-  subject.name = "nothing";
-  subject.open = [] {
-    return Session([](std::span<const Collision> collisions) {
-      std::vector<Answer> answers;
-      for (const Collision& collision : collisions) {
-        answers.emplace_back(reported(unchanged(collision)));
-      }
-      return answers;
-    });
-  };
-  return subject;
-}
+Subject frictionless() { return unit::subject_of("frictionless-double"); }
 
 TEST(JudgeFault, EndsTheRunAndNamesTheCollisionAndNoSubject) {
   const unit::PlantedFormula planted("restitution", fails_if_inelastic);
-  const GateReport report = run_gate({right()}, options_of({"elastic", "inelastic"}));
+  const GateReport report = run_gate({frictionless()}, options_of({"elastic", "inelastic"}));
   ASSERT_TRUE(report.judge_error);
   EXPECT_STREQ(report.judge_error->what(), "a wrong formula");
   EXPECT_EQ(report.judge_error->collision().restitution, 0);
@@ -66,7 +51,7 @@ TEST(JudgeFault, EndsTheRunAndNamesTheCollisionAndNoSubject) {
 
 TEST(JudgeFault, KeepsWhatWasJudgedBefore) {
   const unit::PlantedFormula planted("restitution", fails_if_inelastic);
-  const GateReport report = run_gate({doing_nothing()}, options_of({"elastic", "inelastic"}));
+  const GateReport report = run_gate({unit::idle_subject()}, options_of({"elastic", "inelastic"}));
   ASSERT_TRUE(report.judge_error);
   const SubjectResult& result = report.results.at(0);
   EXPECT_GT(result.families.at(0).cases, 0U);
@@ -76,7 +61,7 @@ TEST(JudgeFault, KeepsWhatWasJudgedBefore) {
 
 TEST(JudgeFault, DoesNotCostAnswersToOtherFamilies) {
   const unit::PlantedFormula planted("restitution", fails_if_inelastic);
-  const GateReport report = run_gate({right()}, options_of({"elastic"}));
+  const GateReport report = run_gate({frictionless()}, options_of({"elastic"}));
   EXPECT_FALSE(report.judge_error);
   EXPECT_TRUE(report.results.at(0).is_sound()) << report.results.at(0).not_judged;
 }
@@ -93,7 +78,7 @@ TEST(JudgeFault, InTheSearchForASimplerViolationCostsThatSearch) {
   });
   GateOptions options = options_of({"inelastic"});
   options.shrinks = false;
-  GateReport report = run_gate({right()}, options);
+  GateReport report = run_gate({frictionless()}, options);
   ASSERT_EQ(report.results.at(0).witnesses.size(), 1U);
   is_judging = false;
   report.options.shrinks = true;
@@ -104,37 +89,33 @@ TEST(JudgeFault, InTheSearchForASimplerViolationCostsThatSearch) {
   EXPECT_EQ(witness.verdict.status, Status::violated);
 }
 
-TEST(NeverJudged, IsNotSound) {
+TEST(NeverJudged, InvariantsLeaveASubjectNotSound) {
   const unit::PlantedFormula planted(
       "restitution", [](const Evidence&) -> Verdict { return {.status = Status::skipped, .detail = "planted"}; });
   GateOptions options;
   options.cases = 50;
-  for (const Family& family : all_families()) {
-    options.families.push_back(&family);
-  }
-  const SubjectResult result = run_gate({right()}, options).results.at(0);
+  options.families = pointers_to(all_families());
+  const SubjectResult result = run_gate({frictionless()}, options).results.at(0);
   EXPECT_FALSE(result.is_sound());
   EXPECT_EQ(result.not_judged,
             "no case judged restitution. Choose other families, more cases or a wider domain, or leave them out: "
             "--deviates restitution");
-  Subject deviating = right();
+  Subject deviating = frictionless();
   deviating.deviates = {"restitution"};
   EXPECT_EQ(run_gate({deviating}, options).results.at(0).not_judged, "");
 }
 
-TEST(NeverJudged, IsPermittedInAPartOfARun) {
+TEST(NeverJudged, InvariantsArePermittedInAPartOfARun) {
   const unit::PlantedFormula planted(
       "restitution", [](const Evidence&) -> Verdict { return {.status = Status::skipped, .detail = "planted"}; });
   GateOptions shard;
   shard.cases = 50;
-  for (const Family& family : all_families()) {
-    shard.families.push_back(&family);
-  }
+  shard.families = pointers_to(all_families());
   GateOptions part = shard;
   part.is_part = true;
   shard.shard = {1, 2};
   for (const GateOptions& options : {part, shard}) {
-    const SubjectResult result = run_gate({right()}, options).results.at(0);
+    const SubjectResult result = run_gate({frictionless()}, options).results.at(0);
     EXPECT_TRUE(result.is_sound()) << result.not_judged;
     EXPECT_EQ(result.never_judged(options), std::vector{invariant_named("restitution")});
   }
@@ -143,22 +124,12 @@ TEST(NeverJudged, IsPermittedInAPartOfARun) {
 /// A `rough` solver that takes μ = 0 for a contact without a limit of friction. The law's formulas hold for no such
 /// contact, and the diagnosis asks them for none.
 TEST(JudgeFault, IsNoneForASolverThatTakesNoFrictionForNoLimit) {
-  Subject subject = subjects::subject_named("rough-double").value();
-  subject.name = "no limit";
-  subject.open = [open = subject.open] {
-    return Session([session = open()](std::span<const Collision> collisions) mutable {
-      std::vector<Collision> read(collisions.begin(), collisions.end());
-      for (Collision& collision : read) {
-        collision.friction = collision.friction == 0 ? 1e6 : collision.friction;
-      }
-      return session(read);
-    });
-  };
+  const Subject subject = unit::misreading(unit::subject_of("rough-double"), [](Collision& collision) {
+    collision.friction = collision.friction == 0 ? 1e6 : collision.friction;
+  });
   GateOptions options;
   options.cases = 100;
-  for (const Family& family : all_families()) {
-    options.families.push_back(&family);
-  }
+  options.families = pointers_to(all_families());
   const GateReport report = run_gate({subject}, options);
   EXPECT_FALSE(report.judge_error);
   EXPECT_GT(report.results.at(0).count(*invariant_named("friction_cone")).violated, 0U);

@@ -10,6 +10,8 @@
 #include <carom/properties/gate/gate.hpp>
 #include <carom/subjects/catalogue.hpp>
 
+#include "support/changed_subject.hpp"
+
 /// Tests subjects whose sessions remember earlier calls. Each subject is right on its first collision.
 namespace carom::properties {
 namespace {
@@ -17,41 +19,32 @@ namespace {
 enum class Remembers { nothing, a_refusal, the_call, the_last_outcome };
 
 Subject remembering(Remembers what) {
-  const Subject right = subjects::subject_named("frictionless-double").value();
-  Subject subject = right;
-  subject.name = "remembering";
-  subject.open = [right, what] {
-    struct State {
-      Session session;
-      bool refused = false;
-      std::uint64_t calls = 0;
-      std::optional<Answer> last;
-    };
-    auto state = std::make_shared<State>(State{right.open(), false, 0, {}});
-    return Session([state, what](std::span<const Collision> collisions) {
-      std::vector<Answer> answers = state->session(collisions);
-      for (Answer& answer : answers) {
-        ++state->calls;
-        auto* outcome = std::get_if<ReportedOutcome>(&answer);
-        if (outcome == nullptr) {
-          state->refused = true;
-          continue;
-        }
-        const bool is_off = (what == Remembers::a_refusal && state->refused) ||
-                            (what == Remembers::the_call && state->calls % 7 == 0) ||
-                            (what == Remembers::the_last_outcome && state->last);
-        state->refused = false;
-        if (is_off) {
-          // An error of one ulp violates only `memoryless`.
-          long double& component = outcome->a.velocity[0];
-          component = std::nextafter(static_cast<double>(component), 1e300);
-        }
-        state->last = answer;
-      }
-      return answers;
-    });
+  struct State {
+    bool refused = false;
+    std::uint64_t calls = 0;
+    bool has_answered = false;
   };
-  return subject;
+  return unit::with_answers(unit::subject_of("frictionless-double"),
+                            [what, state = State()](const auto&, std::vector<Answer>& answers) mutable {
+                              for (Answer& answer : answers) {
+                                ++state.calls;
+                                auto* outcome = std::get_if<ReportedOutcome>(&answer);
+                                if (outcome == nullptr) {
+                                  state.refused = true;
+                                  continue;
+                                }
+                                const bool is_off = (what == Remembers::a_refusal && state.refused) ||
+                                                    (what == Remembers::the_call && state.calls % 7 == 0) ||
+                                                    (what == Remembers::the_last_outcome && state.has_answered);
+                                state.refused = false;
+                                state.has_answered = true;
+                                if (is_off) {
+                                  // An error of one ulp violates only `memoryless`.
+                                  long double& component = outcome->a.velocity[0];
+                                  component = std::nextafter(static_cast<double>(component), 1e300);
+                                }
+                              }
+                            });
 }
 
 SubjectResult judged(Remembers what) {
@@ -74,38 +67,20 @@ TEST(Memoryless, HoldsOfASessionThatKeepsNothing) {
   EXPECT_GT(result.count(*invariant_named("memoryless")).holds, 10U);
 }
 
-using Change = std::function<void(ReportedOutcome&)>;
-
-/// The solver, with `change` applied to the outcomes of every second call.
-Subject changing(const char* solver, const Change& change) {
-  const Subject right = subjects::subject_named(solver).value();
-  Subject subject = right;
-  subject.name = "changing";
-  subject.open = [right, change] {
-    return Session([session = std::make_shared<Session>(right.open()), change,
-                    calls = 0](std::span<const Collision> collisions) mutable {
-      std::vector<Answer> answers = (*session)(collisions);
-      ++calls;
-      for (Answer& answer : answers) {
-        if (auto* outcome = std::get_if<ReportedOutcome>(&answer); outcome != nullptr && calls % 2 == 0) {
-          change(*outcome);
+/// The solver that turns the sign of zeros in the outcomes of every second call.
+Subject turning_zeros(int& turned) {
+  return unit::with_answers(
+      unit::subject_of("frictionless-double"), [&turned, calls = 0](const auto&, std::vector<Answer>& answers) mutable {
+        ++calls;
+        for (Answer& answer : answers) {
+          if (auto* outcome = std::get_if<ReportedOutcome>(&answer); outcome != nullptr && calls % 2 == 0) {
+            static_cast<Outcome<long double>&>(*outcome) = map_outcome<long double>(*outcome, [&](long double x) {
+              turned += x == 0 ? 1 : 0;
+              return x == 0 ? -x : x;
+            });
+          }
         }
-      }
-      return answers;
-    });
-  };
-  return subject;
-}
-
-Change zeros_turned(int& turned) {
-  return [&turned](ReportedOutcome& outcome) {
-    for (Vector3<long double>* vector : vectors(outcome)) {
-      for (int i = 0; i < 3; ++i) {
-        turned += (*vector)[i] == 0 ? 1 : 0;
-        (*vector)[i] = (*vector)[i] == 0 ? -(*vector)[i] : (*vector)[i];
-      }
-    }
-  };
+      });
 }
 
 std::uint64_t not_memoryless(const Subject& subject) {
@@ -120,7 +95,7 @@ std::uint64_t not_memoryless(const Subject& subject) {
 
 TEST(Memoryless, TakesEqualNumbersOfAProgramForEqual) {
   int turned = 0;
-  Subject program = changing("frictionless-double", zeros_turned(turned));
+  Subject program = turning_zeros(turned);
   program.specification = "exec:changing";
   EXPECT_EQ(not_memoryless(program), 0U);
   EXPECT_GT(turned, 0);
@@ -128,27 +103,22 @@ TEST(Memoryless, TakesEqualNumbersOfAProgramForEqual) {
 
 TEST(Memoryless, TellsTheBitsOfABuiltInApart) {
   int turned = 0;
-  EXPECT_GT(not_memoryless(changing("frictionless-double", zeros_turned(turned))), 0U);
+  EXPECT_GT(not_memoryless(turning_zeros(turned)), 0U);
   EXPECT_GT(turned, 0);
 }
 
 TEST(NotJudged, IsASubjectThatSkipsOrShowsNothing) {
-  const Subject right = subjects::subject_named("frictionless-double").value();
+  const Subject right = unit::subject_of("frictionless-double");
   GateOptions options;
   options.cases = 50;
   options.families = {family_named("generic"), family_named("separating")};
   const auto result_of = [&](const Subject& subject) { return run_gate({subject}, options).results.at(0); };
 
-  Subject skipping = right;
-  skipping.open = [right] {
-    return Session([session = std::make_shared<Session>(right.open())](std::span<const Collision> collisions) {
-      std::vector<Answer> answers = (*session)(collisions);
-      for (std::size_t i = 0; i < answers.size(); i += 2) {
-        answers[i] = Skipped{"every other one"};
-      }
-      return answers;
-    });
-  };
+  Subject skipping = unit::with_answers(right, [](const auto&, std::vector<Answer>& answers) {
+    for (std::size_t i = 0; i < answers.size(); i += 2) {
+      answers[i] = Skipped{"every other one"};
+    }
+  });
   skipping.deviates = {"memoryless"};
   EXPECT_NE(result_of(skipping).not_judged, "");
   EXPECT_FALSE(result_of(skipping).is_sound());

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/properties/gate/nearest_name.hpp>
+#include <carom/properties/gate/by_name.hpp>
 
 namespace carom::properties {
 namespace {

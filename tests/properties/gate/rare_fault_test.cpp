@@ -8,6 +8,8 @@
 #include <carom/properties/gate/gate.hpp>
 #include <carom/subjects/catalogue.hpp>
 
+#include "support/changed_subject.hpp"
+
 namespace carom::properties {
 namespace {
 
@@ -16,37 +18,22 @@ constexpr int one_in = 100;
 /// frictionless-double, as a program that claims only the invariant `claimed`. In one of a hundred answers, drawn at
 /// random, the impulse is a quarter too large.
 Subject faulty(const std::string& claimed) {
-  const Subject right = subjects::subject_named("frictionless-double").value();
-  Subject subject = right;
-  subject.name = "faulty";
+  Subject subject = unit::with_outcomes(
+      unit::subject_of("frictionless-double"),
+      [stream = stream_from(1)](const Collision& collision, ReportedOutcome& outcome) mutable {
+        if (stream.chance(one_in)) {
+          const auto before = unchanged(collision);
+          for (const OutcomeVector k : all_outcome_vectors) {
+            *vectors(outcome)[k] += (*vectors(outcome)[k] - vectors(before)[k]->cast<long double>()) / 4;
+          }
+        }
+      });
   subject.specification = "exec:faulty";  // the gate judges relations on fewer cases of a program
   for (const Invariant& invariant : all_invariants()) {
     if (invariant.name != claimed) {
       subject.deviates.emplace_back(invariant.name);
     }
   }
-  subject.open = [right] {
-    struct State {
-      Session session;
-      Stream stream = stream_from(1);
-    };
-    auto state = std::make_shared<State>(State{right.open()});
-    return Session([state](std::span<const Collision> collisions) {
-      std::vector<Answer> answers = state->session(collisions);
-      for (std::size_t i = 0; i < answers.size(); ++i) {
-        auto* outcome = std::get_if<ReportedOutcome>(&answers[i]);
-        if (outcome != nullptr && state->stream.chance(one_in)) {
-          const auto before = unchanged(collisions[i]);
-          const auto from = vectors(before);
-          const auto to = vectors(*outcome);
-          for (const OutcomeVector k : all_outcome_vectors) {
-            *to[k] += (*to[k] - from[k]->cast<long double>()) / 4;
-          }
-        }
-      }
-      return answers;
-    });
-  };
   return subject;
 }
 

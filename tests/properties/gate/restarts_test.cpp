@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/properties/gate/restarts.hpp>
+#include <carom/properties/gate/answers.hpp>
 
 namespace carom::properties {
 namespace {
@@ -39,7 +39,7 @@ std::vector<Collision> collisions(std::initializer_list<double> restitutions) {
   return all;
 }
 
-TEST(Restarts, WhatFailsIsAnsweredSoAndTheRestIsAsked) {
+TEST(Restarts, AnswerAFailureAndAskTheOtherCollisions) {
   int opened = 0;
   Restarts restarts(10);
   Session session = open_restarting(fragile(opened), restarts);
@@ -55,7 +55,7 @@ TEST(Restarts, WhatFailsIsAnsweredSoAndTheRestIsAsked) {
   EXPECT_FALSE(restarts.are_spent());
 }
 
-TEST(Restarts, AreBounded) {
+TEST(Restarts, EndAfterTheGivenNumberOfFailures) {
   int opened = 0;
   Restarts restarts(2);
   Session session = open_restarting(fragile(opened), restarts);
@@ -70,13 +70,13 @@ TEST(Restarts, AreBounded) {
   EXPECT_THROW((void)session(collisions({0})), std::runtime_error);
 }
 
-TEST(Restarts, AreBoundedInTime) {
+TEST(Restarts, EndAfterTheGivenTimeOfFailures) {
   Restarts restarts(1000, std::chrono::seconds(10));
   EXPECT_TRUE(restarts.may_restart_after(std::chrono::seconds(9)));
   EXPECT_FALSE(restarts.may_restart_after(std::chrono::seconds(2)));
 }
 
-TEST(Restarts, WhatCannotBeStartedAgainSaysWhy) {
+TEST(Restarts, TellWhyASubjectCannotStartAgain) {
   int opened = 0;
   Restarts restarts(10);
   Session session = open_restarting(fragile(opened, 1), restarts);
@@ -89,7 +89,7 @@ TEST(Restarts, WhatCannotBeStartedAgainSaysWhy) {
   }
 }
 
-TEST(Restarts, AStopIsNoFailure) {
+TEST(Restarts, DoNotCountAStopAsAFailure) {
   int opened = 0;
   Restarts restarts(10);
   std::stop_source stop;

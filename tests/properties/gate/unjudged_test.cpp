@@ -21,7 +21,7 @@ Collision ball_on_floor() {
   return c;
 }
 
-TEST(Unjudged, IsNoBallOnAFloor) {
+TEST(Unjudged, DoesNotIncludeABallOnAFloor) {
   EXPECT_TRUE(is_judged(ball_on_floor(), Precision::binary32));
   EXPECT_TRUE(is_judged(ball_on_floor(), Precision::binary64));
 }

@@ -63,7 +63,7 @@ TEST(SimplestViolation, LosesTheDigitsThatTheOneFoundLost) {
   }
 }
 
-TEST(SimplestViolation, SimplifiesWhatIsHarmless) {
+TEST(SimplestViolation, SetsNumbersToZeroThatTheViolationDoesNotNeed) {
   const Case found = unit::case_of("generic", 1);
   const auto rounding = [](const Case&) { return violated(4e-29, 0); };
   const Case simplest = simplest_violation(found, *invariant_named("restitution"), rounding(found), rounding, 4000);

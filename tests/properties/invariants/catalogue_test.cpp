@@ -39,14 +39,6 @@ TEST(Invariants, AreEachOfOneAnswerOfRelatedOnesOrOfASession) {
   }
 }
 
-TEST(Invariants, OnlyOneOfTheMatrixRestsOnShapes) {
-  for (const Invariant& invariant : all_invariants()) {
-    if (const auto* about = std::get_if<AboutMatrix>(&invariant.about)) {
-      EXPECT_EQ(about->rests_on_shapes, invariant.name == "well_conditioned") << invariant.name;
-    }
-  }
-}
-
 /// If none of these holds in a run, no colliding contact was answered.
 TEST(Invariants, OfCollidingContactsAreThese) {
   std::vector<std::string_view> names;

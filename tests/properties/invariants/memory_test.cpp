@@ -21,7 +21,7 @@ ReportedOutcome some_outcome() {
   return outcome;
 }
 
-TEST(Memoryless, AsksForTheSameAnswer) {
+TEST(Memoryless, HoldsForTheSameAnswerAlone) {
   EXPECT_EQ(verdict_of(some_outcome(), some_outcome()).status, Status::holds);
   EXPECT_EQ(verdict_of(Refused{"no"}, Refused{"no"}).status, Status::holds);
   const Verdict of_kinds = verdict_of(some_outcome(), Refused{"no"});
@@ -62,7 +62,7 @@ TEST(Memoryless, TakesZerosForTheSameOnlyAsNumbers) {
 }
 
 /// NaN equals NaN regardless of its sign.
-TEST(Memoryless, TakesNoNumberForNoNumber) {
+TEST(Memoryless, TakesNaNsForTheSame) {
   ReportedOutcome again = some_outcome();
   again.b.angular_velocity[2] = -again.b.angular_velocity[2];
   for (const Sameness sameness : {Sameness::of_bits, Sameness::of_numbers}) {

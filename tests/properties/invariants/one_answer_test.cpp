@@ -14,28 +14,12 @@ Status status_of(const char* invariant, const Collision& collision, const ExactA
 
 const ExactAnswer an_outcome{oracles::LiftedOutcome(ReportedOutcome{})};
 
-TEST(Finite, AsksForAnOutcomeOfNumbers) {
+TEST(Finite, HoldsForOutcomesOfFiniteNumbersAlone) {
   const Collision valid;
   EXPECT_EQ(status_of("finite", valid, an_outcome), Status::holds);
   EXPECT_EQ(status_of("finite", valid, NotFinite{}), Status::violated);
   EXPECT_EQ(status_of("finite", valid, Refused{"no"}), Status::violated);
   EXPECT_EQ(status_of("finite", valid, Failed{"died"}), Status::violated);
-}
-
-TEST(Finite, RepeatsTheReasonOfARefusalOrAFailure) {
-  const auto detail_of = [](const ExactAnswer& answer) {
-    return std::get<AboutAnswer>(invariant_named("finite")->about).check(Collision{}, answer, Law::any).detail;
-  };
-  EXPECT_EQ(detail_of(Refused{"no"}), "the subject refused a valid collision: no");
-  EXPECT_EQ(detail_of(Failed{"died"}), "no answer: the subject died");
-}
-
-TEST(InvalidRefused, RepeatsTheReasonOfAFailure) {
-  Collision invalid;
-  invalid.a.mass = 0;
-  const Verdict verdict = std::get<AboutAnswer>(invariant_named("invalid_refused")->about)
-                              .check(invalid, Failed{"ended with status 1"}, Law::any);
-  EXPECT_EQ(verdict.detail, "the subject did not refuse an invalid collision: it ended with status 1");
 }
 
 TEST(Lift, KeepsHugeOutcomesThatAreFinite) {

@@ -157,7 +157,7 @@ TEST(Permitted, OutcomesOfPermittedInputsPass) {
 
 /// The ball is far from the origin. The permitted error is at most 20 times the largest change of the outcome by 400
 /// permitted inputs.
-TEST(Permitted, DistancesAreNoLargerThanTheyHaveToBe) {
+TEST(Permitted, ErrorsAreAtMostTwentyTimesThoseOfPermittedInputs) {
   constexpr double allowance = 32 * 0x1p-24;
   Collision c = unit::ball_on_a_plane(0.4, 0);
   const Vector3<double> away{1e5, 0, 0};

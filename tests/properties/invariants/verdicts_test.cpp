@@ -13,10 +13,10 @@
 namespace carom::properties {
 namespace {
 
-TEST(Both, IsTheWorseOfTwoVerdicts) {
+TEST(Both, IsTheWorseOfTwoVerdictsOfDifferentStatus) {
   Verdict violated;
   violated.status = Status::violated;
-  const std::vector<Verdict> from_the_worst{violated, beyond_range(), Verdict{}, outside_domain("why")};
+  const std::vector<Verdict> from_the_worst{violated, beyond_range(), Verdict{}, does_not_apply("why")};
   const auto same = [](const Verdict& x, const Verdict& y) {
     return x.status == y.status && x.is_undecided == y.is_undecided;
   };

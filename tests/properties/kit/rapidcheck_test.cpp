@@ -99,7 +99,7 @@ TEST_P(EachFamily, ShrinksToWhatItCouldDraw) {
   EXPECT_GT(shrunk, 20);
 }
 
-TEST_P(EachFamily, IsTheGatesAtFullSize) {
+TEST_P(EachFamily, DrawsTheCasesOfTheGateAtFullSize) {
   rc::Random random(2);
   for (int i = 0; i < 20; ++i) {
     const ChosenCase chosen = properties::chosen_case(
@@ -246,16 +246,6 @@ TEST(Features, AreGivenByName) {
     });
     EXPECT_GT(seen, 0) << feature.name;
   }
-}
-
-TEST(Collisions, ArePrintedInWords) {
-  const std::string text = rc::toString(gen::generic()(rc::Random(7), 0).value());
-  EXPECT_EQ(text,
-            "\n  A: mass 1, principal inertia (1, 1, 1), orientation (1, 0, 0, 0), at (0, 0, 0), velocity (0, 0, 0), "
-            "angular velocity (0, 0, 0)\n"
-            "  B: mass 1, principal inertia (1, 1, 1), orientation (1, 0, 0, 0), at (0, 0, 0), velocity (0, 0, 0), "
-            "angular velocity (0, 0, 0)\n"
-            "  contact point (0, 0, 0), normal (1, 0, 0), restitution 0\n");
 }
 
 }  // namespace

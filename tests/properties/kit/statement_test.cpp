@@ -71,7 +71,7 @@ TEST(Statements, AreEveryInvariantClaimedInEveryFamily) {
   }
 }
 
-TEST(Statements, OfACallableLeaveOutWhatItHasNoPartIn) {
+TEST(Statements, OfACallableLeaveOutTheMatrixAndInvalidCollisions) {
   std::set<std::string_view> rest = invariants_of(statements(idle_subject(Law::frictionless)));
   for (const char* name : {"invalid_refused", "definite", "well_conditioned", "matrix_used"}) {
     EXPECT_EQ(rest.erase(name), 1U) << name;

@@ -42,7 +42,7 @@ TEST(Suites, NameATestForEachInvariantAndFamily) {
   EXPECT_EQ(tests.size(), 1 + statements(subject("", Law::frictionless, impulse::frictionless<double>), few).size());
 }
 
-TEST(Suites, StandBesideEachOther) {
+TEST(Suites, OfTwoSubjectsHaveTheirOwnTests) {
   const std::set<std::string> tests = tests_of("ReflectionInFloat/Conformance");
   EXPECT_TRUE(tests.contains("Holds/reflection_plane_in_generic"));
   EXPECT_FALSE(tests.contains("Holds/frictionless_direction_in_generic"));

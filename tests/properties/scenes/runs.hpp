@@ -17,7 +17,6 @@
 
 namespace carom::unit {
 
-
 /// Changes an event before the checkers receive it. Returns false to withhold the event from them.
 using Alter = std::function<bool(scene::Event&)>;
 

@@ -99,7 +99,7 @@ TEST(Spelling, IsTheSameCollisionInEachOfTheWays) {
 }
 
 /// Each alternative spelling occurs in a tenth to nine tenths of all requests. Only blanks may occur in all requests.
-TEST(Spelling, TakesEveryFreedom) {
+TEST(Spelling, UsesEachFreedomOfTheProtocolOften) {
   std::map<std::string, int> seen;
   int all = 0;
   for (const Collision& collision : many_collisions()) {

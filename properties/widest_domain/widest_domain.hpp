@@ -2,18 +2,47 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
 
+#include <carom/collision/subject.hpp>
 #include <carom/properties/cases/domain.hpp>
 #include <carom/properties/gate/gate_report.hpp>
 
-/// Measures the widest domain in which a subject holds.
 namespace carom::properties {
 
-struct ReachOptions {
+/// Keeps the sessions of a program from one run of the gate to the next, because a program may take a second to start.
+/// The sessions end with this object. Only the thread that made this object may use its subject.
+class KeptSessions {
+ public:
+  explicit KeptSessions(const Subject& subject);
+  KeptSessions(const KeptSessions&) = delete;  // the subject refers to this object
+  KeptSessions& operator=(const KeptSessions&) = delete;
+
+  /// The subject with other sessions: `open` takes a session that is not in use, and `close` gives it back. Two
+  /// sessions take turns, so a session and the next one are not the same.
+  [[nodiscard]] const Subject& subject() const { return subject_; }
+
+ private:
+  struct Kept {
+    Session session;
+    bool has_failed = false;
+  };
+
+  Session take();
+
+  Subject subject_;
+  std::function<Session()> open_;
+  std::shared_ptr<std::deque<std::shared_ptr<Kept>>> idle_;
+};
+
+/// Measures the widest domain in which a subject holds.
+struct WidestDomainOptions {
   std::uint64_t seed = 1;
   oracles::Limits limits = {};
   /// Limits that permit less rounding. If given, the ends are searched with it, too.
@@ -48,7 +77,7 @@ struct Ends {
   UnjudgedCounts unjudged_of_core{};
 };
 
-struct Reach {
+struct WidestDomain {
   Ends ends = {};
   /// The ends with the stricter limits. None if the options have none, or if nothing is known of `ends`.
   std::optional<Ends> stricter = {};
@@ -75,6 +104,6 @@ struct Reach {
 /// of a search judges cases in a slab: the quantity lies within a twentieth of the tried value, and the others in the
 /// core. Quantities without which the value is impossible are widened, but not beyond the ends that are known. The
 /// result depends on the options alone. Precondition: `generic` has cases in the core.
-[[nodiscard]] Reach measured_reach(const Subject& subject, const ReachOptions& options);
+[[nodiscard]] WidestDomain measured_widest_domain(const Subject& subject, const WidestDomainOptions& options);
 
 }  // namespace carom::properties

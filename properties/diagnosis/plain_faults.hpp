@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
+#include <vector>
 
 #include <carom/collision/collision.hpp>
 #include <carom/collision/outcome.hpp>
@@ -28,5 +30,13 @@ class NarrowAnswers {
   std::size_t telling_ = 0;
   bool fit_ = true;  // each changed number is a binary32 number
 };
+
+struct FaultOfKind {
+  AnswerKind kind;
+  Fault fault;
+};
+
+/// The faults of answers to valid collisions that are not outcomes of finite numbers, one for each kind of answer.
+[[nodiscard]] std::vector<FaultOfKind> faults_without_outcome(std::span<const ViolatedCase> examples);
 
 }  // namespace carom::properties::diagnosis

@@ -11,12 +11,12 @@
 
 #include <carom/properties/cases/draw_within.hpp>
 #include <carom/properties/gate/gate.hpp>
-#include <carom/properties/widest_domain/kept_sessions.hpp>
-#include <carom/properties/widest_domain/reach.hpp>
+#include <carom/properties/widest_domain/widest_domain.hpp>
 #include <carom/subjects/catalogue.hpp>
 
 #include "io/threads.hpp"
 #include "support/cases.hpp"
+#include "support/changed_subject.hpp"
 
 namespace carom::properties {
 namespace {
@@ -35,32 +35,27 @@ bool is_beyond(const Planted& planted, const Collision& collision) {
 }
 
 Subject limited(const std::vector<Planted>& limits) {
-  Subject subject = *subjects::subject_named("frictionless-double");
-  subject.open = [limits, open = subject.open] {
-    return Session([limits, session = std::make_shared<Session>(open())](std::span<const Collision> collisions) {
-      std::vector<Answer> answers = (*session)(collisions);
-      for (std::size_t i = 0; i < collisions.size(); ++i) {
-        if (std::any_of(limits.begin(), limits.end(), [&](const Planted& p) { return is_beyond(p, collisions[i]); })) {
-          answers[i] = Refused{"beyond a limit"};
-        }
+  return unit::with_answers(unit::subject_of("frictionless-double"), [limits](std::span<const Collision> collisions,
+                                                                              std::vector<Answer>& answers) {
+    for (std::size_t i = 0; i < collisions.size(); ++i) {
+      if (std::ranges::any_of(limits, [&](const Planted& one) { return is_beyond(one, collisions[i]); })) {
+        answers[i] = Refused{"beyond a limit"};
       }
-      return answers;
-    });
-  };
-  return subject;
+    }
+  });
 }
 
 /// A tenth of the default numbers of cases.
-ReachOptions options() {
-  ReachOptions options;
+WidestDomainOptions options() {
+  WidestDomainOptions options;
   options.core = default_core();
   options.cases_of_slab = 1;
   options.cases_of_box = 20;
   return options;
 }
 
-const Face& face_of(const Reach& reach, const Planted& planted) {
-  return *std::find_if(reach.ends.faces.begin(), reach.ends.faces.end(), [&](const Face& face) {
+const Face& face_of(const WidestDomain& widest, const Planted& planted) {
+  return *std::find_if(widest.ends.faces.begin(), widest.ends.faces.end(), [&](const Face& face) {
     return face.quantity == planted.quantity && face.is_upper == planted.is_upper;
   });
 }
@@ -95,7 +90,7 @@ const std::vector<Planted>& planted_limits() {
 }
 
 /// The gate poses neither a case nor a related collision outside of the domain.
-TEST(Reach, IsSoundInTheDomainIfASubjectRefusesAllElse) {
+TEST(WidestDomain, IsSoundInTheDomainIfASubjectRefusesAllElse) {
   for (const Planted& planted : planted_limits()) {
     GateOptions gate;
     gate.cases = 20;
@@ -114,104 +109,101 @@ TEST(Reach, IsSoundInTheDomainIfASubjectRefusesAllElse) {
   }
 }
 
-TEST(Reach, FindsPlantedLimitsToATenth) {
+TEST(WidestDomain, FindsPlantedLimitsToATenth) {
   const auto tried = static_cast<std::size_t>(unit::effort(static_cast<int>(planted_limits().size())));
   for (std::size_t i = 0; i < tried; ++i) {
     const Planted& planted = planted_limits()[i * planted_limits().size() / tried];
-    const Reach reach = measured_reach(limited({planted}), options());
-    ASSERT_FALSE(reach.ends.in_core) << name_of(planted.quantity);
-    const Face& face = face_of(reach, planted);
+    const WidestDomain widest = measured_widest_domain(limited({planted}), options());
+    ASSERT_FALSE(widest.ends.in_core) << name_of(planted.quantity);
+    const Face& face = face_of(widest, planted);
     expect_near(face, planted);
     ASSERT_TRUE(face.beyond) << name_of(planted.quantity);
     // A related collision may be beyond the limit, and the witness itself just within.
     const Planted nearly{planted.quantity, planted.is_upper, planted.end * (planted.is_upper ? 0.9 : 1.1)};
     EXPECT_TRUE(is_beyond(nearly, face.beyond->shrunk.collision)) << name_of(planted.quantity);
-    EXPECT_GE(reach.cases, 1'000U);
-    EXPECT_LE(reach.domain.ranges[planted.quantity].least, reach.domain.ranges[planted.quantity].most);
+    EXPECT_GE(widest.cases, 1'000U);
+    EXPECT_LE(widest.domain.ranges[planted.quantity].least, widest.domain.ranges[planted.quantity].most);
   }
 }
 
-TEST(Reach, FindsTwoLimitsAtOnce) {
+TEST(WidestDomain, FindsTwoLimitsAtOnce) {
   const Planted speed{LimitedQuantity::speed, true, 500};
   const Planted mass_ratio{LimitedQuantity::mass_ratio, true, 40};
-  const Reach reach = measured_reach(limited({speed, mass_ratio}), options());
-  expect_near(face_of(reach, speed), speed);
-  expect_near(face_of(reach, mass_ratio), mass_ratio);
+  const WidestDomain widest = measured_widest_domain(limited({speed, mass_ratio}), options());
+  expect_near(face_of(widest, speed), speed);
+  expect_near(face_of(widest, mass_ratio), mass_ratio);
 }
 
-TEST(Reach, EndsWhereTheSearchEndsForASoundSubject) {
-  const Reach reach = measured_reach(*subjects::subject_named("frictionless-double"), options());
-  for (const Face& face : reach.ends.faces) {
+TEST(WidestDomain, EndsWhereTheSearchEndsForASoundSubject) {
+  const WidestDomain widest = measured_widest_domain(unit::subject_of("frictionless-double"), options());
+  for (const Face& face : widest.ends.faces) {
     EXPECT_FALSE(face.beyond) << name_of(face.quantity);
   }
-  EXPECT_EQ(reach.share, 1);
-  EXPECT_GE(reach.cases, 1'000U);
+  EXPECT_EQ(widest.share, 1);
+  EXPECT_GE(widest.cases, 1'000U);
 }
 
 /// A subject that skips every collision shows nothing, so no domain is measured.
-TEST(Reach, IsUnknownIfNothingIsJudged) {
-  Subject skipping = limited({});
-  skipping.open = [] {
-    return Session([](std::span<const Collision> collisions) {
-      return std::vector<Answer>(collisions.size(), Skipped{"always"});
-    });
-  };
-  const Reach reach = measured_reach(skipping, options());
-  EXPECT_FALSE(reach.ends.error.empty());
-  EXPECT_TRUE(reach.ends.faces.empty());
+TEST(WidestDomain, IsUnknownIfNothingIsJudged) {
+  const Subject skipping = unit::with_answers(limited({}), [](const auto&, std::vector<Answer>& answers) {
+    std::ranges::fill(answers, Answer(Skipped{"always"}));
+  });
+  const WidestDomain widest = measured_widest_domain(skipping, options());
+  EXPECT_FALSE(widest.ends.error.empty());
+  EXPECT_TRUE(widest.ends.faces.empty());
 }
 
-TEST(Reach, StartsFromACoreOfZerosAndFromOneBeyondTheSearch) {
-  ReachOptions of_zeros = options();
+TEST(WidestDomain, StartsFromACoreOfZerosAndFromOneBeyondTheSearch) {
+  WidestDomainOptions of_zeros = options();
   of_zeros.core.ranges[LimitedQuantity::friction] = {0, 0};
   of_zeros.core.ranges[LimitedQuantity::spin] = {0, 0};
-  const Reach from_zero = measured_reach(*subjects::subject_named("frictionless-double"), of_zeros);
+  const WidestDomain from_zero = measured_widest_domain(unit::subject_of("frictionless-double"), of_zeros);
   EXPECT_EQ(from_zero.domain.ranges[LimitedQuantity::friction], (Range{0, 1e9}));
-  ReachOptions beyond = options();
+  WidestDomainOptions beyond = options();
   beyond.core.ranges[LimitedQuantity::speed] = {1e10, 1e11};
   beyond.core.ranges[LimitedQuantity::approach] = {1e9, 1e12};
-  const Reach from_beyond = measured_reach(*subjects::subject_named("frictionless-double"), beyond);
+  const WidestDomain from_beyond = measured_widest_domain(unit::subject_of("frictionless-double"), beyond);
   EXPECT_EQ(from_beyond.domain.ranges[LimitedQuantity::speed].most, 1e11);
   EXPECT_EQ(from_beyond.domain.ranges[LimitedQuantity::approach].most, 1e12);
 }
 
 /// J⁻¹ in world axes loses digits of slender bodies before it loses all but three.
-TEST(Reach, SearchesTheEndsWithAStricterYardstickToo) {
-  ReachOptions both = options();
+TEST(WidestDomain, SearchesTheEndsWithAStricterYardstickToo) {
+  WidestDomainOptions both = options();
   both.stricter = both.limits;
   both.limits.digits = 3;
-  const Subject subject = *subjects::subject_named("reflection-world-float");
-  const Reach reach = measured_reach(subject, both);
-  ReachOptions alone = options();
-  const Reach strict = measured_reach(subject, alone);
-  ASSERT_TRUE(reach.stricter);
+  const Subject subject = unit::subject_of("reflection-world-float");
+  const WidestDomain widest = measured_widest_domain(subject, both);
+  WidestDomainOptions alone = options();
+  const WidestDomain strict = measured_widest_domain(subject, alone);
+  ASSERT_TRUE(widest.stricter);
   const auto moments = [&](const Ends& ends) { return range_of(ends, both.core, LimitedQuantity::moment_ratio).most; };
-  EXPECT_EQ(moments(*reach.stricter), moments(strict.ends));
-  EXPECT_LT(moments(*reach.stricter), moments(reach.ends));
+  EXPECT_EQ(moments(*widest.stricter), moments(strict.ends));
+  EXPECT_LT(moments(*widest.stricter), moments(widest.ends));
   EXPECT_FALSE(strict.stricter);
 }
 
-TEST(Reach, StopsIfAskedTo) {
+TEST(WidestDomain, StopsIfAskedTo) {
   std::stop_source source;
   source.request_stop();
-  ReachOptions stopped = options();
+  WidestDomainOptions stopped = options();
   stopped.stop = source.get_token();
-  EXPECT_EQ(measured_reach(*subjects::subject_named("frictionless-double"), stopped).ends.error, "interrupted");
+  EXPECT_EQ(measured_widest_domain(unit::subject_of("frictionless-double"), stopped).ends.error, "interrupted");
 }
 
-TEST(Reach, ShowsAViolationInTheCore) {
-  const Reach reach = measured_reach(limited({{LimitedQuantity::mass, true, 1}}), options());
-  ASSERT_TRUE(reach.ends.in_core);
-  EXPECT_TRUE(contains(options().core, reach.ends.in_core->shrunk.collision));
-  EXPECT_TRUE(reach.ends.faces.empty());
+TEST(WidestDomain, ShowsAViolationInTheCore) {
+  const WidestDomain widest = measured_widest_domain(limited({{LimitedQuantity::mass, true, 1}}), options());
+  ASSERT_TRUE(widest.ends.in_core);
+  EXPECT_TRUE(contains(options().core, widest.ends.in_core->shrunk.collision));
+  EXPECT_TRUE(widest.ends.faces.empty());
 }
 
-TEST(Reach, DependsOnTheSeedAlone) {
+TEST(WidestDomain, DependsOnTheSeedAlone) {
   const Subject subject = limited({{LimitedQuantity::speed, true, 500}});
-  const Reach first = measured_reach(subject, options());
-  ReachOptions parallel = options();
+  const WidestDomain first = measured_widest_domain(subject, options());
+  WidestDomainOptions parallel = options();
   parallel.workers = tool::threads(3);
-  const Reach again = measured_reach(subject, parallel);
+  const WidestDomain again = measured_widest_domain(subject, parallel);
   EXPECT_EQ(to_text(first.domain), to_text(again.domain));
   for (std::size_t i = 0; i < first.ends.faces.size(); ++i) {
     EXPECT_EQ(first.ends.faces[i].end, again.ends.faces[i].end);
@@ -220,7 +212,7 @@ TEST(Reach, DependsOnTheSeedAlone) {
 
 /// A program that takes long to start is started a few times: in the core, in the domain, and when it fails. The steps
 /// of the search use two sessions in turn.
-TEST(Reach, KeepsTheSessionsOfAProgram) {
+TEST(WidestDomain, KeepsTheSessionsOfAProgram) {
   const Subject built_in = limited({{LimitedQuantity::mass, true, 5e3}});
   Subject program = built_in;
   program.specification = "exec:a-program";
@@ -229,14 +221,14 @@ TEST(Reach, KeepsTheSessionsOfAProgram) {
     ++starts;
     return open();
   };
-  ReachOptions one_thread = options();
-  const Reach of_program = measured_reach(program, one_thread);
-  EXPECT_EQ(to_text(of_program.domain), to_text(measured_reach(built_in, one_thread).domain));
+  WidestDomainOptions one_thread = options();
+  const WidestDomain of_program = measured_widest_domain(program, one_thread);
+  EXPECT_EQ(to_text(of_program.domain), to_text(measured_widest_domain(built_in, one_thread).domain));
   EXPECT_LE(starts, 12U);
 }
 
 TEST(KeptSessions, TakeTurnsAndLeaveOutFailedOnes) {
-  Subject subject = *subjects::subject_named("frictionless-double");
+  Subject subject = unit::subject_of("frictionless-double");
   int opened = 0;
   subject.open = [&opened] {
     const int number = opened++;

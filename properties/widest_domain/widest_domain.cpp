@@ -1,18 +1,51 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
+#include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include <carom/collision/expects.hpp>
 #include <carom/properties/cases/draw_within.hpp>
 #include <carom/properties/gate/gate.hpp>
-#include <carom/properties/widest_domain/kept_sessions.hpp>
-#include <carom/properties/widest_domain/reach.hpp>
+#include <carom/properties/widest_domain/widest_domain.hpp>
 
 namespace carom::properties {
+
+KeptSessions::KeptSessions(const Subject& subject)
+    : subject_(subject), open_(subject.open), idle_(std::make_shared<std::deque<std::shared_ptr<Kept>>>()) {
+  subject_.open = [this] { return take(); };
+}
+
+Session KeptSessions::take() {
+  constexpr std::size_t most_idle = 2;
+  std::shared_ptr<Kept> kept;
+  if (idle_->size() < most_idle) {
+    kept = std::make_shared<Kept>(Kept{open_()});
+  } else {
+    kept = std::move(idle_->front());
+    idle_->pop_front();
+  }
+  return {[kept](std::span<const Collision> collisions) {
+            try {
+              return kept->session(collisions);
+            } catch (...) {
+              kept->has_failed = true;
+              throw;
+            }
+          },
+          [kept, idle = idle_] {
+            if (!kept->has_failed) {
+              idle->push_back(kept);
+            }
+          }};
+}
+
 namespace {
 
 /// A value as a number that the search halves: its logarithm, or the value itself.
@@ -73,7 +106,7 @@ bool fails(const SubjectResult& result) {
 
 class Search {
  public:
-  Search(const Subject& subject, const ReachOptions& options, const oracles::Limits& limits)
+  Search(const Subject& subject, const WidestDomainOptions& options, const oracles::Limits& limits)
       : subject_(&subject), options_(&options), limits_(limits) {
     if (subject.is_program()) {
       kept_.emplace(subject);
@@ -173,13 +206,13 @@ class Search {
   }
 
   const Subject* subject_;
-  const ReachOptions* options_;
+  const WidestDomainOptions* options_;
   oracles::Limits limits_;
   std::optional<KeptSessions> kept_;  // of a program
 };
 
 /// An error "interrupted" says that a stop was requested.
-Ends searched_ends(const Search& search, const ReachOptions& options) {
+Ends searched_ends(const Search& search, const WidestDomainOptions& options) {
   const Ends interrupted{{}, "interrupted"};
   const SubjectResult in_core = search.judged(options.core, options.seed, options.cases_of_box, true);
   if (options.stop.stop_requested()) {
@@ -253,24 +286,24 @@ Range range_of(const Ends& ends, const Domain& core, LimitedQuantity quantity) {
   return domain_at(core, ends.faces, 1).ranges[quantity];
 }
 
-Reach measured_reach(const Subject& subject, const ReachOptions& options) {
+WidestDomain measured_widest_domain(const Subject& subject, const WidestDomainOptions& options) {
   CAROM_EXPECTS(has_cases_within(options.core, *family_named("generic"), options.seed), to_text(options.core));
   const Search search(subject, options, options.limits);
-  const Reach interrupted{{{}, "interrupted"}, {}, options.core};
-  Reach reach;
-  reach.domain = options.core;
-  reach.ends = searched_ends(search, options);
-  reach.cases = reach.ends.cases_of_core;
-  reach.unjudged = reach.ends.unjudged_of_core;
-  if (!reach.ends.error.empty() || reach.ends.in_core) {
-    return reach;
+  const WidestDomain interrupted{{{}, "interrupted"}, {}, options.core};
+  WidestDomain widest;
+  widest.domain = options.core;
+  widest.ends = searched_ends(search, options);
+  widest.cases = widest.ends.cases_of_core;
+  widest.unjudged = widest.ends.unjudged_of_core;
+  if (!widest.ends.error.empty() || widest.ends.in_core) {
+    return widest;
   }
   double held = 0;
   double failed = 1;
   std::uint64_t seed = options.seed;  // each domain gets fresh cases
   constexpr double narrowest = 1.0 / 64;
   for (double share = 1; failed - held > narrowest; share = held + (failed - held) / 2) {
-    const Domain domain = domain_at(options.core, reach.ends.faces, share);
+    const Domain domain = domain_at(options.core, widest.ends.faces, share);
     const SubjectResult result = search.judged(domain, ++seed, options.cases_of_box, false);
     if (options.stop.stop_requested()) {
       return interrupted;
@@ -280,21 +313,21 @@ Reach measured_reach(const Subject& subject, const ReachOptions& options) {
       continue;
     }
     held = share;
-    reach.domain = domain;
-    reach.cases = result.cases();
-    reach.unjudged = result.unjudged();
+    widest.domain = domain;
+    widest.cases = result.cases();
+    widest.unjudged = result.unjudged();
     if (share == 1) {
       break;
     }
   }
-  reach.share = held;
+  widest.share = held;
   if (options.stricter) {
-    reach.stricter = searched_ends(Search(subject, options, *options.stricter), options);
+    widest.stricter = searched_ends(Search(subject, options, *options.stricter), options);
   }
   if (options.stop.stop_requested()) {
     return interrupted;
   }
-  return reach;
+  return widest;
 }
 
 }  // namespace carom::properties

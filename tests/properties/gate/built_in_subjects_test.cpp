@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <map>
+#include <span>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include <carom/oracles/judge/exact_case.hpp>
 #include <carom/properties/gate/gate.hpp>
 #include <carom/properties/gate/witness.hpp>
 #include <carom/subjects/catalogue.hpp>
+
+#include "support/cases.hpp"
 
 /// Each built-in subject that is expected to pass is sound, and each other one violates an invariant. If a subject
 /// becomes sound, set its `expected_to_pass`.
@@ -57,14 +62,12 @@ std::size_t violated_in(const Subject& subject, const Number& number) {
 
 GateOptions on_all_families(std::uint64_t cases) {
   GateOptions options;
-  for (const Family& family : all_families()) {
-    options.families.push_back(&family);
-  }
+  options.families = pointers_to(all_families());
   options.cases = cases;
   return options;
 }
 
-TEST(Kept, AreSoundUnlessTheyAreExpectedToFail) {
+TEST(BuiltInSubjects, AreSoundIfTheyAreExpectedToPass) {
   std::vector<Subject> expected_to_pass = subjects::all_subjects();
   std::erase_if(expected_to_pass,
                 [](const Subject& subject) { return !subject.expected_to_pass || !subject.absent.empty(); });
@@ -76,7 +79,7 @@ TEST(Kept, AreSoundUnlessTheyAreExpectedToFail) {
   }
 }
 
-TEST(Kept, Fail) {
+TEST(BuiltInSubjects, ViolateAnInvariantIfTheyAreExpectedToFail) {
   GateOptions options = on_all_families(1000);
   options.fail_fast = true;
   std::size_t kept = 0;
@@ -97,7 +100,7 @@ TEST(Kept, Fail) {
 
 /// In the cases of `rare`, `reflection-float` is sound, because its LDLᵀ raises each pivot to at least λ = 1/m_A +
 /// 1/m_B. In double, each method of `rare` is sound.
-TEST(Kept, FailWhereOthersDoNot) {
+TEST(BuiltInSubjects, AreSoundInOtherMethodsWhereARareCaseBreaksOne) {
   for (const auto& [name, number] : rare) {
     const std::string in_double = name.substr(0, name.rfind('-')) + "-double";
     for (const std::string& sound : {std::string("reflection-float"), std::string("reflection-double"), in_double}) {
@@ -106,9 +109,38 @@ TEST(Kept, FailWhereOthersDoNot) {
   }
 }
 
-TEST(Kept, AreNotTheSubjectsThatWereMended) {
+TEST(BuiltInSubjects, AreSoundInTheCasesThatOnceBrokeThem) {
   for (const auto& [name, number] : mended) {
     EXPECT_EQ(violated_in(subjects::subject_named(name).value(), number), 0U) << name;
+  }
+}
+
+/// If a built-in solver reports its matrix at all, it reports the matrix in every colliding case.
+TEST(BuiltInSubjects, ShowTheirMatrixInEachCollidingCaseOrInNone) {
+  for (const Subject& subject : subjects::built_in_subjects()) {
+    int shown = 0;
+    int changed = 0;
+    Session session = subject.open();
+    for (std::uint64_t i = 0; i < 20; ++i) {
+      const Collision collision = unit::case_of("sliding", i).collision;
+      shown += std::get<ReportedOutcome>(session(std::span(&collision, 1)).at(0)).collision_matrix ? 1 : 0;
+      changed += oracles::ExactCase(collision).approach() == oracles::Approach::colliding ? 1 : 0;
+    }
+    EXPECT_GT(changed, 5);
+    EXPECT_EQ(shown, subject.shows_collision_matrix ? changed : 0) << subject.name;
+    const bool forms_none = subject.law == Law::frictionless || subject.name.find("-batch-") != std::string::npos;
+    EXPECT_EQ(subject.shows_collision_matrix, !forms_none) << subject.name;
+  }
+}
+
+/// Without friction, `coulomb` needs no matrix. It shows the matrix all the same, because it claims so.
+TEST(BuiltInSubjects, ShowTheirMatrixWithoutFrictionToo) {
+  const Subject subject = subjects::subject_named("coulomb-double").value();
+  Case one = unit::case_of("sliding", 0);
+  Session session = subject.open();
+  for (const double friction : {0.5, 0.0}) {
+    one.collision.friction = friction;
+    EXPECT_TRUE(std::get<ReportedOutcome>(session(std::span(&one.collision, 1)).at(0)).collision_matrix.has_value());
   }
 }
 
