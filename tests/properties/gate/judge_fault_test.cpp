@@ -34,11 +34,11 @@ GateOptions options_of(const std::vector<const char*>& families) {
   return options;
 }
 
-Subject right() { return unit::subject_of("frictionless-double"); }
+Subject frictionless() { return unit::subject_of("frictionless-double"); }
 
 TEST(JudgeFault, EndsTheRunAndNamesTheCollisionAndNoSubject) {
   const unit::PlantedFormula planted("restitution", fails_if_inelastic);
-  const GateReport report = run_gate({right()}, options_of({"elastic", "inelastic"}));
+  const GateReport report = run_gate({frictionless()}, options_of({"elastic", "inelastic"}));
   ASSERT_TRUE(report.judge_error);
   EXPECT_STREQ(report.judge_error->what(), "a wrong formula");
   EXPECT_EQ(report.judge_error->collision().restitution, 0);
@@ -61,7 +61,7 @@ TEST(JudgeFault, KeepsWhatWasJudgedBefore) {
 
 TEST(JudgeFault, DoesNotCostAnswersToOtherFamilies) {
   const unit::PlantedFormula planted("restitution", fails_if_inelastic);
-  const GateReport report = run_gate({right()}, options_of({"elastic"}));
+  const GateReport report = run_gate({frictionless()}, options_of({"elastic"}));
   EXPECT_FALSE(report.judge_error);
   EXPECT_TRUE(report.results.at(0).is_sound()) << report.results.at(0).not_judged;
 }
@@ -78,7 +78,7 @@ TEST(JudgeFault, InTheSearchForASimplerViolationCostsThatSearch) {
   });
   GateOptions options = options_of({"inelastic"});
   options.shrinks = false;
-  GateReport report = run_gate({right()}, options);
+  GateReport report = run_gate({frictionless()}, options);
   ASSERT_EQ(report.results.at(0).witnesses.size(), 1U);
   is_judging = false;
   report.options.shrinks = true;
@@ -95,12 +95,12 @@ TEST(NeverJudged, InvariantsLeaveASubjectNotSound) {
   GateOptions options;
   options.cases = 50;
   options.families = pointers_to(all_families());
-  const SubjectResult result = run_gate({right()}, options).results.at(0);
+  const SubjectResult result = run_gate({frictionless()}, options).results.at(0);
   EXPECT_FALSE(result.is_sound());
   EXPECT_EQ(result.not_judged,
             "no case judged restitution. Choose other families, more cases or a wider domain, or leave them out: "
             "--deviates restitution");
-  Subject deviating = right();
+  Subject deviating = frictionless();
   deviating.deviates = {"restitution"};
   EXPECT_EQ(run_gate({deviating}, options).results.at(0).not_judged, "");
 }
@@ -115,7 +115,7 @@ TEST(NeverJudged, InvariantsArePermittedInAPartOfARun) {
   part.is_part = true;
   shard.shard = {1, 2};
   for (const GateOptions& options : {part, shard}) {
-    const SubjectResult result = run_gate({right()}, options).results.at(0);
+    const SubjectResult result = run_gate({frictionless()}, options).results.at(0);
     EXPECT_TRUE(result.is_sound()) << result.not_judged;
     EXPECT_EQ(result.never_judged(options), std::vector{invariant_named("restitution")});
   }

@@ -52,7 +52,7 @@ class ReplayHtml : public testing::Test {
   }
 };
 
-TEST(ReplayHtmlWithoutItsPage, SaysSo) {
+TEST(ReplayHtmlWithoutItsPage, SaysThatReplaysAreNotBuilt) {
   if (has_replay()) {
     GTEST_SKIP() << "built with replays";
   }
@@ -70,7 +70,7 @@ TEST_F(ReplayHtml, IsOnePageWithTheReplayTheTitleAndTheNoticeOfThreeJs) {
   EXPECT_NE(page.find("SPDX-License-Identifier: MIT"), std::string::npos);
 }
 
-TEST_F(ReplayHtml, IsBrokenOutOfByNoName) {
+TEST_F(ReplayHtml, EscapesEachName) {
   const std::string harmless = replay_html("title", replay());
   for (const std::string nasty : {"</script><script>alert(1)</script>", "<!--", "<!-- <script>", "</SCRIPT >",
                                   "</title><img src=x onerror=alert(1)>", "]]>", "\\u003c/script>", "{{replay}}",
@@ -82,7 +82,7 @@ TEST_F(ReplayHtml, IsBrokenOutOfByNoName) {
   }
 }
 
-TEST_F(ReplayHtml, TakesWhatIsNoUtf8) {
+TEST_F(ReplayHtml, AcceptsNamesThatAreNotUtf8) {
   const std::string page = replay_html("a\xff", replay("b\xff"));
   EXPECT_EQ(between(page, "<title>", "</title>"), "a\xef\xbf\xbd");
   EXPECT_EQ(embedded(page).at("title"), "b\xef\xbf\xbd");

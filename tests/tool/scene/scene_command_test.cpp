@@ -207,7 +207,7 @@ TEST(SceneCommand, PolyhedraGainEnergyUnderReflectionAlone) {
 }
 
 /// A replay that cannot hold all events ends just before the first event that does not fit. The output reports this.
-TEST(SceneRun, ReplaysWhatFitsIn) {
+TEST(SceneRun, ReplaysTheEventsThatFitIntoThePage) {
   const auto replayed = [](std::uint64_t most) {
     tool::SceneOptions options;
     options.most_replayed = most;
