@@ -208,7 +208,7 @@ BasicCollision<oracles::Dual<S, 8>> with_inertia_as_inputs(BasicCollision<oracle
 
 /// Inequality (1) for K follows from Σ_j x_j ∂K/∂x_j = −K over the masses and moments x_j. This test checks the
 /// equation exactly.
-TEST(ExactCase, RestOnAMatrixThatIsHomogeneous) {
+TEST(ExactCase, HasACollisionMatrixThatIsHomogeneousInMassesAndMoments) {
   using T = oracles::Dual<Rational, 8>;
   properties::Stream stream = properties::stream_from(71);
   for (int i = 0; i < 50; ++i) {

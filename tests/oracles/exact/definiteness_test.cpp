@@ -113,7 +113,7 @@ TEST(Definiteness, ReadsTheLowerTriangleAlone) {
   EXPECT_TRUE(is_positive_semidefinite(m));
 }
 
-TEST(Bounds, AreDecidedExactlyAtTheEigenvalue) {
+TEST(Definiteness, BeyondABoundIsDecidedExactlyAtTheEigenvalue) {
   // Eigenvalues 2/3 (twice) and 8/3.
   const Rational off = ratio(2, 3);
   const ExactMatrix m = symmetric(ratio(4, 3), off, ratio(4, 3), off, off, ratio(4, 3));
