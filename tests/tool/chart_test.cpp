@@ -15,6 +15,7 @@
 
 #include <carom/subjects/methods.hpp>
 
+#include "support/expect_in.hpp"
 #include "support/program.hpp"
 
 namespace carom::tests {
@@ -143,7 +144,7 @@ TEST_F(Chart, EveryPictureIsSvgWithoutScriptsAndReadableAtTheWidthOfAReadme) {
     }
     ++pictures;
     const std::string content = content_of(entry.path());
-    EXPECT_NE(content.find("prefers-color-scheme: dark"), std::string::npos) << entry.path();
+    unit::expect_in(content, {"prefers-color-scheme: dark"});
     EXPECT_TRUE(content.find("[ns]") != std::string::npos || content.find("[ulps") != std::string::npos)
         << entry.path() << " has a unit";
     EXPECT_TRUE(std::filesystem::exists(out() / "gnuplot" / entry.path().stem().concat(".gp")));
@@ -170,10 +171,8 @@ TEST_F(Chart, EveryPictureIsSvgWithoutScriptsAndReadableAtTheWidthOfAReadme) {
 
 TEST_F(Chart, NamesEveryMethodInTheTableAndInThePictures) {
   const std::string picture = content_of(out() / "work-precision-reflection.svg");
-  for (const char* name : {"reflection-double", "reflection-in-basis-double", "fails in"}) {
-    EXPECT_NE(picture.find(name), std::string::npos) << name;
-  }
-  EXPECT_NE(run().output.find("| reflection-in-basis-double |"), std::string::npos);
+  unit::expect_in(picture, {"reflection-double", "reflection-in-basis-double", "fails in"});
+  unit::expect_in(run().output, {"| reflection-in-basis-double |"});
   EXPECT_EQ(run().output, content_of(out() / "tables.md"));
   pugi::xml_document document;
   ASSERT_TRUE(document.load_file((out() / "stability-reflection-tangential_velocity.svg").c_str()));
@@ -250,8 +249,8 @@ TEST(ChartOfSubjects, DrawsStabilityMapsOfAProgram) {
     EXPECT_EQ(sweep.at("lines")[1].at("method"), name);
     EXPECT_TRUE(sweep.at("lines")[1].at("leaves_limit_at").is_number()) << sweep.at("name");
   }
-  EXPECT_NE(content_of(out + "/stability.csv").find(",\"`touch ran`, \"\"quoted\"\"\","), std::string::npos);
-  EXPECT_NE(content_of(out + "/stability-frictionless-slenderness.svg").find("touch ran"), std::string::npos);
+  unit::expect_in(content_of(out + "/stability.csv"), {",\"`touch ran`, \"\"quoted\"\"\","});
+  unit::expect_in(content_of(out + "/stability-frictionless-slenderness.svg"), {"touch ran"});
   EXPECT_FALSE(std::filesystem::exists(out + "/ran"));
 }
 
@@ -261,8 +260,7 @@ TEST(ChartOfSubjects, AProgramThatFailsAgainAndAgainLosesNoOtherPoint) {
   const RunResult run = run_carom({"chart", std::string("exec:") + CAROM_MISBEHAVING + " exit-in-the-middle crasher",
                                    "bullet-double", "--cases", "3", "--out", out});
   EXPECT_EQ(run.exit_status, 2);
-  EXPECT_NE(run.errors.find("crasher: "), std::string::npos) << run.errors;
-  EXPECT_NE(run.errors.find("no later points"), std::string::npos) << run.errors;
+  unit::expect_in(run.errors, {"crasher: ", "no later points"});
   std::size_t of_bullet = 0;
   std::size_t of_crasher = 0;
   const json record = json::parse(content_of(out + "/chart.json"));
@@ -285,12 +283,12 @@ TEST(ChartUsage, RefusesASubjectThatCannotBeChartedAndNamesIt) {
   const auto errors_of = [&](const std::string& subject) {
     const RunResult run = run_carom({"chart", subject, "--out", directory.path().string()});
     EXPECT_EQ(run.exit_status, 2) << subject;
-    EXPECT_NE(run.errors.find(subject), std::string::npos) << run.errors;
+    unit::expect_in(run.errors, {subject});
     return run.errors;
   };
-  EXPECT_NE(errors_of("no-such-method").find("there is no subject"), std::string::npos);
-  EXPECT_NE(errors_of("bullet-double-coulomb").find("its law `coulomb` determines none"), std::string::npos);
-  EXPECT_NE(errors_of("exec:/no/such/program").find("No such file"), std::string::npos);
+  unit::expect_in(errors_of("no-such-method"), {"there is no subject"});
+  unit::expect_in(errors_of("bullet-double-coulomb"), {"its law `coulomb` determines none"});
+  unit::expect_in(errors_of("exec:/no/such/program"), {"No such file"});
 }
 
 TEST(ChartUsage, WritesTheDataIfGnuplotIsMissingOrWritesNoPicture) {
@@ -307,7 +305,7 @@ TEST(ChartUsage, WritesTheDataIfGnuplotIsMissingOrWritesNoPicture) {
     const RunResult run = run_program("/usr/bin/env", {"PATH=" + path, carom_program(), "chart", "frictionless-double",
                                                        "--cases", "2", "--repetitions", "1", "--out", out.string()});
     EXPECT_EQ(run.exit_status, 2);
-    EXPECT_NE(run.errors.find(says), std::string::npos) << run.errors;
+    unit::expect_in(run.errors, {says});
     EXPECT_TRUE(std::filesystem::exists(out / "chart.json"));
     EXPECT_TRUE(std::filesystem::exists(out / "gnuplot" / "work-precision-frictionless.gp"));
   }

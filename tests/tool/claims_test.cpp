@@ -9,6 +9,7 @@
 #include <carom/collision/json/json.hpp>
 #include <carom/properties/cases/domain.hpp>
 
+#include "support/expect_in.hpp"
 #include "support/program.hpp"
 
 namespace carom::tests {
@@ -88,11 +89,9 @@ TEST(InvariantsOfTheMatrix, AreClaimedOnlyByAMethodThatShowsItsCollisionMatrix) 
   const RunResult result = gate_of({"frictionless-double", "reflection-double", "reflection-batch-double"},
                                    {"--cases", "5", "--out", out.path().string()});
   EXPECT_EQ(result.exit_status, 0) << result.errors;
-  EXPECT_NE(result.output.find("  frictionless-double, reflection-batch-double: not claimed, because it shows no "
-                               "collision matrix: definite, well_conditioned, matrix_used\n"),
-            std::string::npos)
-      << result.output;
-  EXPECT_NE(content_of(out.path() / "report.html").find("because it shows no collision matrix"), std::string::npos);
+  unit::expect_in(result.output, {"  frictionless-double, reflection-batch-double: not claimed, because it shows no "
+                                  "collision matrix: definite, well_conditioned, matrix_used\n"});
+  unit::expect_in(content_of(out.path() / "report.html"), {"because it shows no collision matrix"});
   const json report = report_in(out.path().string());
   for (const auto& [subject, shows] : {std::pair{0U, false}, std::pair{1U, true}, std::pair{2U, false}}) {
     const json& record = report.at("subjects").at(subject);
@@ -120,12 +119,11 @@ TEST(DeclaredEffects, AreInTheReportInAReplayAndInAComparison) {
   EXPECT_EQ(report.at("subjects")[0].at("claims"), json::parse(threshold));
   const std::string schema = std::string(CAROM_SOURCE_DIR) + "/docs/reference/schemas/report.schema.json";
   EXPECT_EQ(accepted_by(schema, {out + "/report.json"}).size(), 1U);
-  EXPECT_NE(content_of(out + "/report.html").find("restitution_threshold 0.5 m/s"), std::string::npos);
+  unit::expect_in(content_of(out + "/report.html"), {"restitution_threshold 0.5 m/s"});
   const std::string witness = report.at("subjects")[0].at("violations")[0].at("witness");
   const RunResult replayed = run_carom({"replay", out + "/" + witness, "--subject", declaring(threshold)});
   EXPECT_EQ(replayed.exit_status, 1) << replayed.errors;
-  EXPECT_NE(replayed.output.find("declaring declares restitution_threshold 0.5 m/s"), std::string::npos)
-      << replayed.output;
+  unit::expect_in(replayed.output, {"declaring declares restitution_threshold 0.5 m/s"});
   const std::string before = (directory.path() / "before").string();
   EXPECT_EQ(gate("{}", before).exit_status, 0);
   const RunResult compared = run_carom({"compare", before, out});
@@ -183,16 +181,14 @@ TEST(Within, IsTheDomainThatAProgramDeclaresUnlessTheCommandLineHasAnother) {
   const std::string large = program(R"('domain={"size": [10, null]}' large)");
   const RunResult declared = judged({small});
   EXPECT_EQ(declared.exit_status, 0) << declared.output << declared.errors;
-  EXPECT_NE(declared.output.find(" within size=0.001:0.01,"), std::string::npos) << declared.output;
-  EXPECT_NE(judged({small}, {"--within", "games"}).output.find(" within size=0.1:10,"), std::string::npos);
+  unit::expect_in(declared.output, {" within size=0.001:0.01,"});
+  unit::expect_in(judged({small}, {"--within", "games"}).output, {" within size=0.1:10,"});
   const RunResult different = judged({small, large});
   EXPECT_EQ(different.exit_status, 2);
-  EXPECT_NE(different.errors.find("small declares the domain size=0.001:0.01, and large declares size=10:"),
-            std::string::npos)
-      << different.errors;
+  unit::expect_in(different.errors, {"small declares the domain size=0.001:0.01, and large declares size=10:"});
   const RunResult unknown = judged({program(R"('domain={"colour": [1, 2]}' odd)")});
   EXPECT_EQ(unknown.exit_status, 2);
-  EXPECT_NE(unknown.errors.find("odd: the domain in the reply to start: "), std::string::npos) << unknown.errors;
+  unit::expect_in(unknown.errors, {"odd: the domain in the reply to start: "});
 }
 
 TEST(Within, HoldsForWitnessesAndForTheShardsOfARun) {
@@ -225,7 +221,7 @@ TEST(Within, HoldsForWitnessesAndForTheShardsOfARun) {
   EXPECT_EQ(sum.at("families"), whole.at("families"));
   const RunResult different = run_carom({"merge", "--out", path("wrong"), path("first"), path("other")});
   EXPECT_EQ(different.exit_status, 2);
-  EXPECT_NE(different.errors.find("within: " + small_bodies), std::string::npos) << different.errors;
+  unit::expect_in(different.errors, {"within: " + small_bodies});
 }
 
 /// Just below 1 : 8, the solvers compute torques by plain cross products (impulse/principal_inertia.hpp). A cheaper

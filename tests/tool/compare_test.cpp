@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
 
+#include "support/expect_in.hpp"
 #include "support/program.hpp"
 
 namespace carom::tests {
@@ -80,19 +81,15 @@ TEST_F(TwoReports, ComparedAreATableWithARowForEachChangedInvariant) {
   count_of(now, 0, "restitution") = {{"holds", 29}, {"violated", 1}, {"skipped", 0}};
   count_of(now, 1, "restitution") = {{"holds", 0}, {"violated", 30}, {"skipped", 0}};
   const std::string of_new = compare(without_violation(), now).output;
-  EXPECT_NE(of_new.find("reflection-in-basis-double  new"), std::string::npos) << of_new;
-  EXPECT_NE(of_new.find("restitution"), std::string::npos) << of_new;
-  EXPECT_NE(of_new.find("head_on (1 of 30), generic (30 of 30)"), std::string::npos) << of_new;
+  unit::expect_in(of_new, {"reflection-in-basis-double  new", "restitution", "head_on (1 of 30), generic (30 of 30)"});
   EXPECT_NE(of_new.find("\n2 new, "), std::string::npos) << "a row is an invariant, a count is one of a family";
   const std::string of_fixed = compare(now, without_violation()).output;
-  EXPECT_NE(of_fixed.find("head_on (1 of 30 before), generic (30 of 30 before)"), std::string::npos) << of_fixed;
+  unit::expect_in(of_fixed, {"head_on (1 of 30 before), generic (30 of 30 before)"});
   json other = report();
   other["seed"] = 2;
   other["cases_of_each_family"] = 20;
   const std::string of_other = compare(report(), other).output;
-  for (const char* part : {"Not comparable", "seed: 1 before, 2 now", "cases of each family: 30 before, 20 now"}) {
-    EXPECT_NE(of_other.find(part), std::string::npos) << of_other;
-  }
+  unit::expect_in(of_other, {"Not comparable", "seed: 1 before, 2 now", "cases of each family: 30 before, 20 now"});
 }
 
 TEST_F(TwoReports, MayHaveFieldsThatThisVersionDoesNotKnow) {
@@ -130,8 +127,7 @@ TEST_F(TwoReports, ThatCannotBeReadAreAnErrorThatNamesFileAndPlace) {
     change(bad);
     const RunResult result = compare(bad, report());
     EXPECT_EQ(result.exit_status, 2) << place;
-    EXPECT_NE(result.errors.find("before.json: this is not a report.json"), std::string::npos) << result.errors;
-    EXPECT_NE(result.errors.find(place), std::string::npos) << place << '\n' << result.errors;
+    unit::expect_in(result.errors, {"before.json: this is not a report.json", place});
     EXPECT_TRUE(result.output.empty());
   }
   EXPECT_EQ(run_carom({"compare", directory_.write("bad.json", "{"), old()}).exit_status, 2);
@@ -143,11 +139,10 @@ TEST_F(TwoReports, AreABaselineWithWhichAGateOfKnownViolationsEndsInZero) {
   const RunResult result = gate({"--baseline", old(), "--out", out.string(), "--summary",
                                  (directory_.path() / "summary.md").string(), "--annotations", "github"});
   EXPECT_EQ(result.exit_status, 0) << result.output;
-  EXPECT_NE(result.output.find("Against the baseline " + old()), std::string::npos) << result.output;
+  unit::expect_in(result.output, {"Against the baseline " + old()});
   EXPECT_EQ(result.output.find("::error "), std::string::npos) << result.output;
-  EXPECT_NE(result.output.find("(known from the baseline)"), std::string::npos) << result.output;
-  EXPECT_NE(content_of(directory_.path() / "summary.md").find("Against the baseline: nothing new, "),
-            std::string::npos);
+  unit::expect_in(result.output, {"(known from the baseline)"});
+  unit::expect_in(content_of(directory_.path() / "summary.md"), {"Against the baseline: nothing new, "});
   const json report = json::parse(content_of(out / "report.json"));
   EXPECT_EQ(report.at("exit_status"), 0);
   EXPECT_TRUE(report.at("baseline").at("new").empty());
@@ -157,7 +152,7 @@ TEST_F(TwoReports, AreABaselineWithWhichAGateOfKnownViolationsEndsInZero) {
   ASSERT_TRUE(junit.load_file((out / "junit.xml").c_str()));
   EXPECT_EQ(junit.child("testsuites").attribute("failures").as_int(-1), 0);
   EXPECT_TRUE(junit.select_node("//skipped[contains(@message, 'known from the baseline')]"));
-  EXPECT_NE(content_of(out / "report.html").find("Against the baseline"), std::string::npos);
+  unit::expect_in(content_of(out / "report.html"), {"Against the baseline"});
 }
 
 TEST_F(TwoReports, AreABaselineWithWhichAGateOfANewViolationEndsInOne) {
@@ -194,7 +189,7 @@ TEST_F(TwoReports, AreABaselineThatIsReadBeforeAnyProgramIsStarted) {
   const std::string bad = directory_.write("bad.json", R"({"carom": "0.1.0"})");
   const RunResult result = run_carom({"gate", "exec:/bin/sh " + script, "--baseline", bad});
   EXPECT_EQ(result.exit_status, 2);
-  EXPECT_NE(result.errors.find("bad.json"), std::string::npos) << result.errors;
+  unit::expect_in(result.errors, {"bad.json"});
   EXPECT_FALSE(std::filesystem::exists(started));
   (void)run_carom({"gate", "exec:/bin/sh " + script, "--cases", "1"});
   EXPECT_TRUE(std::filesystem::exists(started)) << "else the test could not fail";

@@ -15,6 +15,7 @@
 
 #include <carom/collision/law.hpp>
 
+#include "support/expect_in.hpp"
 #include "support/program.hpp"
 
 namespace carom::tests {
@@ -217,13 +218,13 @@ TEST_F(FormsOfARun, PageHasEveryPartAndRunsNothing) {
   expect_harmless_page(page);
   expect_sane_drawings(page);
   EXPECT_EQ(page.page.substr(0, 15), "<!DOCTYPE html>");
-  EXPECT_NE(page.page.find("Content-Security-Policy"), std::string::npos);
+  unit::expect_in(page.page, {"Content-Security-Policy"});
   EXPECT_EQ(page.text_of("//section[@id='summary']/p"),
             "Of 3 subjects that count, 1 is sound, 1 violates an invariant, and 1 could not be judged to the end.");
   EXPECT_EQ(page.text_of("//dt[text()='exit status']/../dd"), "2: some subjects could not be judged");
   EXPECT_EQ(page.text_of("//section[@id='environment']//dt[text()='seed']/../dd"), "4");
   EXPECT_EQ(page.text_of("//section[@id='subjects']//tr[th='frictionless-double']/td[1]"), "sound");
-  EXPECT_NE(page.text_of("//section[@class='error']/pre").find("/no/such"), std::string::npos);
+  unit::expect_in(page.text_of("//section[@class='error']/pre"), {"/no/such"});
   for (const char* part : {"subjects", "invariants", "families", "generated"}) {
     const std::string table = std::string("//section[@id='") + part + "']//table";
     EXPECT_TRUE(page.html.select_node((table + "/caption").c_str())) << part;
@@ -235,7 +236,7 @@ TEST_F(FormsOfARun, PageHasEveryPartAndRunsNothing) {
   const pugi::xml_node witness =
       page.html.select_node("//article[h4='reflection-in-basis-double violates restitution']").node();
   ASSERT_TRUE(witness);
-  EXPECT_NE(std::string(witness.select_node("pre").node().text().get()).find("carom replay "), std::string::npos);
+  unit::expect_in(std::string(witness.select_node("pre").node().text().get()), {"carom replay "});
   EXPECT_TRUE(witness.select_node(".//tr[th='velocity of A']/td[2]")) << "what is exact beside what was computed";
   expect_in(page.page, {"energy@head_on"});
   expect_in(page.run.output, {"not judged because of --deviates: energy@head_on, "});
@@ -291,7 +292,7 @@ TEST_F(FormsOfARun, AnnotationsAreAnErrorForEachViolationAndEachSubjectNotJudged
     ++count[command.name];
     if (command.title.find(" violates ") != std::string::npos) {
       EXPECT_TRUE(command.title.starts_with("reflection-in-basis-double violates ")) << command.title;
-      EXPECT_NE(command.message.find("carom replay " + forms().directory.path().string()), std::string::npos);
+      unit::expect_in(command.message, {"carom replay " + forms().directory.path().string()});
     }
   }
   EXPECT_EQ(count["error"], violations().size() + 1);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "support/expect_in.hpp"
 #include "support/program.hpp"
 
 namespace carom::tests {
@@ -95,15 +96,14 @@ TEST(GateCommand, WithFailFastEndsAtTheFirstViolationAndItsWitnessReplays) {
   EXPECT_EQ(subject.at("violations").at(0).at("count"), 1);
   const std::string witness = (out.path() / subject.at("violations").at(0).at("witness").get<std::string>()).string();
   EXPECT_EQ(run_carom({"replay", witness}).exit_status, 1);
-  EXPECT_NE(result.output.find("to its first violation"), std::string::npos) << result.output;
+  unit::expect_in(result.output, {"to its first violation"});
 }
 
 TEST(GateCommand, WithABudgetSaysHowManyCasesItWasEnoughFor) {
   const RunResult result = run_carom({"gate", "frictionless-double", "--families", "generic,separating", "--deviates",
                                       few_families_judge_no, "--budget", "0.2s"});
   EXPECT_EQ(result.exit_status, 0) << result.output;
-  EXPECT_NE(result.output.find("200 ms on 2 families in turn"), std::string::npos) << result.output;
-  EXPECT_NE(result.output.find("cases in 200 ms; the fewest cases are"), std::string::npos) << result.output;
+  unit::expect_in(result.output, {"200 ms on 2 families in turn", "cases in 200 ms; the fewest cases are"});
 }
 
 TEST(GateCommand, WithDigitsJudgesByDigitsInPlaceOfUlps) {
@@ -131,7 +131,7 @@ TEST(GateCommand, WithExactGivesTheSameCountsAndSaysSo) {
   EXPECT_EQ(exact.at("subjects").at(0).at("families").at(0).at("invariants"),
             filtered.at("subjects").at(0).at("families").at(0).at("invariants"));
   const std::string text = with({"text", "--exact", "--out", TemporaryDirectory().path().c_str()});
-  EXPECT_NE(text.find("judged only in exact arithmetic"), std::string::npos) << text;
+  unit::expect_in(text, {"judged only in exact arithmetic"});
   EXPECT_NE(text.find(" --exact\n"), std::string::npos) << "the command that replays: " << text;
   EXPECT_EQ(with({"text"}).find("exact arithmetic"), std::string::npos);
 }
@@ -150,7 +150,7 @@ TEST(GateCommand, NamesAWorkingDirectoryThatDoesNotExistAnyMore) {
       "/bin/sh", {"-c", R"(gone=$(mktemp -d); cd "$gone"; rmdir "$gone"; exec "$0" gate frictionless-double --out r)",
                   carom_program()});
   EXPECT_EQ(run.exit_status, 2);
-  EXPECT_NE(run.errors.find("the working directory does not exist any more"), std::string::npos) << run.errors;
+  unit::expect_in(run.errors, {"the working directory does not exist any more"});
 }
 
 }  // namespace

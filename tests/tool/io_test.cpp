@@ -20,6 +20,7 @@
 #include "io/this_environment.hpp"
 #include "io/threads.hpp"
 #include "io/usage_error.hpp"
+#include "support/expect_in.hpp"
 #include "support/program.hpp"
 
 namespace carom::tool {
@@ -146,7 +147,7 @@ TEST(JobShard, RefusesAMissingOrWrongVariableAndNamesItWithItsValue) {
   };
   for (const auto& [variables, message] : cases) {
     EXPECT_EQ(message_of(variables).find("--shard auto: "), 0U) << message_of(variables);
-    EXPECT_NE(message_of(variables).find(message), std::string::npos) << message_of(variables);
+    unit::expect_in(message_of(variables), {message});
   }
 }
 

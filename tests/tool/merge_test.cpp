@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
 
+#include "support/expect_in.hpp"
 #include "support/program.hpp"
 
 namespace carom::tests {
@@ -154,7 +155,7 @@ TEST_F(Merge, WritesWitnessesThatReplayAndEveryFormOfTheReport) {
 TEST_F(Merge, WithTheWholeRunAsItsBaselineFindsNothingNew) {
   const RunResult result = merge(all_shards(), {"--baseline", path("whole")});
   EXPECT_EQ(result.exit_status, 0) << result.output;
-  EXPECT_NE(result.output.find("nothing new"), std::string::npos);
+  unit::expect_in(result.output, {"nothing new"});
   EXPECT_TRUE(report_in("merged").at("baseline").at("comparable").get<bool>())
       << report_in("merged").at("baseline").at("differences");
 }
@@ -162,14 +163,13 @@ TEST_F(Merge, WithTheWholeRunAsItsBaselineFindsNothingNew) {
 TEST_F(Merge, RefusesAMissingShardARepeatedShardAndAWholeRun) {
   const RunResult missing = merge({path("shard1"), path("shard3")});
   EXPECT_EQ(missing.exit_status, 2);
-  EXPECT_NE(missing.errors.find("shard 2 of 3 is missing; give the directories of all shards"), std::string::npos)
-      << missing.errors;
+  unit::expect_in(missing.errors, {"shard 2 of 3 is missing; give the directories of all shards"});
   const RunResult twice = merge({path("shard1"), path("shard1"), path("shard2"), path("shard3")});
   EXPECT_EQ(twice.exit_status, 2);
-  EXPECT_NE(twice.errors.find("shard 1 of 3 occurs twice"), std::string::npos) << twice.errors;
+  unit::expect_in(twice.errors, {"shard 1 of 3 occurs twice"});
   const RunResult whole = merge({path("whole")});
   EXPECT_EQ(whole.exit_status, 2);
-  EXPECT_NE(whole.errors.find("this report is not of a shard"), std::string::npos) << whole.errors;
+  unit::expect_in(whole.errors, {"this report is not of a shard"});
   EXPECT_EQ(merge({}).exit_status, 2);
 }
 
@@ -198,7 +198,7 @@ TEST_F(Merge, RefusesShardsOfDifferentRunsAndNamesTheField) {
   for (const auto& [field, change] : changes) {
     const RunResult result = merge({path("shard1"), changed_shard(change), path("shard3")});
     EXPECT_EQ(result.exit_status, 2) << field;
-    EXPECT_NE(result.errors.find("do not belong to one run: " + field), std::string::npos) << field << result.errors;
+    unit::expect_in(result.errors, {"do not belong to one run: " + field});
   }
 }
 
@@ -226,13 +226,13 @@ TEST_F(Merge, RefusesAWrongShardAndNamesFileAndPlace) {
   for (const auto& [place, change] : changes) {
     const RunResult result = merge({path("shard1"), changed_shard(change), path("shard3")});
     EXPECT_EQ(result.exit_status, 2) << place;
-    EXPECT_NE(result.errors.find("changed/report.json: " + place), std::string::npos) << place << result.errors;
+    unit::expect_in(result.errors, {"changed/report.json: " + place});
   }
   const std::string without_witnesses = changed_shard([](json&) {});
   fs::remove_all(fs::path(without_witnesses) / "witnesses");
   const RunResult result = merge({path("shard1"), without_witnesses, path("shard3")});
   EXPECT_EQ(result.exit_status, 2);
-  EXPECT_NE(result.errors.find("this file does not exist"), std::string::npos) << result.errors;
+  unit::expect_in(result.errors, {"this file does not exist"});
 }
 
 TEST_F(Merge, RefusesTheDirectoryOfAShardAsItsOutput) {

@@ -14,6 +14,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include "support/expect_in.hpp"
 #include "support/program.hpp"
 
 namespace carom::tests {
@@ -118,7 +119,7 @@ TEST(Reports, StayAsTheyWereIfNewOnesCannotBeWritten) {
   for (const char* blocks : {"0", "8", "20"}) {
     const RunResult run =
         in_shell(std::string("{ ulimit -f ") + blocks + R"(; "$@"; } 2>&1 | cat)", finding_gate(out.path()));
-    EXPECT_NE(run.output.find("cannot be written: File too large"), std::string::npos) << run.output << run.errors;
+    unit::expect_in(run.output, {"cannot be written: File too large"});
     EXPECT_NE(run.output.find("It violates "), std::string::npos) << "the results are printed";
     EXPECT_EQ(content_of(out.path() / "report.json"), old);
     EXPECT_EQ(content_of(out.path() / "report.html"), old_page);
@@ -154,7 +155,7 @@ cmp "$OUT/report.json" "$COPY" || exit 5
     GTEST_SKIP() << "no file system can be mounted here: " << run.errors;
   }
   EXPECT_EQ(run.exit_status, 0) << run.errors;
-  EXPECT_NE(run.errors.find("No space left"), std::string::npos) << run.errors;
+  unit::expect_in(run.errors, {"No space left"});
 }
 
 TEST(Reports, HaveAllTheirWitnessesWheneverARunIsKilled) {
@@ -228,7 +229,7 @@ TEST(Reports, AreNotPutInPlaceIfADirectoryHasTheNameOfOne) {
   fs::create_directories(out.path() / "report.json");
   const RunResult run = run_carom(finding_gate(out.path()));
   EXPECT_EQ(run.exit_status, 2);
-  EXPECT_NE(run.errors.find("report.json cannot be written: Is a directory"), std::string::npos) << run.errors;
+  unit::expect_in(run.errors, {"report.json cannot be written: Is a directory"});
   EXPECT_FALSE(fs::exists(out.path() / "report.html"));
   EXPECT_TRUE(fs::is_empty(out.path() / "witnesses"));
 }
@@ -257,7 +258,7 @@ TEST(OutputLock, KeepsOtherRunsOutOfTheDirectory) {
   const auto expect_refused = [&](const std::vector<std::string>& arguments, const std::string& says) {
     const RunResult run = run_carom(arguments);
     EXPECT_EQ(run.exit_status, 2);
-    EXPECT_NE(run.errors.find(says), std::string::npos) << run.errors;
+    unit::expect_in(run.errors, {says});
     EXPECT_EQ(hidden(out.path()).size(), 1U) << "only the lock of the other run";
   };
   const std::string another = "--out: another run writes to the directory " + out.path().string();
@@ -310,10 +311,10 @@ TEST(FilesOfAScene, AppearTogetherOrNotAtAll) {
   std::vector<std::string> longer = arguments;
   longer[3] = "50";
   const RunResult run = in_shell(R"({ ulimit -f 8; "$@"; } 2>&1 | cat)", longer);
-  EXPECT_NE(run.output.find("cannot be written: File too large"), std::string::npos) << run.output;
+  unit::expect_in(run.output, {"cannot be written: File too large"});
   EXPECT_EQ(content_of(out.path() / "scene.json"), old);
   EXPECT_TRUE(hidden(out.path()).empty());
-  EXPECT_NE(in_shell(R"("$@" > /dev/full)", longer).errors.find("standard output"), std::string::npos);
+  unit::expect_in(in_shell(R"("$@" > /dev/full)", longer).errors, {"standard output"});
   EXPECT_NE(content_of(out.path() / "scene.json"), old) << "the files are there";
 }
 

@@ -11,6 +11,7 @@
 #include <carom/subjects/catalogue.hpp>
 
 #include "support/changed_subject.hpp"
+#include "support/expect_in.hpp"
 
 /// Tests subjects whose sessions remember earlier calls. Each subject is right on its first collision.
 namespace carom::properties {
@@ -134,7 +135,7 @@ TEST(NotJudged, IsASubjectThatSkipsOrShowsNothing) {
 
   Subject unknown = right;
   unknown.deviates = {"no_such_invariant"};
-  EXPECT_NE(result_of(unknown).error.find("no_such_invariant"), std::string::npos);
+  unit::expect_in(result_of(unknown).error, {"no_such_invariant"});
 }
 
 }  // namespace

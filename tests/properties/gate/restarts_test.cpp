@@ -5,6 +5,8 @@
 
 #include <carom/properties/gate/answers.hpp>
 
+#include "support/expect_in.hpp"
+
 namespace carom::properties {
 namespace {
 
@@ -64,7 +66,7 @@ TEST(Restarts, EndAfterTheGivenNumberOfFailures) {
     FAIL() << "it may fail once, and fails twice";
   } catch (const SessionFailure& failure) {
     EXPECT_EQ(failure.answered().size(), 4U) << "what was answered until then, the failures with it";
-    EXPECT_NE(std::string(failure.what()).find("failed 2 times"), std::string::npos) << failure.what();
+    unit::expect_in(std::string(failure.what()), {"failed 2 times"});
   }
   EXPECT_TRUE(restarts.are_spent());
   EXPECT_THROW((void)session(collisions({0})), std::runtime_error);
@@ -85,7 +87,7 @@ TEST(Restarts, TellWhyASubjectCannotStartAgain) {
     FAIL() << "it cannot be opened twice";
   } catch (const SessionFailure& failure) {
     EXPECT_EQ(failure.answered().size(), 2U);
-    EXPECT_NE(std::string(failure.what()).find("there is no more of it"), std::string::npos) << failure.what();
+    unit::expect_in(std::string(failure.what()), {"there is no more of it"});
   }
 }
 

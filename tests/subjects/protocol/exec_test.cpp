@@ -15,6 +15,7 @@
 #include <carom/subjects/protocol/spelling.hpp>
 
 #include "io/threads.hpp"
+#include "support/expect_in.hpp"
 
 namespace carom::subjects::protocol {
 namespace {
@@ -107,8 +108,7 @@ TEST(Exec, RefusesHexadecimalNumbersOfExtendedPrecision) {
     (void)subject.open();
     ADD_FAILURE() << "it was opened";
   } catch (const std::exception& error) {
-    EXPECT_NE(std::string(error.what()).find("/numbers: hex has the bits of binary64"), std::string::npos)
-        << error.what();
+    unit::expect_in(std::string(error.what()), {"/numbers: hex has the bits of binary64"});
   }
 }
 

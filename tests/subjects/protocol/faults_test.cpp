@@ -17,6 +17,7 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 
+#include "support/expect_in.hpp"
 #include "support/program.hpp"
 #include "support/selected.hpp"
 
@@ -166,7 +167,7 @@ TEST_P(Faults, NameRequestAndReasonAndLeaveNoProcessBehind) {
   for (const std::string& part : GetParam().says) {
     EXPECT_NE(error.find(part), std::string::npos) << "'" << part << "' is not in: " << error;
   }
-  EXPECT_NE(gate.run.output.find(request), std::string::npos) << gate.run.output;
+  unit::expect_in(gate.run.output, {request});
   EXPECT_EQ(gate.subject(1).at("status"), "sound");
   EXPECT_EQ(gate.subject(1).at("cases"), 120);
   EXPECT_TRUE(processes_with(mark_of(GetParam().fault)).empty()) << "the group of the program is ended";
@@ -195,18 +196,16 @@ TEST(Faults, ACrashIsFoundShrunkAndReplayed) {
   const json& finite = subject.at("families").at(0).at("invariants").at("finite");
   EXPECT_GT(finite.at("violated"), 0);
   EXPECT_EQ(finite.at("violated").get<int>() + finite.at("holds").get<int>(), 40);
-  EXPECT_NE(run.output.find("signal 6"), std::string::npos) << run.output;
-  EXPECT_NE(run.output.find("assertion failed: restitution <= 0.7"), std::string::npos) << run.output;
+  unit::expect_in(run.output, {"signal 6", "assertion failed: restitution <= 0.7"});
 
   const std::string file = (out.path() / "witnesses" / "faulty.finite.json").string();
   const json witness = json::parse(content_of(file));
   EXPECT_GT(witness.at("collision").at("restitution"), 0.7);
   EXPECT_EQ(witness.at("collision").at("a").at("velocity"), json({0.0, 0.0, 0.0})) << "what has no part in it is gone";
-  EXPECT_NE(witness.at("outcome").at("failed").get<std::string>().find("signal 6"), std::string::npos) << witness;
+  unit::expect_in(witness.at("outcome").at("failed").get<std::string>(), {"signal 6"});
   const RunResult replayed = run_carom({"replay", file, "--subject", misbehaving("crash-where-bouncy")});
   EXPECT_EQ(replayed.exit_status, 1) << replayed.errors;
-  EXPECT_NE(replayed.output.find("VIOLATED  no answer: the subject was ended by signal 6"), std::string::npos)
-      << replayed.output;
+  unit::expect_in(replayed.output, {"VIOLATED  no answer: the subject was ended by signal 6"});
   EXPECT_EQ(run_carom({"replay", file, "--subject", misbehaving("none")}).exit_status, 0);
 }
 
@@ -283,7 +282,7 @@ TEST(Faults, AProgramThatCannotBeRunIsAnError) {
     const Gate gate({words, "frictionless-double"});
     EXPECT_EQ(gate.run.exit_status, 2);
     EXPECT_EQ(gate.subject(0).at("status"), "error");
-    EXPECT_NE(gate.subject(0).at("error").get<std::string>().find(says), std::string::npos) << gate.subject(0);
+    unit::expect_in(gate.subject(0).at("error").get<std::string>(), {says});
     EXPECT_EQ(gate.subject(1).at("status"), "sound");
   }
 }

@@ -14,6 +14,7 @@
 #include <carom/subjects/protocol/messages.hpp>
 
 #include "support/cases.hpp"
+#include "support/expect_in.hpp"
 
 namespace carom::subjects::protocol {
 namespace {
@@ -31,7 +32,7 @@ void expect_format_error(const F& f, const std::string& says) {
     (void)f();
     ADD_FAILURE() << "nothing was thrown, for " << says;
   } catch (const FormatError& error) {
-    EXPECT_NE(std::string(error.what()).find(says), std::string::npos) << error.what();
+    unit::expect_in(std::string(error.what()), {says});
   }
 }
 

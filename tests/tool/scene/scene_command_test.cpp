@@ -15,6 +15,7 @@
 #include "scene/replay_html.hpp"
 #include "scene/scene_records.hpp"
 #include "scene/scene_run.hpp"
+#include "support/expect_in.hpp"
 #include "support/program.hpp"
 
 namespace carom::tests {
@@ -104,16 +105,16 @@ TEST(SceneCommand, WritesTheFilesOfASceneOfPolyhedra) {
   const fs::path out = directory.path() / "out";
   const RunResult result = run_carom({"scene", shipped("tumbling_polyhedra"), "--out", out.string()});
   ASSERT_EQ(result.exit_status, 0) << result.errors;
-  EXPECT_NE(result.output.find("12 polyhedra, 0 spheres"), std::string::npos) << result.output;
+  unit::expect_in(result.output, {"12 polyhedra, 0 spheres"});
   for (const char* name :
        {"events.csv", "series.csv", "scene.json", "report.html", "energy.svg", "momentum.svg", "spin.svg"}) {
     EXPECT_GT(fs::file_size(out / name), 0U) << name;
   }
   for (const auto& [name, unit] : {std::pair{"energy.svg", "energy [J]"}, std::pair{"momentum.svg", "momentum [N s]"},
                                    std::pair{"spin.svg", "[rad/s]"}}) {
-    EXPECT_NE(content_of(out / name).find(unit), std::string::npos) << name;
+    unit::expect_in(content_of(out / name), {unit});
   }
-  EXPECT_NE(content_of(out / "report.html").find("the ledger closes"), std::string::npos);
+  unit::expect_in(content_of(out / "report.html"), {"the ledger closes"});
   const json record = json::parse(content_of(out / "scene.json"));
   EXPECT_EQ(record["polyhedra"], 12);
   EXPECT_LE(record["validity"]["unseen"].get<double>(), 0x1p-30);
@@ -253,8 +254,7 @@ TEST(SceneRun, KeepsItsResultsIfTheJudgeFails) {
   EXPECT_GT(run->judge().judged(), 0U);
   EXPECT_GT(run->samples().size(), 1U);
   const std::string text = tool::scene_text(*run);
-  EXPECT_NE(text.find("NOT RUN TO ITS END; so far holds"), std::string::npos) << text;
-  EXPECT_NE(text.find("a wrong formula\n  A: "), std::string::npos) << text;
+  unit::expect_in(text, {"NOT RUN TO ITS END; so far holds", "a wrong formula\n  A: "});
   EXPECT_EQ(tool::scene_record(*run)["ended_early"], run->ended_early());
 }
 
@@ -262,18 +262,15 @@ TEST(SceneCommand, PlansTheScalarSolverForPairsOfSpheres) {
   const RunResult result =
       run_carom({"plan", shipped("bouncing_spheres"), "--law", "reflection", "--repetitions", "0"});
   ASSERT_EQ(result.exit_status, 0) << result.errors;
-  EXPECT_NE(result.output.find("spheres: "), std::string::npos);
-  EXPECT_NE(result.output.find("N is an eigenvector of K"), std::string::npos);
-  EXPECT_NE(result.output.find("frictionless-"), std::string::npos);
+  unit::expect_in(result.output, {"spheres: ", "N is an eigenvector of K", "frictionless-"});
   EXPECT_EQ(result.output.find("normal_length"), std::string::npos);
 }
 
 TEST(SceneCommand, PlansForPolyhedraByTheirClasses) {
   const RunResult result = run_carom({"plan", shipped("tumbling_polyhedra"), "--repetitions", "0"});
   ASSERT_EQ(result.exit_status, 0) << result.errors;
-  EXPECT_NE(result.output.find("\npolyhedra: wood and wood "), std::string::npos) << result.output;
-  EXPECT_NE(result.output.find("\npolyhedron and plane: wood and wood "), std::string::npos);
-  EXPECT_NE(result.output.find("frictionless-"), std::string::npos);
+  unit::expect_in(result.output,
+                  {"\npolyhedra: wood and wood ", "\npolyhedron and plane: wood and wood ", "frictionless-"});
   EXPECT_EQ(result.output.find("spheres: "), std::string::npos);
 }
 
