@@ -3,7 +3,7 @@
 
 #include <unistd.h>
 
-#include <carom/subjects/engines/adapters.hpp>
+#include <carom/subjects/engines.hpp>
 
 #include "commands/commands.hpp"
 #include "io/usage_error.hpp"

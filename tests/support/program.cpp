@@ -17,7 +17,10 @@ namespace carom::tests {
 
 std::string carom_program() { return CAROM_PROGRAM; }
 
-RunResult run_carom(const std::vector<std::string>& arguments) { return run_program(CAROM_PROGRAM, arguments); }
+RunResult run_carom(std::vector<std::string> arguments, const std::vector<std::string>& more) {
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return run_program(CAROM_PROGRAM, arguments);
+}
 
 RunResult run_program(const std::string& program, const std::vector<std::string>& arguments) {
   namespace bp = boost::process;

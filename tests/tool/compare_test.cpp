@@ -34,9 +34,7 @@ class TwoReports : public testing::Test {
   [[nodiscard]] static json report() { return json::parse(content_of(shared_->path() / "old" / "report.json")); }
 
   [[nodiscard]] static RunResult gate(const std::vector<std::string>& more) {
-    std::vector<std::string> arguments = of_a_faulty_subject;
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return run_carom(arguments);
+    return run_carom(of_a_faulty_subject, more);
   }
 
   [[nodiscard]] static json& count_of(json& report, std::size_t family, const std::string& invariant) {

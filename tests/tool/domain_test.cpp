@@ -15,11 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-RunResult domain(std::vector<std::string> more) {
-  more.insert(more.begin(), "domain");
-  more.insert(more.end(), {"--cases", "2"});
-  return run_carom(more);
-}
+RunResult domain(const std::vector<std::string>& more) { return run_carom({"domain", "--cases", "2"}, more); }
 
 /// The schema accepts the record, and does not accept it with another field.
 void expect_schema_accepts(json record) {

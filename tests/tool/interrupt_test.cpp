@@ -86,31 +86,27 @@ bool is_requested_soon(const std::stop_token& stop) {
   std::_Exit(stop.stop_requested() ? 0 : 3);
 }
 
-TEST(InterruptDeathTest, TheLimitOnProcessorTimeRequestsOneStop) {
-  GTEST_FLAG_SET(death_test_style, "threadsafe");
+class InterruptDeathTest : public testing::Test {
+  void SetUp() override { GTEST_FLAG_SET(death_test_style, "threadsafe"); }
+};
+
+TEST_F(InterruptDeathTest, TheLimitOnProcessorTimeRequestsOneStop) {
   EXPECT_EXIT(use_up_processor_time(), testing::ExitedWithCode(0), "");
 }
 
-TEST(InterruptDeathTest, ASignalThatTheParentLeftIgnoredIsIgnored) {
-  GTEST_FLAG_SET(death_test_style, "threadsafe");
+TEST_F(InterruptDeathTest, ASignalThatTheParentLeftIgnoredIsIgnored) {
   for (const int signal : {SIGHUP, SIGINT}) {
     EXPECT_EXIT(be_signalled_where_that_is_ignored(signal), testing::ExitedWithCode(0), "") << signal;
   }
 }
 
-TEST(InterruptDeathTest, AShortageOfThreadsIsNamedWithItsLimit) {
-  GTEST_FLAG_SET(death_test_style, "threadsafe");
+TEST_F(InterruptDeathTest, AShortageOfThreadsIsNamedWithItsLimit) {
   EXPECT_EXIT(start_where_no_thread_may(), testing::ExitedWithCode(0),
               "processes and threads are short: this user may have at most 1 \\(ulimit -u\\)");
 }
 
-TEST(InterruptDeathTest, SignalsWithinASecondRequestOneStop) {
-  GTEST_FLAG_SET(death_test_style, "threadsafe");
+TEST_F(InterruptDeathTest, SignalsWithinASecondRequestOneStopAndALaterOneEndsTheProgram) {
   EXPECT_EXIT(be_signalled_at_once(), testing::ExitedWithCode(0), "");
-}
-
-TEST(InterruptDeathTest, ALaterSignalEndsTheProgram) {
-  GTEST_FLAG_SET(death_test_style, "threadsafe");
   EXPECT_EXIT(be_signalled_for_long(), testing::KilledBySignal(SIGTERM), "");
 }
 

@@ -80,19 +80,25 @@ TEST(ShardArgument, IsANumberFromOneToTheNumberOfShards) {
   }
 }
 
-TEST(JobShard, IsThePlaceOfTheJobAmongTheJobsOfItsBatchSystem) {
-  EXPECT_EQ(shard_in(array_task("1", "1", "10", "10")), Pair(1, 10));
-  EXPECT_EQ(shard_in(array_task("9", "0", "9", "10")), Pair(10, 10));
-  EXPECT_EQ(shard_in(array_task("9", "1", "13", "4")), Pair(3, 4)) << "--array=1-15:4";
-  EXPECT_EQ(shard_in(array_task("7", "7", "7", "1")), Pair(1, 1));
-  EXPECT_EQ(shard_in({{"JOB_COMPLETION_INDEX", "4"}, {"JOB_COMPLETIONS", "5"}}), Pair(5, 5));
-  EXPECT_EQ(shard_in({{"STRATEGY_JOB_INDEX", "0"}, {"STRATEGY_JOB_TOTAL", "256"}}), Pair(1, 256));
-  EXPECT_EQ(shard_in({{"CI_NODE_INDEX", "3"}, {"CI_NODE_TOTAL", "3"}}), Pair(3, 3));
-}
-
-TEST(JobShard, IsThePlaceOfTheProcessInAJobOfSeveralProcesses) {
-  EXPECT_EQ(shard_in(rank("1", "2")), Pair(2, 2));
-  EXPECT_EQ(shard_in(step_task("0", "8")), Pair(1, 8));
+/// The last four rows set variables of two levels.
+TEST(JobShard, IsThePlaceOfTheProcessAmongAllProcessesOfItsBatchSystem) {
+  for (const auto& [variables, shard] : std::vector<std::pair<Variables, Pair>>{
+           {array_task("1", "1", "10", "10"), {1, 10}},
+           {array_task("9", "0", "9", "10"), {10, 10}},
+           {array_task("9", "1", "13", "4"), {3, 4}},  // --array=1-15:4
+           {array_task("7", "7", "7", "1"), {1, 1}},
+           {{{"JOB_COMPLETION_INDEX", "4"}, {"JOB_COMPLETIONS", "5"}}, {5, 5}},
+           {{{"STRATEGY_JOB_INDEX", "0"}, {"STRATEGY_JOB_TOTAL", "256"}}, {1, 256}},
+           {{{"CI_NODE_INDEX", "3"}, {"CI_NODE_TOTAL", "3"}}, {3, 3}},
+           {rank("1", "2"), {2, 2}},
+           {step_task("0", "8"), {1, 8}},
+           {both({{"CI_NODE_INDEX", "2"}, {"CI_NODE_TOTAL", "2"}}, rank("1", "3")), {5, 6}},
+           {both(step_task("1", "2"), rank("5", "6")), {6, 6}},  // a daemon of mpirun is a step's task
+           {both(array_task("2", "1", "2", "2"), {{"SLURM_PROCID", "0"}, {"SLURM_NTASKS", "4"}}), {2, 2}},  // no step
+           {both(rank("0", "2"), {{"CI_NODE_TOTAL", "1"}}), {1, 2}},  // a job that is not parallel
+       }) {
+    EXPECT_EQ(shard_in(variables), shard) << testing::PrintToString(variables);
+  }
 }
 
 TEST(JobShard, CountsEachProcessOfEachJobOnce) {
@@ -106,14 +112,6 @@ TEST(JobShard, CountsEachProcessOfEachJobOnce) {
     }
   }
   EXPECT_EQ(shards, expected);
-  EXPECT_EQ(shard_in(both({{"CI_NODE_INDEX", "2"}, {"CI_NODE_TOTAL", "2"}}, rank("1", "3"))), Pair(5, 6));
-}
-
-TEST(JobShard, IgnoresVariablesOfAnOuterLevel) {
-  EXPECT_EQ(shard_in(both(step_task("1", "2"), rank("5", "6"))), Pair(6, 6)) << "a daemon of mpirun is a step's task";
-  EXPECT_EQ(shard_in(both(array_task("2", "1", "2", "2"), {{"SLURM_PROCID", "0"}, {"SLURM_NTASKS", "4"}})), Pair(2, 2))
-      << "a batch script is no step";
-  EXPECT_EQ(shard_in(both(rank("0", "2"), {{"CI_NODE_TOTAL", "1"}})), Pair(1, 2)) << "a job that is not parallel";
 }
 
 TEST(JobShard, RefusesAMissingOrWrongVariableAndNamesItWithItsValue) {

@@ -44,11 +44,10 @@ const std::string example = std::string(CAROM_SOURCE_DIR) + "/docs/examples/cont
 
 /// Plans without timings unless a test asks for them, so that no other test depends on a clock.
 RunResult plan(const std::string& file, std::vector<std::string> more = {}) {
-  more.insert(more.begin(), {"plan", file});
   if (std::ranges::count(more, "--repetitions") == 0) {
     more.insert(more.end(), {"--repetitions", "0"});
   }
-  return run_carom(more);
+  return run_carom({"plan", file}, more);
 }
 
 const json& part_named(const json& record, const std::string& beginning) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <sstream>
+#include <utility>
 
 #include <fmt/format.h>
 #include <pugixml.hpp>
@@ -71,41 +72,14 @@ void add_case(pugi::xml_node suite, const properties::SubjectResult& result, con
   }
 }
 
-struct Totals {
-  int tests = 0;
-  int failures = 0;
-  int errors = 0;
-  int skipped = 0;
-  double seconds = 0;  // in which the subject answered
-
-  Totals& operator+=(const Totals& other) {
-    tests += other.tests;
-    failures += other.failures;
-    errors += other.errors;
-    skipped += other.skipped;
-    seconds += other.seconds;
-    return *this;
+/// Counts the tests below the node, which is a suite or the root. `seconds` is the time in which subjects answered.
+void set_totals(pugi::xml_node node, double seconds) {
+  for (const auto& [total, path] :
+       {std::pair{"tests", ".//testcase"}, std::pair{"failures", ".//testcase/failure"},
+        std::pair{"errors", ".//testcase/error"}, std::pair{"skipped", ".//testcase/skipped"}}) {
+    node.append_attribute(total) = static_cast<unsigned>(node.select_nodes(path).size());
   }
-};
-
-void set_totals(pugi::xml_node node, const Totals& totals) {
-  node.append_attribute("tests") = totals.tests;
-  node.append_attribute("failures") = totals.failures;
-  node.append_attribute("errors") = totals.errors;
-  node.append_attribute("skipped") = totals.skipped;
-  node.append_attribute("time") = fmt::format("{:.6f}", totals.seconds).c_str();
-}
-
-Totals totals_of(pugi::xml_node suite, double seconds) {
-  Totals totals;
-  totals.seconds = seconds;
-  for (const pugi::xml_node test : suite.children("testcase")) {
-    ++totals.tests;
-    totals.failures += test.child("failure") ? 1 : 0;
-    totals.errors += test.child("error") ? 1 : 0;
-    totals.skipped += test.child("skipped") ? 1 : 0;
-  }
-  return totals;
+  node.append_attribute("time") = fmt::format("{:.6f}", seconds).c_str();
 }
 
 double seconds_of(const properties::SubjectResult& result) {
@@ -113,7 +87,8 @@ double seconds_of(const properties::SubjectResult& result) {
   return result.nanoseconds_per_solve * nanosecond * static_cast<double>(result.cases());
 }
 
-Totals add_judged(pugi::xml_node root, const Run& run, std::size_t subject) {
+/// Returns the time in which the subject answered [s].
+double add_judged(pugi::xml_node root, const Run& run, std::size_t subject) {
   const properties::SubjectResult& result = run.results[subject];
   const bool counts = run.counts[subject];
   const pugi::xml_node suite = add(root, "testsuite", {{"name", result.subject.name}});
@@ -138,13 +113,12 @@ Totals add_judged(pugi::xml_node root, const Run& run, std::size_t subject) {
       add(session, "skipped", {{"message", message}}, why);
     }
   }
-  return totals_of(suite, seconds_of(result));
+  return seconds_of(result);
 }
 
-Totals add_absent(pugi::xml_node root, const Subject& subject) {
+void add_absent(pugi::xml_node root, const Subject& subject) {
   const pugi::xml_node suite = add(root, "testsuite", {{"name", subject.name}});
   add(add_test(suite, subject.name, "session"), "skipped", {{"message", "absent: " + subject.absent}});
-  return totals_of(suite, 0);
 }
 
 }  // namespace
@@ -153,25 +127,26 @@ std::string junit_xml(const Run& run) {
   pugi::xml_document document;
   pugi::xml_node root = document.append_child("testsuites");
   root.append_attribute("name") = "carom";
-  Totals all;
-  const auto close = [&](const Totals& totals) {
-    set_totals(root.last_child(), totals);
+  double all_seconds = 0;
+  const auto close = [&](double seconds) {
+    set_totals(root.last_child(), seconds);
     root.last_child().append_attribute("timestamp") = run.environment.date.c_str();
-    all += totals;
+    all_seconds += seconds;
   };
   for (std::size_t s = 0; s < run.results.size(); ++s) {
     close(add_judged(root, run, s));
   }
   for (const Subject& subject : run.absent) {
-    close(add_absent(root, subject));
+    add_absent(root, subject);
+    close(0);
   }
   if (run.judge_error) {
     const pugi::xml_node suite = add(root, "testsuite", {{"name", "carom"}});
     add(add_test(suite, "carom", "judge"), "error", {{"message", "the judge failed"}, {"type", "judge"}},
         in_words(*run.judge_error));
-    close(totals_of(suite, 0));
+    close(0);
   }
-  set_totals(root, all);
+  set_totals(root, all_seconds);
   std::ostringstream text;
   document.save(text, "  ");
   return text.str();

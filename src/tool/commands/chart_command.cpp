@@ -17,7 +17,6 @@
 #include "commands/chart.hpp"
 #include "commands/commands.hpp"
 #include "commands/options.hpp"
-#include "io/arguments.hpp"
 #include "io/gnuplot.hpp"
 #include "io/interrupt.hpp"
 #include "io/output.hpp"

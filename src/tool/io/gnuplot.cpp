@@ -6,7 +6,7 @@
 #include <carom/report/pictures/plot.hpp>
 #include <carom/subjects/protocol/child.hpp>
 
-#include "io/json_file.hpp"
+#include "io/input_file.hpp"
 #include "io/output.hpp"
 #include "io/usage_error.hpp"
 

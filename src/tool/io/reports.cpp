@@ -13,7 +13,7 @@
 #include <carom/report/pages/pages.hpp>
 #include <carom/report/results/words.hpp>
 
-#include "io/json_file.hpp"
+#include "io/input_file.hpp"
 #include "io/usage_error.hpp"
 
 namespace carom::tool {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
-#include "scene/scene_plots.hpp"
-
 #include <algorithm>
 #include <array>
 #include <functional>
 #include <utility>
 
 #include <fmt/format.h>
+
+#include "scene/scene_records.hpp"
 
 namespace carom::tool {
 namespace {

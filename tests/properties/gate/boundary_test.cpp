@@ -11,7 +11,6 @@
 #include <carom/properties/gate/gate.hpp>
 #include <carom/subjects/catalogue.hpp>
 
-#include "io/threads.hpp"
 #include "support/changed_subject.hpp"
 
 /// In families beyond the claimed domain, the gate finds the least value of a quantity at which a subject fails. By
@@ -28,18 +27,17 @@ Subject stopping() {
   });
 }
 
-GateOptions options_of(const char* family, unsigned jobs) {
+GateOptions options_of(const char* family) {
   GateOptions options;
   options.cases = 200;
   options.is_part = true;
-  options.workers = tool::threads(jobs);
   options.families = {family_named(family)};
   options.beyond_domain = {family_named("impossible_moments"), family_named("far_contacts")};
   return options;
 }
 
 TEST(Boundary, IsTheLeastOfTheQuantityAtWhichSomethingIsViolated) {
-  const GateOptions options = options_of("generic", 1);
+  const GateOptions options = options_of("generic");
   const SubjectResult result = run_gate({unit::subject_of("frictionless-double"), stopping()}, options).results.at(1);
   // The condition numbers of `generic` are far below 10⁶.
   EXPECT_TRUE(result.is_sound()) << result.not_judged;
@@ -64,19 +62,8 @@ TEST(Boundary, IsTheLeastOfTheQuantityAtWhichSomethingIsViolated) {
   EXPECT_NE(far.boundary->invariant, nullptr);
 }
 
-TEST(Boundary, DoesNotDependOnTheThreads) {
-  const auto found_by = [](unsigned jobs) {
-    return run_gate({stopping()}, options_of("generic", jobs)).results.at(0).beyond_domain.at(1);
-  };
-  const FamilyResult one = found_by(1);
-  const FamilyResult three = found_by(3);
-  EXPECT_EQ(one.boundary->quantity, three.boundary->quantity);
-  EXPECT_EQ(one.boundary->index, three.boundary->index);
-  EXPECT_EQ(one.violated, three.violated);
-}
-
 TEST(Boundary, IsAViolationIfItsFamilyIsNamed) {
-  GateOptions options = options_of("far_contacts", 1);
+  GateOptions options = options_of("far_contacts");
   options.beyond_domain = {};
   options.shrinks = false;
   const SubjectResult result = run_gate({stopping()}, options).results.at(0);
@@ -87,10 +74,10 @@ TEST(Boundary, IsAViolationIfItsFamilyIsNamed) {
 }
 
 TEST(Boundary, IsNotLookedForWithABudgetOrToTheFirstViolation) {
-  GateOptions to_the_first = options_of("generic", 1);
+  GateOptions to_the_first = options_of("generic");
   to_the_first.fail_fast = true;
   EXPECT_TRUE(run_gate({unit::subject_of("frictionless-double")}, to_the_first).results.at(0).beyond_domain.empty());
-  GateOptions with_budget = options_of("generic", 1);
+  GateOptions with_budget = options_of("generic");
   with_budget.budget = std::chrono::milliseconds(20);
   EXPECT_TRUE(run_gate({unit::subject_of("frictionless-double")}, with_budget).results.at(0).beyond_domain.empty());
 }

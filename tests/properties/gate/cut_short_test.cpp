@@ -157,15 +157,5 @@ TEST(Budget, ReportsItsProgressInMilliseconds) {
   EXPECT_GT(last, 0U);
 }
 
-TEST(Gate, CountsTheSameOnAnyNumberOfThreads) {
-  const auto counts_on = [](unsigned jobs) {
-    return run_gate({right()}, options_of_all_families(100, jobs))
-        .results.at(0)
-        .count(*invariant_named("memoryless"))
-        .holds;
-  };
-  EXPECT_EQ(counts_on(1), counts_on(4));
-}
-
 }  // namespace
 }  // namespace carom::properties

@@ -61,10 +61,5 @@ TEST(WrongInHex, HasAWitnessThatReplays) {
   unit::expect_in(replayed.output, {"memoryless"});
 }
 
-TEST(MisreadingNothing, IsSound) {
-  const RunResult run = run_carom({"gate", misreading("none"), "--cases", "20", "--jobs", "1"});
-  EXPECT_EQ(run.exit_status, 0) << run.output << run.errors;
-}
-
 }  // namespace
 }  // namespace carom::tests

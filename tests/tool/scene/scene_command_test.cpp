@@ -28,9 +28,8 @@ std::string shipped(const std::string& name) {
   return std::string(CAROM_SOURCE_DIR) + "/docs/examples/scenes/" + name + ".json";
 }
 
-json record_of(const std::string& name, std::vector<std::string> more = {}) {
-  more.insert(more.begin(), {"scene", shipped(name), "--format", "json"});
-  const RunResult result = run_carom(more);
+json record_of(const std::string& name, const std::vector<std::string>& more = {}) {
+  const RunResult result = run_carom({"scene", shipped(name), "--format", "json"}, more);
   EXPECT_EQ(result.exit_status, 0) << result.errors;
   return json::parse(result.output);
 }
@@ -79,10 +78,7 @@ TEST(SceneCommand, GasKeepsItsEnergy) {
 
 TEST(SceneCommand, SpheresSpinUnderRoughAndNeverWithoutFrictionHoweverManyLawsRunAtOnce) {
   const auto records_of = [](const std::string& jobs) {
-    const RunResult result = run_carom({"scene", shipped("bouncing_spheres"), "--laws", "frictionless,reflection,rough",
-                                        "--jobs", jobs, "--format", "json"});
-    EXPECT_EQ(result.exit_status, 0) << result.errors;
-    json records = json::parse(result.output);
+    json records = record_of("bouncing_spheres", {"--laws", "frictionless,reflection,rough", "--jobs", jobs});
     for (json& record : records) {
       record.erase("seconds");
     }
@@ -187,10 +183,7 @@ TEST(SceneCommand, WritesTheFilesOfASceneOfPolyhedra) {
 /// If N is no eigenvector of the collision matrix, `reflection` may create energy. `frictionless` conserves energy
 /// here.
 TEST(SceneCommand, PolyhedraGainEnergyUnderReflectionAlone) {
-  const RunResult result =
-      run_carom({"scene", shipped("tumbling_polyhedra"), "--laws", "frictionless,reflection", "--format", "json"});
-  ASSERT_EQ(result.exit_status, 0) << result.errors;
-  const json records = json::parse(result.output);
+  const json records = record_of("tumbling_polyhedra", {"--laws", "frictionless,reflection"});
   // There are about 75 impacts, each with a rounding error of 2⁻⁵³.
   EXPECT_LE(std::abs(work_of_impacts(records[0])), 1e-14);
   EXPECT_GT(work_of_impacts(records[1]), 0.25);
