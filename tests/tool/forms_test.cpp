@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <functional>
 #include <map>
-#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -162,24 +161,17 @@ std::vector<Command> commands_in(const std::string& log) {
   return commands;
 }
 
-/// A run with a sound subject, a faulty one, and one that cannot be started.
-class FormsOfARun : public testing::Test {
- protected:
-  static void SetUpTestSuite() {
-    shared_ = std::make_unique<Forms>(
-        std::vector<std::string>{"frictionless-double", "reflection-in-basis-double", "exec:/no/such '100 %: a,b'",
-                                 "--families", "head_on,near_head_on,invalid", "--cases", "60", "--seed", "4",
-                                 "--deviates", std::string("energy@head_on,") + few_families_judge_no});
-  }
-  static void TearDownTestSuite() { shared_.reset(); }
-  [[nodiscard]] static const Forms& forms() { return *shared_; }
-  [[nodiscard]] static const json& violations() { return forms().report.at("subjects").at(1).at("violations"); }
+/// A run with a sound subject, a faulty one, and one that cannot be started. All tests share it.
+const Forms& forms() {
+  static const Forms shared({"frictionless-double", "reflection-in-basis-double", "exec:/no/such '100 %: a,b'",
+                             "--families", "head_on,near_head_on,invalid", "--cases", "60", "--seed", "4", "--deviates",
+                             std::string("energy@head_on,") + few_families_judge_no});
+  return shared;
+}
 
- private:
-  static inline std::unique_ptr<Forms> shared_;
-};
+const json& violations() { return forms().report.at("subjects").at(1).at("violations"); }
 
-TEST_F(FormsOfARun, ReportJsonFitsItsSchemaAndASchemaErrorIsFound) {
+TEST(FormsOfARun, ReportJsonFitsItsSchemaAndASchemaErrorIsFound) {
   EXPECT_EQ(forms().run.exit_status, 2) << forms().run.errors;
   const TemporaryDirectory directory;
   const std::vector<std::pair<const char*, std::function<void(json&)>>> changes{
@@ -205,7 +197,7 @@ TEST_F(FormsOfARun, ReportJsonFitsItsSchemaAndASchemaErrorIsFound) {
   EXPECT_EQ(accepted_by(schema, files), std::vector<std::string>{files[0]});
 }
 
-TEST_F(FormsOfARun, PageHasEveryPartAndRunsNothing) {
+TEST(FormsOfARun, PageHasEveryPartAndRunsNothing) {
   const Forms& page = forms();
   expect_harmless_page(page);
   expect_sane_drawings(page);
@@ -234,7 +226,7 @@ TEST_F(FormsOfARun, PageHasEveryPartAndRunsNothing) {
   unit::expect_in(page.run.output, {"not judged because of --deviates: energy@head_on, "});
 }
 
-TEST_F(FormsOfARun, JunitHasASuiteForEachSubjectAndAFailureForEachViolation) {
+TEST(FormsOfARun, JunitHasASuiteForEachSubjectAndAFailureForEachViolation) {
   const pugi::xml_node root = forms().junit.child("testsuites");
   ASSERT_TRUE(root);
   for (const char* total : {"tests", "failures", "errors", "skipped"}) {
@@ -262,7 +254,7 @@ TEST_F(FormsOfARun, JunitHasASuiteForEachSubjectAndAFailureForEachViolation) {
   }
 }
 
-TEST_F(FormsOfARun, SummaryHasATableOfSubjectsAndTheFirstWitnessWithItsReplay) {
+TEST(FormsOfARun, SummaryHasATableOfSubjectsAndTheFirstWitnessWithItsReplay) {
   ASSERT_GE(violations().size(), 2U);
   const std::string telling = forms().report.at("subjects").at(1).at("diagnosis").at("telling");
   const std::string witness = "witnesses/reflection-in-basis-double." + telling + ".json";
@@ -277,7 +269,7 @@ TEST_F(FormsOfARun, SummaryHasATableOfSubjectsAndTheFirstWitnessWithItsReplay) {
   }
 }
 
-TEST_F(FormsOfARun, AnnotationsAreAnErrorForEachViolationAndEachSubjectNotJudged) {
+TEST(FormsOfARun, AnnotationsAreAnErrorForEachViolationAndEachSubjectNotJudged) {
   const std::vector<Command> commands = commands_in(forms().run.output);
   std::map<std::string, std::size_t> count;
   for (const Command& command : commands) {

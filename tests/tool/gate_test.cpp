@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 #include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <carom/collision/json/json.hpp>
+#include <carom/properties/cases/domain.hpp>
+
 #include "support/expect_in.hpp"
 #include "support/program.hpp"
 
+/// `carom gate`, and what a subject does not claim: deviations, effects, and cases outside of its domain.
 namespace carom::tests {
 namespace {
 
@@ -128,6 +135,218 @@ TEST(GateCommand, NamesAWorkingDirectoryThatDoesNotExistAnyMore) {
                   carom_program()});
   EXPECT_EQ(run.exit_status, 2);
   unit::expect_in(run.errors, {"the working directory does not exist any more"});
+}
+
+const std::string threshold = R"({"restitution_threshold": 0.5})";
+const std::string small_bodies = "size=0.001:0.01,restitution=:0.5";
+const std::string never_judged = std::string(few_families_judge_no) + ",unit_scaling";
+
+/// A sound program with the fault or the claim that the words name.
+std::string program(const std::string& words) { return std::string("exec:") + CAROM_MISBEHAVING + ' ' + words; }
+
+RunResult gate_of(std::vector<std::string> subjects, const std::vector<std::string>& more) {
+  subjects.insert(subjects.begin(), "gate");
+  return run_carom(std::move(subjects), more);
+}
+
+json report_of(const std::vector<std::string>& subjects, std::vector<std::string> more) {
+  more.insert(more.end(), {"--format", "json"});
+  return json::parse(gate_of(subjects, more).output);
+}
+
+json report_in(const std::string& directory) { return json::parse(content_of(directory + "/report.json")); }
+
+const json& invariants_in(const json& report, std::size_t family) {
+  return report.at("subjects").at(0).at("families").at(family).at("invariants");
+}
+
+TEST(Deviations, LeaveOutAnInvariantInOneFamilyOrInAllFamilies) {
+  const auto with = [](std::vector<std::string> more) {
+    more.insert(more.end(), {"--families", "head_on,near_head_on", "--cases", "30"});
+    return report_of({"reflection-in-basis-double"}, more);
+  };
+  const json whole = with({});
+  const json report = with({"--deviates", "restitution@head_on,memoryless"});
+  const json expected = json::array({"restitution@head_on", "memoryless"});
+  EXPECT_EQ(report.at("deviates"), expected);
+  EXPECT_EQ(report.at("subjects").at(0).at("deviates"), expected);
+  for (const std::size_t family : {0U, 1U}) {
+    json rest = invariants_in(whole, family);
+    rest.erase("memoryless");
+    if (family == 0) {
+      rest.erase("restitution");
+    }
+    EXPECT_EQ(invariants_in(report, family), rest) << family;
+  }
+  std::string all = few_families_judge_no;
+  std::string all_but_one = all;
+  for (const json& violation : whole.at("subjects").at(0).at("violations")) {
+    for (const char* family : {"head_on", "near_head_on"}) {
+      const std::string deviation = violation.at("invariant").get<std::string>() + "@" + family;
+      all += ',' + deviation;
+      all_but_one += deviation == "restitution@near_head_on" ? "" : ',' + deviation;
+    }
+  }
+  EXPECT_EQ(with({"--deviates", all}).at("exit_status"), 0);
+  EXPECT_EQ(with({"--deviates", all_but_one}).at("exit_status"), 1) << "one violation is not left out";
+}
+
+TEST(Deviations, MayBeDeclaredByAProgram) {
+  const auto introduced_with = [](const std::string& deviates) {
+    return report_of({program("'deviates=" + deviates + "' x")}, {"--families", "head_on,separating", "--cases", "5"});
+  };
+  EXPECT_TRUE(invariants_in(introduced_with("[]"), 1).contains("separating_untouched"));
+  const json partly = introduced_with(R"(["separating_untouched@separating"])");
+  EXPECT_FALSE(invariants_in(partly, 1).contains("separating_untouched"));
+  const json unknown = introduced_with(R"(["separating_untouched@seperating"])");
+  EXPECT_EQ(unknown.at("subjects").at(0).at("status"), "error");
+}
+
+/// Only a method that forms the collision matrix claims the invariants about this matrix.
+TEST(InvariantsOfTheMatrix, AreClaimedOnlyByAMethodThatShowsItsCollisionMatrix) {
+  const TemporaryDirectory out;
+  const RunResult result = gate_of({"frictionless-double", "reflection-double", "reflection-batch-double"},
+                                   {"--cases", "5", "--out", out.path().string()});
+  EXPECT_EQ(result.exit_status, 0) << result.errors;
+  unit::expect_in(result.output, {"  frictionless-double, reflection-batch-double: not claimed, because it shows no "
+                                  "collision matrix: definite, well_conditioned, matrix_used\n"});
+  unit::expect_in(content_of(out.path() / "report.html"), {"because it shows no collision matrix"});
+  const json report = report_in(out.path().string());
+  for (const auto& [subject, shows] : {std::pair{0U, false}, std::pair{1U, true}, std::pair{2U, false}}) {
+    const json& record = report.at("subjects").at(subject);
+    const json& invariants = record.at("families").at(0).at("invariants");
+    EXPECT_EQ(record.at("shows_collision_matrix"), shows);
+    EXPECT_EQ(record.at("not_claimed"),
+              shows ? json::array() : json::array({"definite", "well_conditioned", "matrix_used"}));
+    for (const char* name : {"definite", "matrix_used"}) {
+      EXPECT_EQ(invariants.contains(name), shows) << name;
+      EXPECT_TRUE(!shows || invariants.at(name).at("holds") > 0) << name;
+    }
+  }
+}
+
+TEST(DeclaredEffects, AreInTheReportInAReplayAndInAComparison) {
+  const TemporaryDirectory directory;
+  const auto declaring = [](const std::string& claims) { return program("'claims=" + claims + "' declaring"); };
+  const auto gate = [&](const std::string& claims, const std::string& out) {
+    return gate_of({declaring(claims)},
+                   {"--families", "generic", "--deviates", few_families_judge_no, "--cases", "20", "--out", out});
+  };
+  const std::string out = (directory.path() / "run").string();
+  EXPECT_EQ(gate(threshold, out).exit_status, 1) << "the program does not have the effect";
+  const json report = report_in(out);
+  EXPECT_EQ(report.at("subjects")[0].at("claims"), json::parse(threshold));
+  EXPECT_EQ(
+      accepted_by(std::string(CAROM_SOURCE_DIR) + "/docs/reference/schemas/report.schema.json", {out + "/report.json"})
+          .size(),
+      1U);
+  unit::expect_in(content_of(out + "/report.html"), {"restitution_threshold 0.5 m/s"});
+  const std::string witness = report.at("subjects")[0].at("violations")[0].at("witness");
+  const RunResult replayed = run_carom({"replay", out + "/" + witness, "--subject", declaring(threshold)});
+  EXPECT_EQ(replayed.exit_status, 1) << replayed.errors;
+  unit::expect_in(replayed.output, {"declaring declares restitution_threshold 0.5 m/s"});
+  const std::string before = (directory.path() / "before").string();
+  EXPECT_EQ(gate("{}", before).exit_status, 0);
+  const RunResult compared = run_carom({"compare", before, out});
+  EXPECT_NE(compared.output.find("the law without restitution_threshold 0.5 m/s"), std::string::npos)
+      << compared.output << "a new effect is claimed no longer";
+}
+
+/// A program that does nothing declares a slop that excuses this. Shards add up the cases that the slop decides.
+TEST(DeclaredEffects, ThatDecideTooManyCasesAreNotJudgedInARunOrInItsShards) {
+  const TemporaryDirectory directory;
+  const auto path = [&](const char* name) { return (directory.path() / name).string(); };
+  const auto with = [](std::vector<std::string> more) {
+    more.insert(more.end(), {"--families", "generic", "--cases", "20"});
+    return gate_of({program(R"('idle={"slop":1e300}' idle)")}, more);
+  };
+  EXPECT_EQ(with({"--out", path("whole")}).exit_status, 2);
+  (void)with({"--shard", "1/2", "--out", path("first")});
+  (void)with({"--shard", "2/2", "--out", path("second")});
+  EXPECT_EQ(run_carom({"merge", "--out", path("merged"), path("first"), path("second")}).exit_status, 2);
+  const std::string why = "the declared slop 1e+300 m/s decides 20 of 20 colliding cases, which is more than a tenth";
+  for (const char* run : {"whole", "merged"}) {
+    const json subject = report_in(path(run)).at("subjects")[0];
+    EXPECT_EQ(subject.at("status"), "not judged");
+    EXPECT_TRUE(subject.at("error").get<std::string>().starts_with(why)) << subject.at("error");
+    EXPECT_EQ(subject.at("families")[0].at("decided_by"), json({{"slop", 20}}));
+  }
+}
+
+TEST(Within, DrawsTheSameCasesIfTheDomainIsGivenByNameAsTextOrInAFile) {
+  const TemporaryDirectory directory;
+  const std::string file = directory.write("domain.json", R"({"size": [0.1, 10], "speed": [null, 500],
+                                                             "distance": [null, 500], "friction": [null, 1]})");
+  const auto shown = [&](const std::string& domain) {
+    const RunResult result = run_carom({"replay", "--family", "structured", "--case", "7", "--within", domain});
+    EXPECT_EQ(result.exit_status, 0) << result.errors;
+    return result.output;
+  };
+  EXPECT_EQ(shown("games"), shown(file));
+  EXPECT_EQ(shown("games"), shown("size=0.1:10,speed=:500,distance=:500,friction=:1"));
+  EXPECT_NE(shown("games"), shown("everything"));
+}
+
+TEST(Within, IsTheDomainThatAProgramDeclaresUnlessTheCommandLineHasAnother) {
+  const auto judged = [](const std::vector<std::string>& subjects, std::vector<std::string> more = {}) {
+    more.insert(more.end(), {"--families", "head_on", "--deviates", never_judged, "--cases", "4"});
+    return gate_of(subjects, more);
+  };
+  const std::string small = program(R"('domain={"size": [0.001, 0.01]}' small)");
+  const std::string large = program(R"('domain={"size": [10, null]}' large)");
+  const RunResult declared = judged({small});
+  EXPECT_EQ(declared.exit_status, 0) << declared.output << declared.errors;
+  unit::expect_in(declared.output, {" within size=0.001:0.01,"});
+  unit::expect_in(judged({small}, {"--within", "games"}).output, {" within size=0.1:10,"});
+  const RunResult different = judged({small, large});
+  EXPECT_EQ(different.exit_status, 2);
+  unit::expect_in(different.errors, {"small declares the domain size=0.001:0.01, and large declares size=10:"});
+  const RunResult unknown = judged({program(R"('domain={"colour": [1, 2]}' odd)")});
+  EXPECT_EQ(unknown.exit_status, 2);
+  unit::expect_in(unknown.errors, {"odd: the domain in the reply to start: "});
+}
+
+TEST(Within, HoldsForWitnessesAndForTheShardsOfARun) {
+  const TemporaryDirectory directory;
+  const auto path = [&](const char* name) { return (directory.path() / name).string(); };
+  const auto gate = [&](const char* name, std::vector<std::string> more) {
+    more.insert(more.end(),
+                {"--families", "head_on", "--deviates", never_judged, "--cases", "30", "--out", path(name)});
+    return gate_of({"reflection-in-basis-double", "frictionless-double"}, more);
+  };
+  EXPECT_EQ(gate("whole", {"--within", small_bodies}).exit_status, 1);
+  const json whole = report_in(path("whole"));
+  EXPECT_EQ(whole.at("within"), json::parse(R"({"size": [0.001, 0.01], "restitution": [null, 0.5]})"));
+  const properties::Domain domain = properties::domain_from(small_bodies);
+  const json violations = whole.at("subjects")[0].at("violations");
+  EXPECT_FALSE(violations.empty());
+  for (const json& violation : violations) {
+    const json witness =
+        json::parse(content_of(directory.path() / "whole" / violation.at("witness").get<std::string>()));
+    for (const char* collision : {"collision", "drawn"}) {
+      EXPECT_TRUE(contains(domain, collision_from_json(witness.at(collision)))) << witness.at(collision);
+    }
+  }
+  (void)gate("first", {"--within", small_bodies, "--shard", "1/2"});
+  (void)gate("second", {"--within", small_bodies, "--shard", "2/2"});
+  (void)gate("other", {"--shard", "2/2"});
+  EXPECT_EQ(run_carom({"merge", "--out", path("merged"), path("first"), path("second")}).exit_status, 1);
+  const json sum = report_in(path("merged"));
+  EXPECT_EQ(sum.at("within"), whole.at("within"));
+  EXPECT_EQ(sum.at("families"), whole.at("families"));
+  const RunResult different = run_carom({"merge", "--out", path("wrong"), path("first"), path("other")});
+  EXPECT_EQ(different.exit_status, 2);
+  unit::expect_in(different.errors, {"within: " + small_bodies});
+}
+
+/// Just below 1 : 8, the solvers compute torques by plain cross products (impulse/principal_inertia.hpp). A cheaper
+/// form of J⁻¹, τ/I₃ + Σ (1/I_k − 1/I₃) e_k (e_k·τ), violates `sticks` here.
+TEST(Within, AlmostSlenderBodiesFindsEverySolverSound) {
+  const RunResult result =
+      run_carom({"gate", "reflection-double", "frictionless-double", "sticking-double", "rough-double",
+                 "coulomb-double", "sticking-float", "reflection-float", "--families", "needle_tip", "--deviates",
+                 never_judged, "--within", "moment_ratio=4:8", "--cases", "2000"});
+  EXPECT_EQ(result.exit_status, 0) << result.output;
 }
 
 }  // namespace

@@ -79,16 +79,11 @@ const std::vector<std::vector<std::string>> printing_commands{
 };
 
 /// As with other programs, `carom … | head -1` prints no error. The loop waits until the reader is gone.
-TEST(StandardOutput, EndsTheProgramSilentlyIfNobodyReadsIt) {
+TEST(StandardOutput, EndsTheProgramSilentlyIfNobodyReadsItAndIsAnErrorIfItCannotBeWritten) {
   const std::string broken = R"({ trap '' PIPE; while echo 2> /dev/null; do :; done; trap - PIPE; "$@"; status=$?
     echo "status $status" >&2; } | true)";
   for (const std::vector<std::string>& command : printing_commands) {
     EXPECT_EQ(in_shell(broken, command).errors, "status 141\n") << command[0];
-  }
-}
-
-TEST(StandardOutput, IsAnErrorIfItCannotBeWritten) {
-  for (const std::vector<std::string>& command : printing_commands) {
     const std::string said = in_shell(R"("$@" > /dev/full; echo "status $?" >&2)", command).errors;
     EXPECT_TRUE(said.starts_with("carom: standard output")) << command[0] << ": " << said;
     EXPECT_TRUE(said.ends_with(": No space left on device\nstatus 2\n")) << command[0] << ": " << said;

@@ -133,7 +133,8 @@ struct Page {
 };
 [[nodiscard]] std::string html_page(const Page& page);
 
-/// The style sheet of every page, report.css. It must not contain <, > or &, because HTML does not unescape the content of <style>.
+/// The style sheet of every page, report.css. It must not contain <, > or &, because HTML does not unescape the content
+/// of <style>.
 extern const std::string_view report_style;
 
 }  // namespace carom::report

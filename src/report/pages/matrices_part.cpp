@@ -23,23 +23,13 @@ Table matrix(const Run& run, const char* caption, const char* look, const std::v
   for (const std::string& name : names) {
     table.columns.push_back({name, true, true});
   }
-  for (const bool counts : {true, false}) {
-    bool is_first = true;
-    for (std::size_t s = 0; s < run.results.size(); ++s) {
-      if (run.counts[s] != counts) {
-        continue;
-      }
-      if (is_first && !counts) {
-        table.rows.push_back({{"Kept because they fail, not counted"}, {}, true});
-      }
-      is_first = false;
-      Row row{{run.results[s].subject.name}};
-      for (std::size_t column = 0; column < names.size(); ++column) {
-        row.cells.push_back(cell_of(s, column));
-      }
-      table.rows.push_back(std::move(row));
+  add_subject_rows(table, run, Subjects::all, [&](std::size_t s) {
+    Row row{{run.results[s].subject.name}};
+    for (std::size_t column = 0; column < names.size(); ++column) {
+      row.cells.push_back(cell_of(s, column));
     }
-  }
+    return row;
+  });
   return table;
 }
 

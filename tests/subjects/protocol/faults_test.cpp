@@ -21,7 +21,7 @@
 #include "support/program.hpp"
 #include "support/selected.hpp"
 
-/// The gate's reaction to programs that violate the protocol.
+/// The gate's reaction to programs that violate the protocol, or misread what it permits.
 namespace carom::tests {
 namespace {
 
@@ -342,6 +342,43 @@ TEST(Replay, EndsOnCtrlC) {
   kill(replay, SIGINT);
   EXPECT_EQ(wait_for(replay), 2);
   EXPECT_TRUE(processes_with(mark).empty());
+}
+
+/// Expects that the gate finds a violation and that its first witness replays. Returns the output of the replay.
+std::string replayed_violation(const std::string& subject, const std::vector<std::string>& options) {
+  const TemporaryDirectory out;
+  const RunResult run = run_carom({"gate", subject, "--jobs", "1", "--out", out.path().string()}, options);
+  EXPECT_EQ(run.exit_status, 1) << run.output << run.errors;
+  const json found = json::parse(content_of(out.path() / "report.json")).at("subjects").at(0);
+  EXPECT_EQ(found.at("status"), "violated");
+  const std::string witness = (out.path() / found.at("violations").at(0).at("witness").get<std::string>()).string();
+  const RunResult replayed = run_carom({"replay", witness, "--subject", subject, "--format", "json"});
+  EXPECT_EQ(replayed.exit_status, 1) << replayed.output << replayed.errors;
+  return replayed.output;
+}
+
+/// A program that misreads a permitted spelling (way to write a collision).
+class Misreading : public testing::TestWithParam<const char*> {};
+
+TEST_P(Misreading, IsAViolationWhoseWitnessReplays) {
+  (void)replayed_violation(misbehaving(GetParam()), {"--families", "generic,immovable_b,structured", "--cases", "6"});
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, Misreading,
+                         testing::Values("exponent-dropped", "capital-exponent-dropped", "integer-by-ten",
+                                         "left-out-is-immovable", "written-is-immovable", "left-out-orientation",
+                                         "left-out-friction", "first-is-a", "no-tabs"),
+                         [](const auto& test) {
+                           return name_of({test.param, {}});
+                         });
+
+/// Hexadecimal numbers have one spelling, so a replay does not count spellings.
+TEST(WrongInHex, HasAWitnessThatReplays) {
+  const std::string replayed =
+      replayed_violation(std::string("exec:") + CAROM_WELL_BEHAVED + " reflection-adjugate-float hex",
+                         {"--families", "mass_scale", "--cases", "100", "--relations-every", "1"});
+  EXPECT_EQ(replayed.find("spellings"), std::string::npos) << replayed;
+  unit::expect_in(replayed, {"memoryless"});
 }
 
 }  // namespace
