@@ -33,13 +33,6 @@ TEST(Table, InTextIsAlignedWithItsNotesBelow) {
   EXPECT_EQ(in_text({table}), "name    count\na           1\ngrößer    100\n  a, größer: below\n  größer: alone\n");
 }
 
-TEST(Document, InTextHasNoControlCharacters) {
-  const std::string text = in_text(everything());
-  EXPECT_EQ(text.find('\x1b'), std::string::npos);
-  unit::expect_in(text, {"A paragraph"});
-  EXPECT_EQ(text.find("on demand"), std::string::npos);
-}
-
 TEST(Table, InMarkdownHasNoMarkupOfAThirdParty) {
   const Table table{"", {{"name"}, {"count", true}}, {{{hostile, "7"}}, {{name_cell("`@who|"), "8"}}}};
   const std::string text = markdown_table(table);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
+#include "commands/chart.hpp"
+
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -12,7 +14,6 @@
 
 #include <carom/subjects/methods.hpp>
 
-#include "commands/chart.hpp"
 #include "support/changed_subject.hpp"
 #include "support/expect_in.hpp"
 #include "support/program.hpp"
@@ -220,10 +221,9 @@ TEST(ChartOfSubjects, DrawsStabilityMapsOfAProgram) {
 TEST(ChartOfSubjects, AProgramThatFailsAgainAndAgainLosesNoOtherPoint) {
   const TemporaryDirectory directory;
   const std::string out = (directory.path() / "out").string();
-  const RunResult run = run_carom({"chart", std::string("exec:") + CAROM_MISBEHAVING + " exit-in-the-middle crasher",
-                                   "bullet-double", "--cases", "3", "--out", out});
-  EXPECT_EQ(run.exit_status, 2);
-  unit::expect_in(run.errors, {"crasher: ", "no later points"});
+  expect_error(run_carom({"chart", std::string("exec:") + CAROM_MISBEHAVING + " exit-in-the-middle crasher",
+                          "bullet-double", "--cases", "3", "--out", out}),
+               {"crasher: ", "no later points"});
   std::size_t of_bullet = 0;
   std::size_t of_crasher = 0;
   const json record = json::parse(content_of(out + "/chart.json"));
@@ -245,8 +245,7 @@ TEST(ChartUsage, RefusesASubjectThatCannotBeChartedAndNamesIt) {
   const TemporaryDirectory directory;
   const auto errors_of = [&](const std::string& subject) {
     const RunResult run = run_carom({"chart", subject, "--out", directory.path().string()});
-    EXPECT_EQ(run.exit_status, 2) << subject;
-    unit::expect_in(run.errors, {subject});
+    expect_error(run, {subject});
     return run.errors;
   };
   unit::expect_in(errors_of("no-such-method"), {"there is no subject"});
@@ -265,15 +264,13 @@ TEST(ChartUsage, WritesTheDataIfGnuplotIsMissingOrWritesNoPicture) {
        {std::pair{std::string("/no/such"), "install gnuplot"},
         std::pair{directory.path().string() + ":/usr/bin:/bin", "gnuplot wrote no picture"}}) {
     std::filesystem::remove_all(out);
-    const RunResult run = run_program("/usr/bin/env", {"PATH=" + path, carom_program(), "chart", "frictionless-double",
-                                                       "--cases", "2", "--repetitions", "1", "--out", out.string()});
-    EXPECT_EQ(run.exit_status, 2);
-    unit::expect_in(run.errors, {says});
+    expect_error(run_program("/usr/bin/env", {"PATH=" + path, carom_program(), "chart", "frictionless-double",
+                                              "--cases", "2", "--repetitions", "1", "--out", out.string()}),
+                 {says});
     EXPECT_TRUE(std::filesystem::exists(out / "chart.json"));
     EXPECT_TRUE(std::filesystem::exists(out / "gnuplot" / "work-precision-frictionless.gp"));
   }
 }
-
 
 RunResult domain(const std::vector<std::string>& more) { return run_carom({"domain", "--cases", "2"}, more); }
 

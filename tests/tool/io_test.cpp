@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <iostream>
 #include <map>
-#include <numeric>
 #include <set>
 #include <stdexcept>
 #include <stop_token>

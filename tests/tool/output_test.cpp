@@ -222,9 +222,7 @@ TEST(Reports, RemoveNothingIfTheOldReportIsNotCaroms) {
 TEST(Reports, AreNotPutInPlaceIfADirectoryHasTheNameOfOne) {
   const TemporaryDirectory out;
   fs::create_directories(out.path() / "report.json");
-  const RunResult run = run_carom(finding_gate(out.path()));
-  EXPECT_EQ(run.exit_status, 2);
-  unit::expect_in(run.errors, {"report.json cannot be written: Is a directory"});
+  expect_error(run_carom(finding_gate(out.path())), {"report.json cannot be written: Is a directory"});
   EXPECT_FALSE(fs::exists(out.path() / "report.html"));
   EXPECT_TRUE(fs::is_empty(out.path() / "witnesses"));
 }
@@ -252,8 +250,7 @@ TEST(OutputLock, KeepsOtherRunsOutOfTheDirectory) {
   const TemporaryDirectory out;
   const auto expect_refused = [&](const std::vector<std::string>& arguments, const std::string& says) {
     const RunResult run = run_carom(arguments);
-    EXPECT_EQ(run.exit_status, 2);
-    unit::expect_in(run.errors, {says});
+    expect_error(run, {says});
     EXPECT_EQ(hidden(out.path()).size(), 1U) << "only the lock of the other run";
   };
   const std::string another = "--out: another run writes to the directory " + out.path().string();

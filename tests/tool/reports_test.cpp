@@ -60,7 +60,6 @@ class TwoReports : public testing::Test {
   }
 
   TemporaryDirectory directory_;
-
 };
 
 TEST_F(TwoReports, ComparedGiveExitStatusOneOnlyIfAViolationIsNew) {
@@ -124,8 +123,7 @@ TEST_F(TwoReports, ThatCannotBeReadAreAnErrorThatNamesFileAndPlace) {
     json bad = report();
     change(bad);
     const RunResult result = compare(bad, report());
-    EXPECT_EQ(result.exit_status, 2) << place;
-    unit::expect_in(result.errors, {"before.json: this is not a report.json", place});
+    expect_error(result, {"before.json: this is not a report.json", place});
     EXPECT_TRUE(result.output.empty());
   }
   EXPECT_EQ(run_carom({"compare", directory_.write("bad.json", "{"), old()}).exit_status, 2);
@@ -185,9 +183,7 @@ TEST_F(TwoReports, AreABaselineThatIsReadBeforeAnyProgramIsStarted) {
   const std::string started = (directory_.path() / "started").string();
   const std::string script = directory_.write("solver.sh", "touch " + started + "\n");
   const std::string bad = directory_.write("bad.json", R"({"carom": "0.1.0"})");
-  const RunResult result = run_carom({"gate", "exec:/bin/sh " + script, "--baseline", bad});
-  EXPECT_EQ(result.exit_status, 2);
-  unit::expect_in(result.errors, {"bad.json"});
+  expect_error(run_carom({"gate", "exec:/bin/sh " + script, "--baseline", bad}), {"bad.json"});
   EXPECT_FALSE(std::filesystem::exists(started));
   (void)run_carom({"gate", "exec:/bin/sh " + script, "--cases", "1"});
   EXPECT_TRUE(std::filesystem::exists(started)) << "else the test could not fail";
@@ -311,15 +307,10 @@ TEST_F(Merge, WithTheWholeRunAsItsBaselineFindsNothingNew) {
 }
 
 TEST_F(Merge, RefusesAMissingShardARepeatedShardAndAWholeRun) {
-  const RunResult missing = merge({path("shard1"), path("shard3")});
-  EXPECT_EQ(missing.exit_status, 2);
-  unit::expect_in(missing.errors, {"shard 2 of 3 is missing; give the directories of all shards"});
-  const RunResult twice = merge({path("shard1"), path("shard1"), path("shard2"), path("shard3")});
-  EXPECT_EQ(twice.exit_status, 2);
-  unit::expect_in(twice.errors, {"shard 1 of 3 occurs twice"});
-  const RunResult whole = merge({path("whole")});
-  EXPECT_EQ(whole.exit_status, 2);
-  unit::expect_in(whole.errors, {"this report is not of a shard"});
+  expect_error(merge({path("shard1"), path("shard3")}),
+               {"shard 2 of 3 is missing; give the directories of all shards"});
+  expect_error(merge({path("shard1"), path("shard1"), path("shard2"), path("shard3")}), {"shard 1 of 3 occurs twice"});
+  expect_error(merge({path("whole")}), {"this report is not of a shard"});
   EXPECT_EQ(merge({}).exit_status, 2);
 }
 
@@ -346,9 +337,8 @@ TEST_F(Merge, RefusesShardsOfDifferentRunsAndNamesTheField) {
        }},
   };
   for (const auto& [field, change] : changes) {
-    const RunResult result = merge({path("shard1"), changed_shard(change), path("shard3")});
-    EXPECT_EQ(result.exit_status, 2) << field;
-    unit::expect_in(result.errors, {"do not belong to one run: " + field});
+    expect_error(merge({path("shard1"), changed_shard(change), path("shard3")}),
+                 {"do not belong to one run: " + field});
   }
 }
 
@@ -374,15 +364,11 @@ TEST_F(Merge, RefusesAWrongShardAndNamesFileAndPlace) {
        [](json& r) { r["subjects"][1]["violations"][0]["invariant"] = "../../etc"; }},
   };
   for (const auto& [place, change] : changes) {
-    const RunResult result = merge({path("shard1"), changed_shard(change), path("shard3")});
-    EXPECT_EQ(result.exit_status, 2) << place;
-    unit::expect_in(result.errors, {"changed/report.json: " + place});
+    expect_error(merge({path("shard1"), changed_shard(change), path("shard3")}), {"changed/report.json: " + place});
   }
   const std::string without_witnesses = changed_shard([](json&) {});
   fs::remove_all(fs::path(without_witnesses) / "witnesses");
-  const RunResult result = merge({path("shard1"), without_witnesses, path("shard3")});
-  EXPECT_EQ(result.exit_status, 2);
-  unit::expect_in(result.errors, {"this file does not exist"});
+  expect_error(merge({path("shard1"), without_witnesses, path("shard3")}), {"this file does not exist"});
 }
 
 TEST_F(Merge, RefusesTheDirectoryOfAShardAsItsOutput) {

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <functional>
 #include <string>
-#include <vector>
 
 #include <carom/report/pages/document.hpp>
 #include <carom/report/results/run.hpp>

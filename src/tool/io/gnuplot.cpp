@@ -23,8 +23,6 @@ void add_dark_style(const std::filesystem::path& svg) {
   write_file(svg, text);
 }
 
-}  // namespace
-
 void draw(std::span<const report::Plot> pictures, const std::filesystem::path& directory) {
   const std::filesystem::path scripts = directory / "gnuplot";
   make_directories(scripts);
@@ -57,6 +55,8 @@ void draw(std::span<const report::Plot> pictures, const std::filesystem::path& d
     }
   }
 }
+
+}  // namespace
 
 std::exception_ptr try_to_draw(std::span<const report::Plot> pictures, const std::filesystem::path& directory) {
   try {

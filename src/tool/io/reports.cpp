@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "io/reports.hpp"
 
-#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <vector>

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <cmath>
 #include <cstdint>
-#include <functional>
-#include <memory>
-#include <optional>
 #include <string>
 #include <variant>
 
 #include <gtest/gtest.h>
 
 #include <carom/properties/gate/gate.hpp>
-#include <carom/subjects/catalogue.hpp>
 
 #include "support/changed_subject.hpp"
 #include "support/expect_in.hpp"
@@ -51,9 +47,7 @@ Subject remembering(Remembers what) {
 }
 
 SubjectResult judged(Remembers what) {
-  GateOptions options;
-  options.cases = 100;
-  options.families = {family_named("generic")};
+  GateOptions options = unit::gate_options(100, {"generic"});
   options.is_part = true;
   return run_gate({remembering(what)}, options).results.at(0);
 }
@@ -87,9 +81,7 @@ Subject turning_zeros(int& turned) {
 }
 
 std::uint64_t not_memoryless(const Subject& subject) {
-  GateOptions options;
-  options.cases = 100;
-  options.families = {family_named("immovable_b")};
+  GateOptions options = unit::gate_options(100, {"immovable_b"});
   options.relations_every = 1000;
   const SubjectResult result = run_gate({subject}, options).results.at(0);
   EXPECT_GT(result.count(*invariant_named("memoryless")).judged(), 10U);
@@ -112,9 +104,7 @@ TEST(Memoryless, TellsTheBitsOfABuiltInApart) {
 
 TEST(NotJudged, IsASubjectThatSkipsOrShowsNothing) {
   const Subject right = unit::subject_of("frictionless-double");
-  GateOptions options;
-  options.cases = 50;
-  options.families = {family_named("generic"), family_named("separating")};
+  const GateOptions options = unit::gate_options(50, {"generic", "separating"});
   const auto result_of = [&](const Subject& subject) { return run_gate({subject}, options).results.at(0); };
 
   Subject skipping = unit::with_answers(right, [](const auto&, std::vector<Answer>& answers) {

@@ -2,14 +2,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <memory>
 #include <optional>
 
 #include <gtest/gtest.h>
 
 #include <carom/properties/cases/beyond_domain.hpp>
 #include <carom/properties/gate/gate.hpp>
-#include <carom/subjects/catalogue.hpp>
 
 #include "io/threads.hpp"
 #include "support/changed_subject.hpp"
@@ -20,10 +18,8 @@ namespace carom::properties {
 namespace {
 
 GateOptions options_of_all_families(std::uint64_t of_each, unsigned jobs = 1) {
-  GateOptions options;
-  options.cases = of_each;
+  GateOptions options = unit::gate_options(of_each);
   options.workers = tool::threads(jobs);
-  options.families = pointers_to(all_families());
   return options;
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -13,7 +12,6 @@
 #include <carom/properties/gate/declared_effects.hpp>
 #include <carom/properties/gate/gate.hpp>
 #include <carom/properties/gate/trial.hpp>
-#include <carom/subjects/catalogue.hpp>
 
 #include "io/threads.hpp"
 #include "support/cases.hpp"
@@ -88,15 +86,9 @@ Subject with_effects(const std::string& solver, const DeclaredEffects& done, con
 }
 
 GateReport report_on(const Subject& subject, const char* only_family = nullptr) {
-  GateOptions options;
-  options.seed = 1;
-  options.cases = static_cast<std::uint64_t>(only_family == nullptr ? unit::effort(5) : 10);
+  GateOptions options = only_family == nullptr ? unit::gate_options(static_cast<std::uint64_t>(unit::effort(5)))
+                                               : unit::gate_options(10, {only_family});
   options.workers = tool::threads(2);
-  for (const Family& family : all_families()) {
-    if (only_family == nullptr || family.name == only_family) {
-      options.families.push_back(&family);
-    }
-  }
   options.shrinks = false;
   return run_gate({subject}, options);
 }
@@ -205,9 +197,7 @@ TEST(DeclaredEffects, AreNotJudgedAtTheirLimit) {
 }
 
 GateOptions options_within(const char* within, std::uint64_t cases = 20) {
-  GateOptions options;
-  options.cases = cases;
-  options.families = {family_named("generic"), family_named("physical")};
+  GateOptions options = unit::gate_options(cases, {"generic", "physical"});
   options.within = domain_from(within);
   options.is_part = true;
   options.shrinks = false;

@@ -4,7 +4,6 @@
 #include <limits>
 #include <map>
 #include <set>
-#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -16,6 +15,7 @@
 #include <carom/properties/gate/task.hpp>
 
 #include "support/cases.hpp"
+#include "support/changed_subject.hpp"
 
 namespace carom::properties {
 namespace {
@@ -166,13 +166,6 @@ TEST(Coverage, CountsTheCasesThatAFamilyChanged) {
   EXPECT_EQ(counted("far_contacts")[Adjustment::moments_enlarged], 0U);
 }
 
-GateOptions options_to_schedule(std::uint64_t of_each) {
-  GateOptions options;
-  options.cases = of_each;
-  options.families = pointers_to(all_families());
-  return options;
-}
-
 std::vector<Task> first_tasks(const GateOptions& options, std::size_t most) {
   Schedule schedule(options);
   std::vector<Task> tasks;
@@ -189,7 +182,7 @@ std::vector<Task> first_tasks(const GateOptions& options, std::size_t most) {
 constexpr std::size_t every_task = 1'000'000;
 
 TEST(Schedule, HasEveryCaseInOneTask) {
-  const GateOptions options = options_to_schedule(137);
+  const GateOptions options = unit::gate_options(137);
   std::vector<std::uint64_t> drawn(options.families.size());
   std::uint64_t number = 0;
   for (const Task& task : first_tasks(options, every_task)) {
@@ -205,7 +198,7 @@ TEST(Schedule, HasEveryCaseInOneTask) {
 }
 
 TEST(Schedule, TakesFamiliesInTurnFromOneCaseOn) {
-  const GateOptions options = options_to_schedule(1000);
+  const GateOptions options = unit::gate_options(1000);
   std::set<std::size_t> had;
   for (const Task& task : first_tasks(options, options.families.size())) {
     EXPECT_TRUE(had.insert(task.family).second) << "again before the others had their turn";
@@ -214,7 +207,7 @@ TEST(Schedule, TakesFamiliesInTurnFromOneCaseOn) {
 }
 
 TEST(Schedule, DoesNotDependOnTheOrderInWhichFamiliesAreReported) {
-  const GateOptions options = options_to_schedule(100);
+  const GateOptions options = unit::gate_options(100);
   GateOptions reversed = options;
   std::reverse(reversed.families.begin(), reversed.families.end());
   const std::vector<Task> tasks = first_tasks(options, every_task);
@@ -230,7 +223,7 @@ TEST(Schedule, DoesNotDependOnTheOrderInWhichFamiliesAreReported) {
 /// Even with a budget, the cases come in the order of their numbers. So a longer run starts with the cases of a shorter
 /// run.
 TEST(Schedule, GoesOnWithoutEndOnABudget) {
-  GateOptions options = options_to_schedule(1);
+  GateOptions options = unit::gate_options(1);
   options.budget = std::chrono::seconds(1);
   const std::vector<Task> tasks = first_tasks(options, 5000);
   ASSERT_EQ(tasks.size(), 5000U);
@@ -246,7 +239,7 @@ TEST(Schedule, IsOverAtOnceWithoutFamilies) { EXPECT_FALSE(Schedule(GateOptions(
 
 TEST(Schedule, OfAllShardsHasEveryCaseOnce) {
   for (const std::uint64_t of_each : {1U, 2U, 7U, 137U}) {
-    GateOptions options = options_to_schedule(of_each);
+    GateOptions options = unit::gate_options(of_each);
     std::map<std::size_t, std::multiset<std::uint64_t>> numbers;
     for (options.shard = {1, 3}; options.shard.number <= options.shard.of; ++options.shard.number) {
       for (const Task& task : first_tasks(options, every_task)) {

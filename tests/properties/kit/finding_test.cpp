@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -11,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include <carom/impulse/frictionless.hpp>
-#include <carom/impulse/reflection.hpp>
 #include <carom/properties/kit/finding.hpp>
 #include <carom/properties/kit/subject.hpp>
 

@@ -28,6 +28,7 @@
 #include <carom/subjects/protocol/spelling.hpp>
 
 #include "io/threads.hpp"
+#include "support/changed_subject.hpp"
 #include "support/expect_in.hpp"
 #include "support/program.hpp"
 
@@ -35,13 +36,9 @@ namespace carom::subjects::protocol {
 namespace {
 
 properties::GateReport gate_of(const std::vector<Subject>& subjects, unsigned jobs) {
-  properties::GateOptions options;
-  options.cases = 60;
+  properties::GateOptions options = unit::gate_options(60);
   options.workers = tool::threads(jobs);
   options.relations_every = 1;
-  for (const properties::Family& family : properties::all_families()) {
-    options.families.push_back(&family);
-  }
   return properties::run_gate(subjects, options);
 }
 
@@ -91,10 +88,8 @@ TEST(Exec, ChangesNoVerdictAndNoWitness) {
 /// For programs, each relation is judged on every fourth case.
 TEST(Exec, IsAskedAboutRelatedCollisionsOnEveryFourthCase) {
   const Subject subject = exec_subject(std::string("exec:") + CAROM_WELL_BEHAVED, {});
-  properties::GateOptions options;
-  options.cases = 80;
-  options.families = {properties::family_named("generic")};
-  const properties::GateReport report = properties::run_gate({subject, *subject_named("frictionless-double")}, options);
+  const properties::GateReport report =
+      properties::run_gate({subject, *subject_named("frictionless-double")}, unit::gate_options(80, {"generic"}));
   EXPECT_EQ(report.results[0].count(*properties::invariant_named("swap")).holds, 20U);
   EXPECT_EQ(report.results[0].count(*properties::invariant_named("rotation")).holds, 20U);
   EXPECT_EQ(report.results[0].count(*properties::invariant_named("backward_error")).holds, 80U);
