@@ -30,11 +30,11 @@ GateOptions options_of(const std::vector<std::string_view>& families) {
   return options;
 }
 
-Subject right() { return unit::subject_of("frictionless-double"); }
+Subject sound() { return unit::subject_of("frictionless-double"); }
 
 TEST(JudgeFault, EndsTheRunAndNamesTheCollisionAndNoSubject) {
   const unit::PlantedFormula planted("restitution", fails_if_inelastic);
-  const GateReport report = run_gate({right()}, options_of({"elastic", "inelastic"}));
+  const GateReport report = run_gate({sound()}, options_of({"elastic", "inelastic"}));
   ASSERT_TRUE(report.judge_error);
   EXPECT_STREQ(report.judge_error->what(), "a wrong formula");
   EXPECT_EQ(report.judge_error->collision().restitution, 0);
@@ -57,7 +57,7 @@ TEST(JudgeFault, KeepsWhatWasJudgedBefore) {
 
 TEST(JudgeFault, DoesNotCostAnswersToOtherFamilies) {
   const unit::PlantedFormula planted("restitution", fails_if_inelastic);
-  const GateReport report = run_gate({right()}, options_of({"elastic"}));
+  const GateReport report = run_gate({sound()}, options_of({"elastic"}));
   EXPECT_FALSE(report.judge_error);
   EXPECT_TRUE(report.results.at(0).is_sound()) << report.results.at(0).not_judged;
 }
@@ -74,7 +74,7 @@ TEST(JudgeFault, InTheSearchForASimplerViolationCostsThatSearch) {
   });
   GateOptions options = options_of({"inelastic"});
   options.shrinks = false;
-  GateReport report = run_gate({right()}, options);
+  GateReport report = run_gate({sound()}, options);
   ASSERT_EQ(report.results.at(0).witnesses.size(), 1U);
   is_judging = false;
   report.options.shrinks = true;
@@ -89,12 +89,12 @@ TEST(NeverJudged, InvariantsLeaveASubjectNotSoundExceptInAPartOfARun) {
   const unit::PlantedFormula planted(
       "restitution", [](const Evidence&) -> Verdict { return {.status = Status::skipped, .detail = "planted"}; });
   const GateOptions whole = unit::gate_options(50);
-  const SubjectResult result = run_gate({right()}, whole).results.at(0);
+  const SubjectResult result = run_gate({sound()}, whole).results.at(0);
   EXPECT_FALSE(result.is_sound());
   EXPECT_EQ(result.not_judged,
             "no case judged restitution. Choose other families, more cases or a wider domain, or leave them out: "
             "--deviates restitution");
-  Subject deviating = right();
+  Subject deviating = sound();
   deviating.deviates = {"restitution"};
   EXPECT_EQ(run_gate({deviating}, whole).results.at(0).not_judged, "");
   GateOptions part = whole;
@@ -102,7 +102,7 @@ TEST(NeverJudged, InvariantsLeaveASubjectNotSoundExceptInAPartOfARun) {
   GateOptions shard = whole;
   shard.shard = {1, 2};
   for (const GateOptions& options : {part, shard}) {
-    const SubjectResult of_part = run_gate({right()}, options).results.at(0);
+    const SubjectResult of_part = run_gate({sound()}, options).results.at(0);
     EXPECT_TRUE(of_part.is_sound()) << of_part.not_judged;
     EXPECT_EQ(of_part.never_judged(options), std::vector{invariant_named("restitution")});
   }
