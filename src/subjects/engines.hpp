@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <filesystem>
 #include <vector>
 
 #include <carom/collision/subject.hpp>
@@ -19,5 +20,8 @@ namespace carom::subjects {
 
 /// The subject with its `open` set. Starts the program of an installed engine, which then introduces itself.
 [[nodiscard]] Subject started(const Subject& subject, const protocol::ExecOptions& options);
+
+/// The folder of this program; empty if the system does not provide it.
+[[nodiscard]] std::filesystem::path program_directory();
 
 }  // namespace carom::subjects

@@ -3,7 +3,7 @@
 
 #include <unistd.h>
 
-#include <carom/subjects/engines/adapters.hpp>
+#include <carom/subjects/engines.hpp>
 
 #include "commands/commands.hpp"
 #include "io/usage_error.hpp"
@@ -44,7 +44,7 @@ void add_missing_scene(CLI::App& app, Chosen& chosen) {
 int main(int argc, char** argv) {
   using namespace carom::tool;
   become_scene_program(argc, argv);
-  return run_program(argc, argv,
-                     {add_gate, add_domain, add_lists, add_chart, add_missing_scene, add_plan, add_compare, add_merge,
-                      add_replay});
+  return run_program(
+      argc, argv,
+      {add_gate, add_domain, add_lists, add_chart, add_missing_scene, add_plan, add_compare, add_merge, add_replay});
 }

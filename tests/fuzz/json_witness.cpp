@@ -7,7 +7,6 @@
 #include <carom/collision/validate.hpp>
 
 #include "io/input_file.hpp"
-#include "io/json_file.hpp"
 #include "io/usage_error.hpp"
 #include "target.hpp"
 

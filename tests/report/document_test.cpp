@@ -8,6 +8,8 @@
 #include <carom/report/pages/document.hpp>
 #include <carom/report/pictures/markup.hpp>
 
+#include "support/expect_in.hpp"
+
 /// Text of third parties is safe in every format.
 namespace carom::report {
 namespace {
@@ -29,13 +31,6 @@ TEST(Table, InTextIsAlignedWithItsNotesBelow) {
                     {{"name"}, {.name = "law", .is_in_text = false}, {"count", true}},
                     {{{"a", "any", "1"}, {"below"}}, {{"größer", "any", "100"}, {"below", "alone"}}}};
   EXPECT_EQ(in_text({table}), "name    count\na           1\ngrößer    100\n  a, größer: below\n  größer: alone\n");
-}
-
-TEST(Document, InTextHasNoControlCharacters) {
-  const std::string text = in_text(everything());
-  EXPECT_EQ(text.find('\x1b'), std::string::npos);
-  EXPECT_NE(text.find("A paragraph"), std::string::npos);
-  EXPECT_EQ(text.find("on demand"), std::string::npos);
 }
 
 TEST(Table, InMarkdownHasNoMarkupOfAThirdParty) {

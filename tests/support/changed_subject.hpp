@@ -2,16 +2,33 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include <carom/collision/subject.hpp>
+#include <carom/properties/gate/gate.hpp>
 #include <carom/subjects/catalogue.hpp>
 
-/// Subjects that are made from others.
+/// Subjects that are made from others, and the options of a gate that judges them.
 namespace carom::unit {
+
+/// The options of a gate on these families, or on all if none is named.
+[[nodiscard]] inline properties::GateOptions gate_options(std::uint64_t cases,
+                                                          const std::vector<std::string_view>& families = {}) {
+  properties::GateOptions options;
+  options.cases = cases;
+  for (const std::string_view family : families) {
+    options.families.push_back(properties::family_named(family));
+  }
+  if (families.empty()) {
+    options.families = properties::pointers_to(properties::all_families());
+  }
+  return options;
+}
 
 /// Precondition: the catalogue has a subject of this name.
 [[nodiscard]] inline Subject subject_of(const std::string& name) { return subjects::subject_named(name).value(); }

@@ -13,11 +13,16 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "expect_in.hpp"
+
 namespace carom::tests {
 
 std::string carom_program() { return CAROM_PROGRAM; }
 
-RunResult run_carom(const std::vector<std::string>& arguments) { return run_program(CAROM_PROGRAM, arguments); }
+RunResult run_carom(std::vector<std::string> arguments, const std::vector<std::string>& more) {
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return run_program(CAROM_PROGRAM, arguments);
+}
 
 RunResult run_program(const std::string& program, const std::vector<std::string>& arguments) {
   namespace bp = boost::process;
@@ -28,6 +33,11 @@ RunResult run_program(const std::string& program, const std::vector<std::string>
                   bp::std_err > errors.string());
   child.wait();
   return {child.exit_code(), content_of(output), content_of(errors)};
+}
+
+void expect_error(const RunResult& run, const std::vector<std::string>& parts) {
+  EXPECT_EQ(run.exit_status, 2) << run.output;
+  unit::expect_in(run.errors, parts);
 }
 
 std::vector<std::string> accepted_by(const std::string& schema, std::vector<std::string> files) {

@@ -15,7 +15,11 @@ struct RunResult {
   std::string errors;
 };
 
-[[nodiscard]] RunResult run_carom(const std::vector<std::string>& arguments);
+/// Runs `carom ARG… MORE…`.
+[[nodiscard]] RunResult run_carom(std::vector<std::string> arguments, const std::vector<std::string>& more = {});
+
+/// Expects exit status 2, and each part in the error message.
+void expect_error(const RunResult& run, const std::vector<std::string>& parts);
 
 /// For `--deviates`: the invariants that a run of few families may judge in no case.
 inline constexpr const char* few_families_judge_no =

@@ -1,25 +1,36 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 #include <atomic>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
 #include <filesystem>
+#include <iostream>
 #include <map>
-#include <numeric>
 #include <set>
 #include <stdexcept>
+#include <stop_token>
 #include <string>
+#include <system_error>
+#include <thread>
 #include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <carom/report/results/run_json.hpp>
 #include <carom/subjects/protocol/command_line.hpp>
+#include <carom/subjects/protocol/shortage.hpp>
 
+#include "io/interrupt.hpp"
 #include "io/job_shard.hpp"
 #include "io/this_environment.hpp"
 #include "io/threads.hpp"
 #include "io/usage_error.hpp"
+#include "support/expect_in.hpp"
 #include "support/program.hpp"
 
 namespace carom::tool {
@@ -79,19 +90,25 @@ TEST(ShardArgument, IsANumberFromOneToTheNumberOfShards) {
   }
 }
 
-TEST(JobShard, IsThePlaceOfTheJobAmongTheJobsOfItsBatchSystem) {
-  EXPECT_EQ(shard_in(array_task("1", "1", "10", "10")), Pair(1, 10));
-  EXPECT_EQ(shard_in(array_task("9", "0", "9", "10")), Pair(10, 10));
-  EXPECT_EQ(shard_in(array_task("9", "1", "13", "4")), Pair(3, 4)) << "--array=1-15:4";
-  EXPECT_EQ(shard_in(array_task("7", "7", "7", "1")), Pair(1, 1));
-  EXPECT_EQ(shard_in({{"JOB_COMPLETION_INDEX", "4"}, {"JOB_COMPLETIONS", "5"}}), Pair(5, 5));
-  EXPECT_EQ(shard_in({{"STRATEGY_JOB_INDEX", "0"}, {"STRATEGY_JOB_TOTAL", "256"}}), Pair(1, 256));
-  EXPECT_EQ(shard_in({{"CI_NODE_INDEX", "3"}, {"CI_NODE_TOTAL", "3"}}), Pair(3, 3));
-}
-
-TEST(JobShard, IsThePlaceOfTheProcessInAJobOfSeveralProcesses) {
-  EXPECT_EQ(shard_in(rank("1", "2")), Pair(2, 2));
-  EXPECT_EQ(shard_in(step_task("0", "8")), Pair(1, 8));
+/// The last four rows set variables of two levels.
+TEST(JobShard, IsThePlaceOfTheProcessAmongAllProcessesOfItsBatchSystem) {
+  for (const auto& [variables, shard] : std::vector<std::pair<Variables, Pair>>{
+           {array_task("1", "1", "10", "10"), {1, 10}},
+           {array_task("9", "0", "9", "10"), {10, 10}},
+           {array_task("9", "1", "13", "4"), {3, 4}},  // --array=1-15:4
+           {array_task("7", "7", "7", "1"), {1, 1}},
+           {{{"JOB_COMPLETION_INDEX", "4"}, {"JOB_COMPLETIONS", "5"}}, {5, 5}},
+           {{{"STRATEGY_JOB_INDEX", "0"}, {"STRATEGY_JOB_TOTAL", "256"}}, {1, 256}},
+           {{{"CI_NODE_INDEX", "3"}, {"CI_NODE_TOTAL", "3"}}, {3, 3}},
+           {rank("1", "2"), {2, 2}},
+           {step_task("0", "8"), {1, 8}},
+           {both({{"CI_NODE_INDEX", "2"}, {"CI_NODE_TOTAL", "2"}}, rank("1", "3")), {5, 6}},
+           {both(step_task("1", "2"), rank("5", "6")), {6, 6}},  // a daemon of mpirun is a step's task
+           {both(array_task("2", "1", "2", "2"), {{"SLURM_PROCID", "0"}, {"SLURM_NTASKS", "4"}}), {2, 2}},  // no step
+           {both(rank("0", "2"), {{"CI_NODE_TOTAL", "1"}}), {1, 2}},  // a job that is not parallel
+       }) {
+    EXPECT_EQ(shard_in(variables), shard) << testing::PrintToString(variables);
+  }
 }
 
 TEST(JobShard, CountsEachProcessOfEachJobOnce) {
@@ -105,14 +122,6 @@ TEST(JobShard, CountsEachProcessOfEachJobOnce) {
     }
   }
   EXPECT_EQ(shards, expected);
-  EXPECT_EQ(shard_in(both({{"CI_NODE_INDEX", "2"}, {"CI_NODE_TOTAL", "2"}}, rank("1", "3"))), Pair(5, 6));
-}
-
-TEST(JobShard, IgnoresVariablesOfAnOuterLevel) {
-  EXPECT_EQ(shard_in(both(step_task("1", "2"), rank("5", "6"))), Pair(6, 6)) << "a daemon of mpirun is a step's task";
-  EXPECT_EQ(shard_in(both(array_task("2", "1", "2", "2"), {{"SLURM_PROCID", "0"}, {"SLURM_NTASKS", "4"}})), Pair(2, 2))
-      << "a batch script is no step";
-  EXPECT_EQ(shard_in(both(rank("0", "2"), {{"CI_NODE_TOTAL", "1"}})), Pair(1, 2)) << "a job that is not parallel";
 }
 
 TEST(JobShard, RefusesAMissingOrWrongVariableAndNamesItWithItsValue) {
@@ -146,7 +155,7 @@ TEST(JobShard, RefusesAMissingOrWrongVariableAndNamesItWithItsValue) {
   };
   for (const auto& [variables, message] : cases) {
     EXPECT_EQ(message_of(variables).find("--shard auto: "), 0U) << message_of(variables);
-    EXPECT_NE(message_of(variables).find(message), std::string::npos) << message_of(variables);
+    unit::expect_in(message_of(variables), {message});
   }
 }
 
@@ -210,6 +219,98 @@ TEST(Environment, RecordsTheFlagsThatEachLibraryWasCompiledWith) {
                               "carom_protocol", "carom_rational", "carom_subjects", "carom_tool"}) {
     EXPECT_TRUE(environment.compiler_flags.contains(library)) << library;
   }
+}
+
+using namespace std::chrono_literals;
+
+bool is_requested_soon(const std::stop_token& stop) {
+  for (int tries = 0; tries < 500 && !stop.stop_requested(); ++tries) {
+    std::this_thread::sleep_for(10ms);
+  }
+  return stop.stop_requested();
+}
+
+/// Sends the signals that `timeout` sends: one to the program, one to its group (here the program again), and at last
+/// SIGCONT.
+[[noreturn]] void be_signalled_at_once() {
+  const std::stop_token stop = stop_on_interrupt();
+  kill(getpid(), SIGTERM);
+  kill(getpid(), SIGINT);
+  const bool requested = is_requested_soon(stop);
+  kill(getpid(), SIGTERM);
+  kill(getpid(), SIGCONT);
+  std::this_thread::sleep_for(100ms);
+  std::_Exit(requested ? 0 : 3);
+}
+
+[[noreturn]] void be_signalled_for_long() {
+  const std::stop_token stop = stop_on_interrupt();
+  for (int tries = 0; tries < 100; ++tries) {
+    kill(getpid(), SIGTERM);
+    std::this_thread::sleep_for(300ms);
+  }
+  std::_Exit(3);
+}
+
+/// As under nohup, which leaves SIGHUP ignored, or in the background of a script, where SIGINT is ignored.
+[[noreturn]] void be_signalled_where_that_is_ignored(int signal) {
+  std::signal(signal, SIG_IGN);
+  const std::stop_token stop = stop_on_interrupt();
+  kill(getpid(), signal);
+  std::this_thread::sleep_for(100ms);
+  const bool is_ignored = !stop.stop_requested();
+  kill(getpid(), SIGTERM);
+  std::_Exit(is_ignored && is_requested_soon(stop) ? 0 : 3);
+}
+
+/// As a user of whom no other thread may be started. The limit does not bind root.
+[[noreturn]] void start_where_no_thread_may() {
+  constexpr uid_t nobody = 65534;
+  const rlimit one{1, 1};
+  if (setrlimit(RLIMIT_NPROC, &one) != 0 || (geteuid() == 0 && setuid(nobody) != 0)) {
+    std::_Exit(4);
+  }
+  try {
+    (void)stop_on_interrupt();
+  } catch (const std::system_error& error) {
+    std::cerr << subjects::protocol::shortage(error.code());
+    std::_Exit(0);
+  }
+  std::_Exit(3);
+}
+
+/// Sends SIGXCPU again and again, as the system does, for longer than all signals are one wish.
+[[noreturn]] void use_up_processor_time() {
+  const std::stop_token stop = stop_on_interrupt();
+  for (const auto until = std::chrono::steady_clock::now() + 1500ms; std::chrono::steady_clock::now() < until;) {
+    kill(getpid(), SIGXCPU);
+    std::this_thread::sleep_for(20ms);
+  }
+  std::_Exit(stop.stop_requested() ? 0 : 3);
+}
+
+class InterruptDeathTest : public testing::Test {
+  void SetUp() override { GTEST_FLAG_SET(death_test_style, "threadsafe"); }
+};
+
+TEST_F(InterruptDeathTest, TheLimitOnProcessorTimeRequestsOneStop) {
+  EXPECT_EXIT(use_up_processor_time(), testing::ExitedWithCode(0), "");
+}
+
+TEST_F(InterruptDeathTest, ASignalThatTheParentLeftIgnoredIsIgnored) {
+  for (const int signal : {SIGHUP, SIGINT}) {
+    EXPECT_EXIT(be_signalled_where_that_is_ignored(signal), testing::ExitedWithCode(0), "") << signal;
+  }
+}
+
+TEST_F(InterruptDeathTest, AShortageOfThreadsIsNamedWithItsLimit) {
+  EXPECT_EXIT(start_where_no_thread_may(), testing::ExitedWithCode(0),
+              "processes and threads are short: this user may have at most 1 \\(ulimit -u\\)");
+}
+
+TEST_F(InterruptDeathTest, SignalsWithinASecondRequestOneStopAndALaterOneEndsTheProgram) {
+  EXPECT_EXIT(be_signalled_at_once(), testing::ExitedWithCode(0), "");
+  EXPECT_EXIT(be_signalled_for_long(), testing::KilledBySignal(SIGTERM), "");
 }
 
 }  // namespace

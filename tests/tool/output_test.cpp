@@ -14,6 +14,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include "support/expect_in.hpp"
 #include "support/program.hpp"
 
 namespace carom::tests {
@@ -78,16 +79,11 @@ const std::vector<std::vector<std::string>> printing_commands{
 };
 
 /// As with other programs, `carom … | head -1` prints no error. The loop waits until the reader is gone.
-TEST(StandardOutput, EndsTheProgramSilentlyIfNobodyReadsIt) {
+TEST(StandardOutput, EndsTheProgramSilentlyIfNobodyReadsItAndIsAnErrorIfItCannotBeWritten) {
   const std::string broken = R"({ trap '' PIPE; while echo 2> /dev/null; do :; done; trap - PIPE; "$@"; status=$?
     echo "status $status" >&2; } | true)";
   for (const std::vector<std::string>& command : printing_commands) {
     EXPECT_EQ(in_shell(broken, command).errors, "status 141\n") << command[0];
-  }
-}
-
-TEST(StandardOutput, IsAnErrorIfItCannotBeWritten) {
-  for (const std::vector<std::string>& command : printing_commands) {
     const std::string said = in_shell(R"("$@" > /dev/full; echo "status $?" >&2)", command).errors;
     EXPECT_TRUE(said.starts_with("carom: standard output")) << command[0] << ": " << said;
     EXPECT_TRUE(said.ends_with(": No space left on device\nstatus 2\n")) << command[0] << ": " << said;
@@ -118,7 +114,7 @@ TEST(Reports, StayAsTheyWereIfNewOnesCannotBeWritten) {
   for (const char* blocks : {"0", "8", "20"}) {
     const RunResult run =
         in_shell(std::string("{ ulimit -f ") + blocks + R"(; "$@"; } 2>&1 | cat)", finding_gate(out.path()));
-    EXPECT_NE(run.output.find("cannot be written: File too large"), std::string::npos) << run.output << run.errors;
+    unit::expect_in(run.output, {"cannot be written: File too large"});
     EXPECT_NE(run.output.find("It violates "), std::string::npos) << "the results are printed";
     EXPECT_EQ(content_of(out.path() / "report.json"), old);
     EXPECT_EQ(content_of(out.path() / "report.html"), old_page);
@@ -154,7 +150,7 @@ cmp "$OUT/report.json" "$COPY" || exit 5
     GTEST_SKIP() << "no file system can be mounted here: " << run.errors;
   }
   EXPECT_EQ(run.exit_status, 0) << run.errors;
-  EXPECT_NE(run.errors.find("No space left"), std::string::npos) << run.errors;
+  unit::expect_in(run.errors, {"No space left"});
 }
 
 TEST(Reports, HaveAllTheirWitnessesWheneverARunIsKilled) {
@@ -226,9 +222,7 @@ TEST(Reports, RemoveNothingIfTheOldReportIsNotCaroms) {
 TEST(Reports, AreNotPutInPlaceIfADirectoryHasTheNameOfOne) {
   const TemporaryDirectory out;
   fs::create_directories(out.path() / "report.json");
-  const RunResult run = run_carom(finding_gate(out.path()));
-  EXPECT_EQ(run.exit_status, 2);
-  EXPECT_NE(run.errors.find("report.json cannot be written: Is a directory"), std::string::npos) << run.errors;
+  expect_error(run_carom(finding_gate(out.path())), {"report.json cannot be written: Is a directory"});
   EXPECT_FALSE(fs::exists(out.path() / "report.html"));
   EXPECT_TRUE(fs::is_empty(out.path() / "witnesses"));
 }
@@ -256,8 +250,7 @@ TEST(OutputLock, KeepsOtherRunsOutOfTheDirectory) {
   const TemporaryDirectory out;
   const auto expect_refused = [&](const std::vector<std::string>& arguments, const std::string& says) {
     const RunResult run = run_carom(arguments);
-    EXPECT_EQ(run.exit_status, 2);
-    EXPECT_NE(run.errors.find(says), std::string::npos) << run.errors;
+    expect_error(run, {says});
     EXPECT_EQ(hidden(out.path()).size(), 1U) << "only the lock of the other run";
   };
   const std::string another = "--out: another run writes to the directory " + out.path().string();
@@ -310,10 +303,10 @@ TEST(FilesOfAScene, AppearTogetherOrNotAtAll) {
   std::vector<std::string> longer = arguments;
   longer[3] = "50";
   const RunResult run = in_shell(R"({ ulimit -f 8; "$@"; } 2>&1 | cat)", longer);
-  EXPECT_NE(run.output.find("cannot be written: File too large"), std::string::npos) << run.output;
+  unit::expect_in(run.output, {"cannot be written: File too large"});
   EXPECT_EQ(content_of(out.path() / "scene.json"), old);
   EXPECT_TRUE(hidden(out.path()).empty());
-  EXPECT_NE(in_shell(R"("$@" > /dev/full)", longer).errors.find("standard output"), std::string::npos);
+  unit::expect_in(in_shell(R"("$@" > /dev/full)", longer).errors, {"standard output"});
   EXPECT_NE(content_of(out.path() / "scene.json"), old) << "the files are there";
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <cstddef>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -133,7 +132,8 @@ struct Page {
 };
 [[nodiscard]] std::string html_page(const Page& page);
 
-/// The style sheet of every page. It must not contain <, > or &, because HTML does not unescape the content of <style>.
+/// The style sheet of every page, report.css. It must not contain <, > or &, because HTML does not unescape the content
+/// of <style>.
 extern const std::string_view report_style;
 
 }  // namespace carom::report

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <string>
-#include <vector>
 
 #include <carom/report/pages/document.hpp>
 #include <carom/report/results/run.hpp>
@@ -12,8 +13,11 @@ namespace carom::report {
 
 enum class Subjects { counting, all };
 
-/// One row for each subject: verdict, worst backward error, digits, time. The subjects that count (that decide the exit
-/// status) are first.
+/// Adds a row for each subject. The subjects that count (that decide the exit status) are first, and the others follow
+/// below a heading.
+void add_subject_rows(Table& table, const Run& run, Subjects which, const std::function<Row(std::size_t)>& row_of);
+
+/// One row for each subject: verdict, worst backward error, digits, time.
 [[nodiscard]] Table subjects_table(const Run& run, Subjects which);
 
 /// The reasons why subjects could not be judged, or not to the end, each with the anchor that subjects_table links to.

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <algorithm>
-#include <cctype>
 #include <stdexcept>
 
 #include <carom/subjects/protocol/command_line.hpp>

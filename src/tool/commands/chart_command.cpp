@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <memory>
@@ -17,7 +16,6 @@
 #include "commands/chart.hpp"
 #include "commands/commands.hpp"
 #include "commands/options.hpp"
-#include "io/arguments.hpp"
 #include "io/gnuplot.hpp"
 #include "io/interrupt.hpp"
 #include "io/output.hpp"

@@ -16,7 +16,6 @@
 
 #include "commands/commands.hpp"
 #include "commands/options.hpp"
-#include "io/arguments.hpp"
 #include "io/interrupt.hpp"
 #include "io/output.hpp"
 #include "io/threads.hpp"

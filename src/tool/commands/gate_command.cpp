@@ -19,7 +19,6 @@
 
 #include "commands/commands.hpp"
 #include "commands/options.hpp"
-#include "io/arguments.hpp"
 #include "io/interrupt.hpp"
 #include "io/job_shard.hpp"
 #include "io/output.hpp"

@@ -10,7 +10,6 @@
 #include "commands/plan.hpp"
 #include "io/input_file.hpp"
 #include "io/interrupt.hpp"
-#include "io/json_file.hpp"
 #include "io/output.hpp"
 #include "io/threads.hpp"
 #include "io/usage_error.hpp"

@@ -24,10 +24,8 @@
 
 #include "commands/commands.hpp"
 #include "commands/options.hpp"
-#include "io/arguments.hpp"
 #include "io/input_file.hpp"
 #include "io/interrupt.hpp"
-#include "io/json_file.hpp"
 #include "io/usage_error.hpp"
 
 namespace carom::tool {

@@ -10,7 +10,6 @@
 #include <mutex>
 #include <numeric>
 #include <optional>
-#include <thread>
 
 #include <fmt/format.h>
 
@@ -21,13 +20,12 @@
 #include "commands/options.hpp"
 #include "commands/plan.hpp"
 #include "io/gnuplot.hpp"
+#include "io/input_file.hpp"
 #include "io/interrupt.hpp"
-#include "io/json_file.hpp"
 #include "io/output.hpp"
 #include "io/threads.hpp"
 #include "io/usage_error.hpp"
 #include "scene/replay_html.hpp"
-#include "scene/scene_plots.hpp"
 #include "scene/scene_records.hpp"
 #include "scene/scene_run.hpp"
 

@@ -6,7 +6,7 @@
 #include <carom/report/pictures/plot.hpp>
 #include <carom/subjects/protocol/child.hpp>
 
-#include "io/json_file.hpp"
+#include "io/input_file.hpp"
 #include "io/output.hpp"
 #include "io/usage_error.hpp"
 
@@ -22,8 +22,6 @@ void add_dark_style(const std::filesystem::path& svg) {
   text.insert(begin, fmt::format("<style>{}</style>\n", report::dark_style));
   write_file(svg, text);
 }
-
-}  // namespace
 
 void draw(std::span<const report::Plot> pictures, const std::filesystem::path& directory) {
   const std::filesystem::path scripts = directory / "gnuplot";
@@ -57,6 +55,8 @@ void draw(std::span<const report::Plot> pictures, const std::filesystem::path& d
     }
   }
 }
+
+}  // namespace
 
 std::exception_ptr try_to_draw(std::span<const report::Plot> pictures, const std::filesystem::path& directory) {
   try {

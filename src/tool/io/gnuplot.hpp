@@ -9,11 +9,8 @@
 
 namespace carom::tool {
 
-/// Writes each picture's script to DIRECTORY/gnuplot/NAME.gp and has gnuplot draw DIRECTORY/NAME.svg. Throws UsageError
-/// if gnuplot is not installed or fails.
-void draw(std::span<const report::Plot> pictures, const std::filesystem::path& directory);
-
-/// Like draw(), but returns the UsageError (nullptr for none), so that the caller can still save the data.
+/// Writes each picture's script to DIRECTORY/gnuplot/NAME.gp and has gnuplot draw DIRECTORY/NAME.svg. Returns a
+/// UsageError if gnuplot is not installed or fails, otherwise nullptr, so that the caller can still save the data.
 [[nodiscard]] std::exception_ptr try_to_draw(std::span<const report::Plot> pictures,
                                              const std::filesystem::path& directory);
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "io/reports.hpp"
 
-#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <vector>
@@ -13,7 +12,7 @@
 #include <carom/report/pages/pages.hpp>
 #include <carom/report/results/words.hpp>
 
-#include "io/json_file.hpp"
+#include "io/input_file.hpp"
 #include "io/usage_error.hpp"
 
 namespace carom::tool {

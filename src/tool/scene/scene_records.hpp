@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <span>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
+
+#include <carom/report/pictures/plot.hpp>
 
 #include "scene/scene_run.hpp"
 
@@ -35,5 +39,18 @@ namespace carom::tool {
 /// The report.html of a scene, in the style of the gate's report: one page without script or network. The page is
 /// well-formed XML, too. It links the pictures in its folder, and replay.html if `has_replay_beside`.
 [[nodiscard]] std::string scene_html(const SceneRun& run, bool has_replay_beside);
+
+struct SampledLaw {
+  std::string law;
+  std::vector<Sample> samples;
+};
+
+/// Energy over time [J]. For one law: the parts of the energy, and the lost energy. For several laws: the total under
+/// each law.
+[[nodiscard]] report::Plot energy_plot(std::span<const SampledLaw> laws);
+/// Momentum over time [N s]. For one law: the components. For several laws: the magnitude under each law.
+[[nodiscard]] report::Plot momentum_plot(std::span<const SampledLaw> laws);
+/// The mean of ‖w‖ over the bodies [rad/s], for each law.
+[[nodiscard]] report::Plot spin_plot(std::span<const SampledLaw> laws);
 
 }  // namespace carom::tool

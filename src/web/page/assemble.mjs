@@ -29,8 +29,7 @@ function bundled(entry) {
 
 /** The style of Carom's reports, and what the page adds. */
 function style() {
-  const [, of_reports] = read('../../report/pages/report_style.cpp').match(/R"css\(([^]*)\)css"/);
-  return of_reports + read('page.css');
+  return read('../../report/pages/report.css') + read('page.css');
 }
 
 function example(name) {

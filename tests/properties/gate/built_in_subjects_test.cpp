@@ -14,6 +14,7 @@
 #include <carom/subjects/catalogue.hpp>
 
 #include "support/cases.hpp"
+#include "support/changed_subject.hpp"
 
 /// Each built-in subject that is expected to pass is sound, and each other one violates an invariant. If a subject
 /// becomes sound, set its `expected_to_pass`.
@@ -60,18 +61,11 @@ std::size_t violated_in(const Subject& subject, const Number& number) {
   return violated;
 }
 
-GateOptions on_all_families(std::uint64_t cases) {
-  GateOptions options;
-  options.families = pointers_to(all_families());
-  options.cases = cases;
-  return options;
-}
-
 TEST(BuiltInSubjects, AreSoundIfTheyAreExpectedToPass) {
   std::vector<Subject> expected_to_pass = subjects::all_subjects();
   std::erase_if(expected_to_pass,
                 [](const Subject& subject) { return !subject.expected_to_pass || !subject.absent.empty(); });
-  for (const SubjectResult& result : run_gate(expected_to_pass, on_all_families(20)).results) {
+  for (const SubjectResult& result : run_gate(expected_to_pass, unit::gate_options(20)).results) {
     EXPECT_TRUE(result.is_sound()) << result.subject.name << ": " << result.error << result.not_judged;
     for (const Invariant* invariant : result.violated_invariants()) {
       ADD_FAILURE() << result.subject.name << " violates " << invariant->name;
@@ -80,7 +74,7 @@ TEST(BuiltInSubjects, AreSoundIfTheyAreExpectedToPass) {
 }
 
 TEST(BuiltInSubjects, ViolateAnInvariantIfTheyAreExpectedToFail) {
-  GateOptions options = on_all_families(1000);
+  GateOptions options = unit::gate_options(1000);
   options.fail_fast = true;
   std::size_t kept = 0;
   for (const Subject& subject : subjects::all_subjects()) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -13,11 +12,11 @@
 #include <carom/properties/gate/declared_effects.hpp>
 #include <carom/properties/gate/gate.hpp>
 #include <carom/properties/gate/trial.hpp>
-#include <carom/subjects/catalogue.hpp>
 
 #include "io/threads.hpp"
 #include "support/cases.hpp"
 #include "support/changed_subject.hpp"
+#include "support/expect_in.hpp"
 
 namespace carom::properties {
 namespace {
@@ -87,15 +86,9 @@ Subject with_effects(const std::string& solver, const DeclaredEffects& done, con
 }
 
 GateReport report_on(const Subject& subject, const char* only_family = nullptr) {
-  GateOptions options;
-  options.seed = 1;
-  options.cases = static_cast<std::uint64_t>(only_family == nullptr ? unit::effort(5) : 10);
+  GateOptions options = only_family == nullptr ? unit::gate_options(static_cast<std::uint64_t>(unit::effort(5)))
+                                               : unit::gate_options(10, {only_family});
   options.workers = tool::threads(2);
-  for (const Family& family : all_families()) {
-    if (only_family == nullptr || family.name == only_family) {
-      options.families.push_back(&family);
-    }
-  }
   options.shrinks = false;
   return run_gate({subject}, options);
 }
@@ -162,7 +155,7 @@ TEST(DeclaredEffects, AreTakenOutBeforeTheDiagnosis) {
   const GateReport report = report_on(subject, "structured");
   const std::vector<diagnosis::Fault> faults = diagnosis::diagnose(report.results.at(0), report).faults;
   ASSERT_EQ(faults.size(), 1U);
-  EXPECT_NE(faults[0].what.find("as if ε were 0"), std::string::npos) << faults[0].what;
+  unit::expect_in(faults[0].what, {"as if ε were 0"});
 }
 
 TEST(DeclaredEffects, OfApproachChangeTheJudgedCollision) {
@@ -204,9 +197,7 @@ TEST(DeclaredEffects, AreNotJudgedAtTheirLimit) {
 }
 
 GateOptions options_within(const char* within, std::uint64_t cases = 20) {
-  GateOptions options;
-  options.cases = cases;
-  options.families = {family_named("generic"), family_named("physical")};
+  GateOptions options = unit::gate_options(cases, {"generic", "physical"});
   options.within = domain_from(within);
   options.is_part = true;
   options.shrinks = false;
@@ -258,7 +249,7 @@ TEST(DeclaredEffects, HaveADomainInsideThatOfTheRun) {
   const Subject subject = with_effects("frictionless-double", effects, effects);
   EXPECT_EQ(domain_in(why_not_judged(subject, options_within("size=0.1:10,approach=1:8"))), "size=0.1:10,approach=2:8");
   const std::string why = why_not_judged(subject, options_within("approach=0.1:1.5"));
-  EXPECT_NE(why.find("no domain was found in which it decides less"), std::string::npos) << why;
+  unit::expect_in(why, {"no domain was found in which it decides less"});
 }
 
 /// A slop of this size excuses every answer.

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <stdexcept>
-#include <string>
+#include <string_view>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include <carom/properties/diagnosis/diagnosis.hpp>
 #include <carom/properties/gate/gate.hpp>
 #include <carom/properties/gate/witness.hpp>
-#include <carom/subjects/catalogue.hpp>
 
 #include "support/changed_subject.hpp"
 #include "support/planted_formula.hpp"
@@ -24,13 +24,9 @@ Verdict fails_if_inelastic(const Evidence& e) {
   return {};
 }
 
-GateOptions options_of(const std::vector<const char*>& families) {
-  GateOptions options;
+GateOptions options_of(const std::vector<std::string_view>& families) {
+  GateOptions options = unit::gate_options(30, families);
   options.is_part = true;
-  options.cases = 30;
-  for (const char* name : families) {
-    options.families.push_back(family_named(name));
-  }
   return options;
 }
 
@@ -89,35 +85,26 @@ TEST(JudgeFault, InTheSearchForASimplerViolationCostsThatSearch) {
   EXPECT_EQ(witness.verdict.status, Status::violated);
 }
 
-TEST(NeverJudged, InvariantsLeaveASubjectNotSound) {
+TEST(NeverJudged, InvariantsLeaveASubjectNotSoundExceptInAPartOfARun) {
   const unit::PlantedFormula planted(
       "restitution", [](const Evidence&) -> Verdict { return {.status = Status::skipped, .detail = "planted"}; });
-  GateOptions options;
-  options.cases = 50;
-  options.families = pointers_to(all_families());
-  const SubjectResult result = run_gate({frictionless()}, options).results.at(0);
+  const GateOptions whole = unit::gate_options(50);
+  const SubjectResult result = run_gate({frictionless()}, whole).results.at(0);
   EXPECT_FALSE(result.is_sound());
   EXPECT_EQ(result.not_judged,
             "no case judged restitution. Choose other families, more cases or a wider domain, or leave them out: "
             "--deviates restitution");
   Subject deviating = frictionless();
   deviating.deviates = {"restitution"};
-  EXPECT_EQ(run_gate({deviating}, options).results.at(0).not_judged, "");
-}
-
-TEST(NeverJudged, InvariantsArePermittedInAPartOfARun) {
-  const unit::PlantedFormula planted(
-      "restitution", [](const Evidence&) -> Verdict { return {.status = Status::skipped, .detail = "planted"}; });
-  GateOptions shard;
-  shard.cases = 50;
-  shard.families = pointers_to(all_families());
-  GateOptions part = shard;
+  EXPECT_EQ(run_gate({deviating}, whole).results.at(0).not_judged, "");
+  GateOptions part = whole;
   part.is_part = true;
+  GateOptions shard = whole;
   shard.shard = {1, 2};
   for (const GateOptions& options : {part, shard}) {
-    const SubjectResult result = run_gate({frictionless()}, options).results.at(0);
-    EXPECT_TRUE(result.is_sound()) << result.not_judged;
-    EXPECT_EQ(result.never_judged(options), std::vector{invariant_named("restitution")});
+    const SubjectResult of_part = run_gate({frictionless()}, options).results.at(0);
+    EXPECT_TRUE(of_part.is_sound()) << of_part.not_judged;
+    EXPECT_EQ(of_part.never_judged(options), std::vector{invariant_named("restitution")});
   }
 }
 
@@ -127,10 +114,7 @@ TEST(JudgeFault, IsNoneForASolverThatTakesNoFrictionForNoLimit) {
   const Subject subject = unit::misreading(unit::subject_of("rough-double"), [](Collision& collision) {
     collision.friction = collision.friction == 0 ? 1e6 : collision.friction;
   });
-  GateOptions options;
-  options.cases = 100;
-  options.families = pointers_to(all_families());
-  const GateReport report = run_gate({subject}, options);
+  const GateReport report = run_gate({subject}, unit::gate_options(100));
   EXPECT_FALSE(report.judge_error);
   EXPECT_GT(report.results.at(0).count(*invariant_named("friction_cone")).violated, 0U);
   const diagnosis::Diagnosis diagnosis = diagnosis::diagnose_all(report).at(0);

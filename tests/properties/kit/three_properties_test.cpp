@@ -4,7 +4,6 @@
 #include <limits>
 #include <map>
 #include <memory>
-#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -25,6 +24,7 @@
 #include <carom/subjects/catalogue.hpp>
 
 #include "mutants/catalogue.hpp"
+#include "support/expect_in.hpp"
 #include "support/planted_formula.hpp"
 
 /// Every sound built-in solver has the three properties. Each solver with a planted defect lacks exactly one.
@@ -154,12 +154,6 @@ std::string shown(const Ruling& ruling) {
   return out.str();
 }
 
-void expect_in(const std::string& text, std::initializer_list<const char*> parts) {
-  for (const char* part : parts) {
-    EXPECT_NE(text.find(part), std::string::npos) << part << "\nis not in\n" << text;
-  }
-}
-
 /// The properties accept any callable, and judge its outcome in the precision of the outcome's numbers.
 TEST(ThreeProperties, JudgeTheOutcomeOfAnyCallable) {
   const Collision collision = against_wall();
@@ -169,7 +163,7 @@ TEST(ThreeProperties, JudgeTheOutcomeOfAnyCallable) {
   EXPECT_TRUE(properties::momentum_conservation(idle, collision));
   const Ruling ruling = properties::non_penetrating_post_velocity(idle, collision);
   EXPECT_FALSE(ruling);
-  expect_in(ruling.text, {"non_penetration is violated", "  answered\n", "N·V⁺ and 0: -1 and 0, apart by 1"});
+  unit::expect_in(ruling.text, {"non_penetration is violated", "  answered\n", "N·V⁺ and 0: -1 and 0, apart by 1"});
   const auto no_number = [](const Collision& one) {
     Outcome<double> after = unchanged(one);
     after.a.velocity[2] = std::nan("");
@@ -177,7 +171,7 @@ TEST(ThreeProperties, JudgeTheOutcomeOfAnyCallable) {
   };
   const Ruling of_nan = properties::non_penetrating_post_velocity(no_number, collision);
   EXPECT_FALSE(of_nan);
-  expect_in(shown(of_nan), {"the answer contains infinities or NaN", "Look at: divisions by zero"});
+  unit::expect_in(shown(of_nan), {"the answer contains infinities or NaN", "Look at: divisions by zero"});
   const auto not_copied = [pointer = std::make_unique<int>()](const Collision& one) { return unchanged(one); };
   EXPECT_FALSE(properties::non_penetrating_post_velocity(not_copied, collision));
 }
@@ -214,7 +208,7 @@ TEST(PositiveDefiniteness, NeedsTheMatrixOfACollidingContact) {
   Collision collision = against_wall();
   const Ruling ruling = properties::positive_definiteness(without, collision);
   EXPECT_FALSE(ruling);
-  expect_in(ruling.text, {"the subject shows no C of this contact"});
+  unit::expect_in(ruling.text, {"the subject shows no C of this contact"});
   collision.a.velocity = {0, 1, 0};
   const Ruling of_separating = properties::positive_definiteness(without, collision);
   EXPECT_TRUE(of_separating);
@@ -229,12 +223,12 @@ TEST(Diagnosis, IsOfAPropertyThatFails) {
   const Collision collision = gen::generic()(rc::Random(3), 100).value();
   const Ruling narrow = properties::momentum_conservation(through_float, collision);
   ASSERT_FALSE(narrow);
-  expect_in(shown(narrow), {"answers fits binary32, but it claims binary64", "Look at: the claimed precision"});
+  unit::expect_in(shown(narrow), {"answers fits binary32, but it claims binary64", "Look at: the claimed precision"});
   EXPECT_LE(lines(narrow), 10);
   EXPECT_TRUE(properties::momentum_conservation(through_float, collision, {.precision = Precision::binary32}));
 
   const Ruling unmoved = properties::non_penetrating_post_velocity(idle, against_wall());
-  expect_in(shown(unmoved), {"It does not change the velocities of colliding contacts"});
+  unit::expect_in(shown(unmoved), {"It does not change the velocities of colliding contacts"});
   EXPECT_LE(lines(unmoved), 10);
 
   const auto skew = [](const Collision& one) {
@@ -243,16 +237,16 @@ TEST(Diagnosis, IsOfAPropertyThatFails) {
     (*solved.collision_matrix)(1, 0) -= 1;
     return solved;
   };
-  expect_in(shown(properties::positive_definiteness(skew, against_wall())),
-            {"Its outcomes are right. The collision matrix that it shows is not that of the contact"});
+  unit::expect_in(shown(properties::positive_definiteness(skew, against_wall())),
+                  {"Its outcomes are right. The collision matrix that it shows is not that of the contact"});
 
   const auto remembering = [count = std::make_shared<int>(0)](const Collision& one) {
     Outcome<double> after = unchanged(one);
     after.a.velocity[0] += ++*count;
     return after;
   };
-  expect_in(shown(properties::non_penetrating_post_velocity(remembering, against_wall())),
-            {"It gives another answer if it is asked again"});
+  unit::expect_in(shown(properties::non_penetrating_post_velocity(remembering, against_wall())),
+                  {"It gives another answer if it is asked again"});
 
   const auto throwing = [count = std::make_shared<int>(0)](const Collision& one) {
     if (++*count > 1) {
@@ -260,8 +254,8 @@ TEST(Diagnosis, IsOfAPropertyThatFails) {
     }
     return unchanged(one);
   };
-  expect_in(shown(properties::non_penetrating_post_velocity(throwing, against_wall())),
-            {"non_penetration is violated", "No diagnosis: tired"});
+  unit::expect_in(shown(properties::non_penetrating_post_velocity(throwing, against_wall())),
+                  {"non_penetration is violated", "No diagnosis: tired"});
 }
 
 TEST(ThreeProperties, NameAFaultOfTheJudgeAndBlameNoSolver) {
@@ -273,8 +267,8 @@ TEST(ThreeProperties, NameAFaultOfTheJudgeAndBlameNoSolver) {
     (void)properties::non_penetrating_post_velocity(solver, against_wall());
     FAIL() << "the fault of the judge is lost";
   } catch (const oracles::JudgeError& error) {
-    expect_in(error.what(), {"the judge failed on this collision, and no subject is at fault: a wrong formula",
-                             "for `carom replay FILE`: {"});
+    unit::expect_in(error.what(), {"the judge failed on this collision, and no subject is at fault: a wrong formula",
+                                   "for `carom replay FILE`: {"});
   }
 }
 

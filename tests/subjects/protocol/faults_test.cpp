@@ -5,7 +5,6 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
-#include <fstream>
 #include <future>
 #include <map>
 #include <string>
@@ -15,12 +14,12 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
-#include <sys/stat.h>
 
+#include "support/expect_in.hpp"
 #include "support/program.hpp"
 #include "support/selected.hpp"
 
-/// The gate's reaction to programs that violate the protocol.
+/// The gate's reaction to programs that violate the protocol, or misread what it permits.
 namespace carom::tests {
 namespace {
 
@@ -166,7 +165,7 @@ TEST_P(Faults, NameRequestAndReasonAndLeaveNoProcessBehind) {
   for (const std::string& part : GetParam().says) {
     EXPECT_NE(error.find(part), std::string::npos) << "'" << part << "' is not in: " << error;
   }
-  EXPECT_NE(gate.run.output.find(request), std::string::npos) << gate.run.output;
+  unit::expect_in(gate.run.output, {request});
   EXPECT_EQ(gate.subject(1).at("status"), "sound");
   EXPECT_EQ(gate.subject(1).at("cases"), 120);
   EXPECT_TRUE(processes_with(mark_of(GetParam().fault)).empty()) << "the group of the program is ended";
@@ -195,18 +194,16 @@ TEST(Faults, ACrashIsFoundShrunkAndReplayed) {
   const json& finite = subject.at("families").at(0).at("invariants").at("finite");
   EXPECT_GT(finite.at("violated"), 0);
   EXPECT_EQ(finite.at("violated").get<int>() + finite.at("holds").get<int>(), 40);
-  EXPECT_NE(run.output.find("signal 6"), std::string::npos) << run.output;
-  EXPECT_NE(run.output.find("assertion failed: restitution <= 0.7"), std::string::npos) << run.output;
+  unit::expect_in(run.output, {"signal 6", "assertion failed: restitution <= 0.7"});
 
   const std::string file = (out.path() / "witnesses" / "faulty.finite.json").string();
   const json witness = json::parse(content_of(file));
   EXPECT_GT(witness.at("collision").at("restitution"), 0.7);
   EXPECT_EQ(witness.at("collision").at("a").at("velocity"), json({0.0, 0.0, 0.0})) << "what has no part in it is gone";
-  EXPECT_NE(witness.at("outcome").at("failed").get<std::string>().find("signal 6"), std::string::npos) << witness;
+  unit::expect_in(witness.at("outcome").at("failed").get<std::string>(), {"signal 6"});
   const RunResult replayed = run_carom({"replay", file, "--subject", misbehaving("crash-where-bouncy")});
   EXPECT_EQ(replayed.exit_status, 1) << replayed.errors;
-  EXPECT_NE(replayed.output.find("VIOLATED  no answer: the subject was ended by signal 6"), std::string::npos)
-      << replayed.output;
+  unit::expect_in(replayed.output, {"VIOLATED  no answer: the subject was ended by signal 6"});
   EXPECT_EQ(run_carom({"replay", file, "--subject", misbehaving("none")}).exit_status, 0);
 }
 
@@ -283,7 +280,7 @@ TEST(Faults, AProgramThatCannotBeRunIsAnError) {
     const Gate gate({words, "frictionless-double"});
     EXPECT_EQ(gate.run.exit_status, 2);
     EXPECT_EQ(gate.subject(0).at("status"), "error");
-    EXPECT_NE(gate.subject(0).at("error").get<std::string>().find(says), std::string::npos) << gate.subject(0);
+    unit::expect_in(gate.subject(0).at("error").get<std::string>(), {says});
     EXPECT_EQ(gate.subject(1).at("status"), "sound");
   }
 }
@@ -343,6 +340,43 @@ TEST(Replay, EndsOnCtrlC) {
   kill(replay, SIGINT);
   EXPECT_EQ(wait_for(replay), 2);
   EXPECT_TRUE(processes_with(mark).empty());
+}
+
+/// Expects that the gate finds a violation and that its first witness replays. Returns the output of the replay.
+std::string replayed_violation(const std::string& subject, const std::vector<std::string>& options) {
+  const TemporaryDirectory out;
+  const RunResult run = run_carom({"gate", subject, "--jobs", "1", "--out", out.path().string()}, options);
+  EXPECT_EQ(run.exit_status, 1) << run.output << run.errors;
+  const json found = json::parse(content_of(out.path() / "report.json")).at("subjects").at(0);
+  EXPECT_EQ(found.at("status"), "violated");
+  const std::string witness = (out.path() / found.at("violations").at(0).at("witness").get<std::string>()).string();
+  const RunResult replayed = run_carom({"replay", witness, "--subject", subject, "--format", "json"});
+  EXPECT_EQ(replayed.exit_status, 1) << replayed.output << replayed.errors;
+  return replayed.output;
+}
+
+/// A program that misreads a permitted spelling (way to write a collision).
+class Misreading : public testing::TestWithParam<const char*> {};
+
+TEST_P(Misreading, IsAViolationWhoseWitnessReplays) {
+  (void)replayed_violation(misbehaving(GetParam()), {"--families", "generic,immovable_b,structured", "--cases", "6"});
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, Misreading,
+                         testing::Values("exponent-dropped", "capital-exponent-dropped", "integer-by-ten",
+                                         "left-out-is-immovable", "written-is-immovable", "left-out-orientation",
+                                         "left-out-friction", "first-is-a", "no-tabs"),
+                         [](const auto& test) {
+                           return name_of({test.param, {}});
+                         });
+
+/// Hexadecimal numbers have one spelling, so a replay does not count spellings.
+TEST(WrongInHex, HasAWitnessThatReplays) {
+  const std::string replayed =
+      replayed_violation(std::string("exec:") + CAROM_WELL_BEHAVED + " reflection-adjugate-float hex",
+                         {"--families", "mass_scale", "--cases", "100", "--relations-every", "1"});
+  EXPECT_EQ(replayed.find("spellings"), std::string::npos) << replayed;
+  unit::expect_in(replayed, {"memoryless"});
 }
 
 }  // namespace

@@ -76,7 +76,7 @@ for (const [name, scheme] of Object.entries(schemes_of("tool/replay/replay.css")
   });
 }
 
-for (const [name, scheme] of Object.entries(schemes_of("report/pages/report_style.cpp"))) {
+for (const [name, scheme] of Object.entries(schemes_of("report/pages/report.css"))) {
   test(`report, ${name}`, () => {
     check(scheme, { texts: ["ink", "faint", "link", "bad"], on: ["paper", "raised", "bad-paper"] }, name);
     check(scheme, { texts: ["ink", "good"], on: ["paper", "good-paper"] }, name);

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <sstream>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -15,21 +18,111 @@
 #include "scene/replay_html.hpp"
 #include "scene/scene_records.hpp"
 #include "scene/scene_run.hpp"
+#include "support/expect_in.hpp"
 #include "support/program.hpp"
 
 namespace carom::tests {
 namespace {
 
-namespace fs = std::filesystem;
 using nlohmann::json;
+
+json replay(const std::string& name = "cue") {
+  return {{"title", name},
+          {"law", "rough"},
+          {"duration", 0.1 + 0.2},
+          {"gravity", {0, 0, -9.81}},
+          {"bodies", {{{"name", name}, {"kind", "sphere"}, {"radius", 0.03}}}},
+          {"planes", {{{"name", name}, {"normal", {0, 0, 1}}, {"point", {0, 0, 0}}}}},
+          {"room", nullptr},
+          {"arcs", {{{0, 0, 0, 5e-324, 0, 0, 1.0 / 3, 0, 0, -9.81, 0, 0, 1e308, 0, 0, 0, "flying"}}}},
+          {"impacts", json::array()},
+          {"series", {{"t", {0}}, {"kinetic", {0}}, {"potential", {0}}, {"lost", {0}}, {"spin", {0}}}}};
+}
+
+std::size_t count(std::string_view text, std::string_view what) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(what); at != std::string_view::npos; at = text.find(what, at + what.size())) {
+    ++found;
+  }
+  return found;
+}
+
+std::string between(const std::string& text, const std::string& begin, const std::string& end) {
+  const std::size_t at = text.find(begin) + begin.size();
+  return text.substr(at, text.find(end, at) - at);
+}
+
+json embedded(const std::string& page) {
+  return json::parse(between(page, "<script type=\"application/json\" id=\"replay\">", "</script>"));
+}
+
+class ReplayHtml : public testing::Test {
+  void SetUp() override {
+    if (!tool::has_replay()) {
+      GTEST_SKIP() << "built without replays";
+    }
+  }
+};
+
+TEST(ReplayHtmlWithoutItsPage, SaysThatReplaysAreNotBuilt) {
+  if (tool::has_replay()) {
+    GTEST_SKIP() << "built with replays";
+  }
+  EXPECT_THROW(static_cast<void>(tool::replay_html("title", replay())), std::logic_error);
+}
+
+TEST_F(ReplayHtml, IsOnePageWithTheReplayTheTitleAndTheNoticeOfThreeJs) {
+  const std::string page = tool::replay_html("Balls & walls", replay());
+  EXPECT_TRUE(page.starts_with("<!DOCTYPE html>"));
+  EXPECT_TRUE(page.ends_with("</html>\n"));
+  EXPECT_EQ(between(page, "<title>", "</title>"), "Balls &amp; walls");
+  EXPECT_EQ(page.find("{{"), std::string::npos) << "a mark that nothing stands for";
+  EXPECT_EQ(embedded(page), replay()) << "every digit is kept";
+  unit::expect_in(page, {"Three.js Authors", "SPDX-License-Identifier: MIT"});
+}
+
+TEST_F(ReplayHtml, EscapesEachName) {
+  const std::string harmless = tool::replay_html("title", replay());
+  for (const std::string nasty : {"</script><script>alert(1)</script>", "<!--", "<!-- <script>", "</SCRIPT >",
+                                  "</title><img src=x onerror=alert(1)>", "]]>", "\\u003c/script>", "{{replay}}",
+                                  "{{title}}", "\xe2\x80\xa8 \"quoted\" \\ \n \x01"}) {
+    const std::string page = tool::replay_html(nasty, replay(nasty));
+    // In HTML, only the character `<` begins elements and comments.
+    EXPECT_EQ(count(page, "<"), count(harmless, "<")) << nasty;
+    EXPECT_EQ(embedded(page), replay(nasty)) << nasty;
+  }
+}
+
+TEST_F(ReplayHtml, AcceptsNamesThatAreNotUtf8) {
+  const std::string page = tool::replay_html("a\xff", replay("b\xff"));
+  EXPECT_EQ(between(page, "<title>", "</title>"), "a\xef\xbf\xbd");
+  EXPECT_EQ(embedded(page).at("title"), "b\xef\xbf\xbd");
+}
+
+TEST_F(ReplayHtml, LoadsNothingAndRunsWhatItContainsAlone) {
+  const std::string page = tool::replay_html("title", replay());
+  const std::string policy = between(page, "http-equiv=\"Content-Security-Policy\" content=\"", "\"");
+  EXPECT_TRUE(policy.starts_with("default-src 'none'; script-src 'sha256-")) << policy;
+  for (const char* permitted : {"unsafe", "http", "*", "data:", "blob:", "self"}) {
+    EXPECT_EQ(policy.find(permitted), std::string::npos) << policy;
+  }
+  // The page's own elements, without the content of the script.
+  const std::string markup = page.substr(0, page.rfind("<script>"));
+  for (const char* loading : {" src=", " href=", " style=", " onload=", "url(", "@import"}) {
+    EXPECT_EQ(markup.find(loading), std::string::npos) << loading;
+  }
+  EXPECT_EQ(count(markup, "<link"), 0U);
+  EXPECT_EQ(count(page, "</script>"), 2U);
+}
+
+namespace fs = std::filesystem;
 
 std::string shipped(const std::string& name) {
   return std::string(CAROM_SOURCE_DIR) + "/docs/examples/scenes/" + name + ".json";
 }
 
-json record_of(const std::string& name, std::vector<std::string> more = {}) {
-  more.insert(more.begin(), {"scene", shipped(name), "--format", "json"});
-  const RunResult result = run_carom(more);
+json record_of(const std::string& name, const std::vector<std::string>& more = {}) {
+  const RunResult result = run_carom({"scene", shipped(name), "--format", "json"}, more);
   EXPECT_EQ(result.exit_status, 0) << result.errors;
   return json::parse(result.output);
 }
@@ -78,10 +171,7 @@ TEST(SceneCommand, GasKeepsItsEnergy) {
 
 TEST(SceneCommand, SpheresSpinUnderRoughAndNeverWithoutFrictionHoweverManyLawsRunAtOnce) {
   const auto records_of = [](const std::string& jobs) {
-    const RunResult result = run_carom({"scene", shipped("bouncing_spheres"), "--laws", "frictionless,reflection,rough",
-                                        "--jobs", jobs, "--format", "json"});
-    EXPECT_EQ(result.exit_status, 0) << result.errors;
-    json records = json::parse(result.output);
+    json records = record_of("bouncing_spheres", {"--laws", "frictionless,reflection,rough", "--jobs", jobs});
     for (json& record : records) {
       record.erase("seconds");
     }
@@ -104,16 +194,16 @@ TEST(SceneCommand, WritesTheFilesOfASceneOfPolyhedra) {
   const fs::path out = directory.path() / "out";
   const RunResult result = run_carom({"scene", shipped("tumbling_polyhedra"), "--out", out.string()});
   ASSERT_EQ(result.exit_status, 0) << result.errors;
-  EXPECT_NE(result.output.find("12 polyhedra, 0 spheres"), std::string::npos) << result.output;
+  unit::expect_in(result.output, {"12 polyhedra, 0 spheres"});
   for (const char* name :
        {"events.csv", "series.csv", "scene.json", "report.html", "energy.svg", "momentum.svg", "spin.svg"}) {
     EXPECT_GT(fs::file_size(out / name), 0U) << name;
   }
   for (const auto& [name, unit] : {std::pair{"energy.svg", "energy [J]"}, std::pair{"momentum.svg", "momentum [N s]"},
                                    std::pair{"spin.svg", "[rad/s]"}}) {
-    EXPECT_NE(content_of(out / name).find(unit), std::string::npos) << name;
+    unit::expect_in(content_of(out / name), {unit});
   }
-  EXPECT_NE(content_of(out / "report.html").find("the ledger closes"), std::string::npos);
+  unit::expect_in(content_of(out / "report.html"), {"the ledger closes"});
   const json record = json::parse(content_of(out / "scene.json"));
   EXPECT_EQ(record["polyhedra"], 12);
   EXPECT_LE(record["validity"]["unseen"].get<double>(), 0x1p-30);
@@ -157,10 +247,7 @@ TEST(SceneCommand, WritesTheFilesOfASceneOfPolyhedra) {
 
   EXPECT_EQ(fs::exists(out / "replay.html"), tool::has_replay());
   if (tool::has_replay()) {
-    const std::string page = content_of(out / "replay.html");
-    const std::string mark = "id=\"replay\">";
-    const std::size_t begin = page.find(mark) + mark.size();
-    const json replay = json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+    const json replay = embedded(content_of(out / "replay.html"));
     ASSERT_EQ(replay["arcs"].size(), 12U);
     for (const json& arcs : replay["arcs"]) {
       double last = -1;
@@ -186,10 +273,7 @@ TEST(SceneCommand, WritesTheFilesOfASceneOfPolyhedra) {
 /// If N is no eigenvector of the collision matrix, `reflection` may create energy. `frictionless` conserves energy
 /// here.
 TEST(SceneCommand, PolyhedraGainEnergyUnderReflectionAlone) {
-  const RunResult result =
-      run_carom({"scene", shipped("tumbling_polyhedra"), "--laws", "frictionless,reflection", "--format", "json"});
-  ASSERT_EQ(result.exit_status, 0) << result.errors;
-  const json records = json::parse(result.output);
+  const json records = record_of("tumbling_polyhedra", {"--laws", "frictionless,reflection"});
   // There are about 75 impacts, each with a rounding error of 2⁻⁵³.
   EXPECT_LE(std::abs(work_of_impacts(records[0])), 1e-14);
   EXPECT_GT(work_of_impacts(records[1]), 0.25);
@@ -253,8 +337,7 @@ TEST(SceneRun, KeepsItsResultsIfTheJudgeFails) {
   EXPECT_GT(run->judge().judged(), 0U);
   EXPECT_GT(run->samples().size(), 1U);
   const std::string text = tool::scene_text(*run);
-  EXPECT_NE(text.find("NOT RUN TO ITS END; so far holds"), std::string::npos) << text;
-  EXPECT_NE(text.find("a wrong formula\n  A: "), std::string::npos) << text;
+  unit::expect_in(text, {"NOT RUN TO ITS END; so far holds", "a wrong formula\n  A: "});
   EXPECT_EQ(tool::scene_record(*run)["ended_early"], run->ended_early());
 }
 
@@ -262,18 +345,15 @@ TEST(SceneCommand, PlansTheScalarSolverForPairsOfSpheres) {
   const RunResult result =
       run_carom({"plan", shipped("bouncing_spheres"), "--law", "reflection", "--repetitions", "0"});
   ASSERT_EQ(result.exit_status, 0) << result.errors;
-  EXPECT_NE(result.output.find("spheres: "), std::string::npos);
-  EXPECT_NE(result.output.find("N is an eigenvector of K"), std::string::npos);
-  EXPECT_NE(result.output.find("frictionless-"), std::string::npos);
+  unit::expect_in(result.output, {"spheres: ", "N is an eigenvector of K", "frictionless-"});
   EXPECT_EQ(result.output.find("normal_length"), std::string::npos);
 }
 
 TEST(SceneCommand, PlansForPolyhedraByTheirClasses) {
   const RunResult result = run_carom({"plan", shipped("tumbling_polyhedra"), "--repetitions", "0"});
   ASSERT_EQ(result.exit_status, 0) << result.errors;
-  EXPECT_NE(result.output.find("\npolyhedra: wood and wood "), std::string::npos) << result.output;
-  EXPECT_NE(result.output.find("\npolyhedron and plane: wood and wood "), std::string::npos);
-  EXPECT_NE(result.output.find("frictionless-"), std::string::npos);
+  unit::expect_in(result.output,
+                  {"\npolyhedra: wood and wood ", "\npolyhedron and plane: wood and wood ", "frictionless-"});
   EXPECT_EQ(result.output.find("spheres: "), std::string::npos);
 }
 

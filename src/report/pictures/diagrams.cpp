@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
+#include <map>
 #include <span>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -127,6 +128,38 @@ void write_list(Plot& picture, std::span<const MethodMeasurement> methods) {
       {40, 10}, vermillion);
 }
 
+constexpr double least_error = 0.01;
+constexpr double most_error = 1e22;  // errors that are not finite are drawn here too
+
+struct Style {
+  std::string_view colour;
+  int dash;
+  int point;
+};
+
+/// The colour shows the precision. Methods of one precision differ in dash and mark.
+Style style_of(const SweepLine& line, std::size_t index) {
+  constexpr std::array points{7, 5, 9, 13, 11, 4, 6};
+  return {colour_of(line.precision), static_cast<int>(index / points.size() % 4) + 1, points[index % points.size()]};
+}
+
+std::vector<std::vector<double>> points_of(const SweepLine& line) {
+  std::vector<std::vector<double>> points;
+  for (std::size_t i = 0; i < line.quantity.size(); ++i) {
+    if (line.exactness[i].cases > 0) {
+      points.push_back({line.quantity[i], std::clamp(line.exactness[i].backward_error.worst, least_error, most_error)});
+    }
+  }
+  return points;
+}
+
+double share_with(const MethodMeasurement& method, double digits) {
+  const Exactness all = method.over_all_families();
+  const auto enough = std::count_if(all.digits_of_cases.begin(), all.digits_of_cases.end(),
+                                    [&](double of_case) { return of_case >= digits; });
+  return static_cast<double>(enough) / static_cast<double>(all.digits_of_cases.size());
+}
+
 }  // namespace
 
 std::vector<MethodMeasurement> of_law(std::span<const MethodMeasurement> methods, Law law) {
@@ -196,6 +229,118 @@ Plot work_precision_of_families(std::span<const MethodMeasurement> methods) {
     draw(picture, panel, marks, 0.6, 19, [](const Mark& mark, bool is_on_line) { return mark.fails || is_on_line; });
     picture.end();
   }
+  return picture;
+}
+
+Plot stability_map(const SweepMeasurement& sweep, Law law, double limit_ulps) {
+  std::vector<SweepLine> lines;
+  for (const SweepLine& line : sweep.lines) {
+    if (line.law == law) {
+      lines.push_back(line);
+    }
+  }
+  constexpr double font_size = 15;
+  const double height = std::max(500.0, name_distance * font_size * static_cast<double>(lines.size()));
+  Plot picture(fmt::format("stability-{}-{}", name_of(law), sweep.name), 1200, height + 150, font_size);
+  const std::vector<double>& quantity = lines.front().quantity;
+  const Panel panel{{quantity.front(), quantity.back(), true, 90, 800},
+                    {least_error, most_error, true, 100, height + 100}};
+  picture.begin(panel, fmt::format("{}: {}", name_of(law), sweep.summary), sweep.label,
+                "worst backward error [ulps of the method's precision]");
+  picture.add(power_tics(panel.x, 'x') + '\n' + power_tics(panel.y, 'y'));
+  picture.curve({{quantity.front(), limit_ulps}, {quantity.back(), limit_ulps}},
+                "using 1:2 with lines lw 2 dt 2 lc rgb '#333333'");
+  picture.write(fmt::format("limit: {:g} ulps", limit_ulps),
+                {panel.x.last_pixel - 8, panel.y.pixel_of(limit_ulps) + 13}, "#333333", "right");
+  std::vector<Label> names;
+  std::vector<Label> staying;
+  for (const SweepLine& line : lines) {
+    const auto points = points_of(line);
+    if (points.empty()) {
+      continue;
+    }
+    const Pixel end = panel.place_of(points.back()[0], points.back()[1]);
+    if (!line.leaves_limit_at()) {
+      picture.curve(points, "using 1:2 with lines lw 1 lc rgb '#aaaaaa'");
+      staying.push_back({"", end, std::string(grey)});
+      continue;
+    }
+    const Style style = style_of(line, names.size());
+    picture.curve(points, fmt::format("using 1:2 with linespoints lw 2 dt {} pt {} ps 0.6 lc rgb '{}'", style.dash,
+                                      style.point, style.colour));
+    names.push_back({line.method, end, std::string(style.colour)});
+  }
+  if (!staying.empty()) {
+    names.push_back(staying[staying.size() / 2]);
+    names.back().text = staying.size() == 1 ? "1 method that stays below the limit"
+                                            : fmt::format("{} methods that stay below the limit", staying.size());
+  }
+  picture.name_ends(names, panel);
+  picture.write(
+      "orange: binary32 · blue: binary64 · green: more · at 10²²: no digit is right, or the outcome is not finite",
+      {panel.x.first_pixel, 18}, "#555555");
+  picture.end();
+  return picture;
+}
+
+std::vector<DeadlineStep> deadline_steps(std::span<const MethodMeasurement> methods, double digits) {
+  std::vector<DeadlineStep> steps;
+  for (const MethodMeasurement& method : methods) {
+    steps.push_back({method.nanoseconds_over_all_families().median, share_with(method, digits), method.name});
+  }
+  const std::vector<std::size_t> best = pareto(
+      steps.size(), [&](std::size_t i) { return steps[i].nanoseconds; }, [&](std::size_t i) { return steps[i].share; },
+      [&](std::size_t i) { return steps[i].share > 0; });
+  std::vector<DeadlineStep> result;
+  result.reserve(best.size());
+  for (const std::size_t i : best) {
+    result.push_back(steps[i]);
+  }
+  return result;
+}
+
+Plot deadline(std::span<const MethodMeasurement> methods) {
+  const std::string law(name_of(methods.front().law));
+  Plot picture("deadline-" + law, 1150, 620, 15);
+  double longest = 0;
+  double shortest = 1e9;
+  for (const MethodMeasurement& method : methods) {
+    longest = std::max(longest, method.nanoseconds_over_all_families().median);
+    shortest = std::min(shortest, method.nanoseconds_over_all_families().median);
+  }
+  const Panel panel{{shortest / 1.5, longest * 1.5, true, 75, 690}, {0, 1.04, false, 70, 570}};
+  picture.begin(panel, fmt::format("{}: what a deadline allows", law), "time for each contact, at most [ns]",
+                "share of the cases of all families");
+  picture.add(time_tics(panel.x) + "\nset ytics 0.2");
+  constexpr std::array<std::string_view, deadline_digits.size()> colours{sky_blue, orange,     purple,
+                                                                         green,    vermillion, blue};
+  std::vector<Label> labels;
+  std::map<double, std::string> methods_behind;  // by time
+  for (std::size_t i = 0; i < deadline_digits.size(); ++i) {
+    const std::vector<DeadlineStep> steps = deadline_steps(methods, deadline_digits[i]);
+    if (steps.empty()) {
+      continue;
+    }
+    std::vector<std::vector<double>> points{{steps.front().nanoseconds, 0}};
+    for (const DeadlineStep& step : steps) {
+      points.push_back({step.nanoseconds, step.share});
+      methods_behind.emplace(step.nanoseconds, step.method);
+    }
+    points.push_back({panel.x.high, steps.back().share});
+    picture.curve(points, fmt::format("using 1:2 with steps lw 3 dt {} lc rgb '{}'", i % 2 + 1, colours[i]));
+    labels.push_back({fmt::format("{} digits", deadline_digits[i]), panel.place_of(panel.x.high, steps.back().share),
+                      std::string(colours[i])});
+  }
+  // The list of the methods that make the steps.
+  Pixel at = picture.name_ends(labels, panel);
+  at.y = std::min(at.y - 50, panel.y.first_pixel + 21 * static_cast<double>(methods_behind.size() + 1));
+  picture.write("the steps are by", at, "#555555");
+  for (const auto& [nanoseconds, method] : methods_behind) {
+    at.y -= 21;
+    picture.write(in_three_digits(nanoseconds) + " ns", {at.x + 65, at.y}, "#555555", "right");
+    picture.write(method, {at.x + 75, at.y}, "#555555");
+  }
+  picture.end();
   return picture;
 }
 

@@ -8,8 +8,29 @@
 #include <carom/properties/gate/by_name.hpp>
 #include <carom/properties/gate/trial.hpp>
 
+#include "support/expect_in.hpp"
+
 namespace carom::properties {
 namespace {
+
+TEST(NearestName, IsTheOneOfFewestEdits) {
+  const std::vector<std::string> names{"generic", "elastic", "inelastic", "head_on"};
+  EXPECT_EQ(nearest_name("genric", names), "generic");
+  EXPECT_EQ(nearest_name("genericc", names), "generic");
+  EXPECT_EQ(nearest_name("head_no", names), "head_on") << "two letters swapped";
+  EXPECT_EQ(nearest_name("ielastic", names), "elastic") << "the first of two at the same distance";
+  EXPECT_EQ(nearest_name("elastic", names), "elastic");
+  EXPECT_EQ(nearest_name("gexyric", names), "generic");
+}
+
+TEST(NearestName, IsNoneWhereNothingIsNear) {
+  EXPECT_EQ(nearest_name("gxyzric", {"generic"}), std::nullopt);
+  EXPECT_EQ(nearest_name("ab", {"cd", "b"}), std::nullopt) << "of short words anything could be made";
+  EXPECT_EQ(nearest_name("", {""}), "");
+  EXPECT_EQ(nearest_name("word", {}), std::nullopt);
+  EXPECT_EQ(did_you_mean("word", {"wrod"}), "; did you mean 'wrod'?");
+  EXPECT_EQ(did_you_mean("word", {}), "");
+}
 
 TEST(Deviation, IsOfAnInvariantEverywhereOrInOneFamily) {
   const Deviation everywhere = deviation_from("energy");
@@ -29,8 +50,8 @@ TEST(Deviation, OfNothingKnownThrowsAndNamesTheNearest) {
     }
     return "";
   };
-  EXPECT_NE(said_of("enrgy").find("did you mean 'energy'?"), std::string::npos);
-  EXPECT_NE(said_of("energy@headon").find("did you mean 'head_on'?"), std::string::npos);
+  unit::expect_in(said_of("enrgy"), {"did you mean 'energy'?"});
+  unit::expect_in(said_of("energy@headon"), {"did you mean 'head_on'?"});
   for (const char* text : {"", "@", "energy@", "@head_on", "energy@head_on@head_on", " energy"}) {
     EXPECT_FALSE(said_of(text).empty()) << text;
   }

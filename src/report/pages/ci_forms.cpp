@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <sstream>
+#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 #include <pugixml.hpp>
 
+#include <carom/collision/json/text.hpp>
 #include <carom/properties/gate/in_words.hpp>
 #include <carom/report/pages/pages.hpp>
 #include <carom/report/pages/parts.hpp>
@@ -71,41 +74,14 @@ void add_case(pugi::xml_node suite, const properties::SubjectResult& result, con
   }
 }
 
-struct Totals {
-  int tests = 0;
-  int failures = 0;
-  int errors = 0;
-  int skipped = 0;
-  double seconds = 0;  // in which the subject answered
-
-  Totals& operator+=(const Totals& other) {
-    tests += other.tests;
-    failures += other.failures;
-    errors += other.errors;
-    skipped += other.skipped;
-    seconds += other.seconds;
-    return *this;
+/// Counts the tests below the node, which is a suite or the root. `seconds` is the time in which subjects answered.
+void set_totals(pugi::xml_node node, double seconds) {
+  for (const auto& [total, path] :
+       {std::pair{"tests", ".//testcase"}, std::pair{"failures", ".//testcase/failure"},
+        std::pair{"errors", ".//testcase/error"}, std::pair{"skipped", ".//testcase/skipped"}}) {
+    node.append_attribute(total) = static_cast<unsigned>(node.select_nodes(path).size());
   }
-};
-
-void set_totals(pugi::xml_node node, const Totals& totals) {
-  node.append_attribute("tests") = totals.tests;
-  node.append_attribute("failures") = totals.failures;
-  node.append_attribute("errors") = totals.errors;
-  node.append_attribute("skipped") = totals.skipped;
-  node.append_attribute("time") = fmt::format("{:.6f}", totals.seconds).c_str();
-}
-
-Totals totals_of(pugi::xml_node suite, double seconds) {
-  Totals totals;
-  totals.seconds = seconds;
-  for (const pugi::xml_node test : suite.children("testcase")) {
-    ++totals.tests;
-    totals.failures += test.child("failure") ? 1 : 0;
-    totals.errors += test.child("error") ? 1 : 0;
-    totals.skipped += test.child("skipped") ? 1 : 0;
-  }
-  return totals;
+  node.append_attribute("time") = fmt::format("{:.6f}", seconds).c_str();
 }
 
 double seconds_of(const properties::SubjectResult& result) {
@@ -113,7 +89,8 @@ double seconds_of(const properties::SubjectResult& result) {
   return result.nanoseconds_per_solve * nanosecond * static_cast<double>(result.cases());
 }
 
-Totals add_judged(pugi::xml_node root, const Run& run, std::size_t subject) {
+/// Returns the time in which the subject answered [s].
+double add_judged(pugi::xml_node root, const Run& run, std::size_t subject) {
   const properties::SubjectResult& result = run.results[subject];
   const bool counts = run.counts[subject];
   const pugi::xml_node suite = add(root, "testsuite", {{"name", result.subject.name}});
@@ -138,13 +115,52 @@ Totals add_judged(pugi::xml_node root, const Run& run, std::size_t subject) {
       add(session, "skipped", {{"message", message}}, why);
     }
   }
-  return totals_of(suite, seconds_of(result));
+  return seconds_of(result);
 }
 
-Totals add_absent(pugi::xml_node root, const Subject& subject) {
+void add_absent(pugi::xml_node root, const Subject& subject) {
   const pugi::xml_node suite = add(root, "testsuite", {{"name", subject.name}});
   add(add_test(suite, subject.name, "session"), "skipped", {{"message", "absent: " + subject.absent}});
-  return totals_of(suite, 0);
+}
+
+using properties::Witness;
+
+constexpr std::size_t longest_title = 200;
+constexpr std::size_t longest_message = 4000;
+
+/// Escapes %, line ends and the letters in `ends` as % and two digits. Unescaped, they would end a command or one of
+/// its fields.
+std::string escaped(std::string_view text, std::string_view ends) {
+  std::string result;
+  for (const char letter : text) {
+    if (letter == '%' || letter == '\r' || letter == '\n' || ends.find(letter) != std::string_view::npos) {
+      result += fmt::format("%{:02X}", static_cast<unsigned char>(letter));
+    } else {
+      result += letter;
+    }
+  }
+  return result;
+}
+
+std::string command(std::string_view name, const std::string& title, const std::string& message) {
+  using carom::printable;
+  return fmt::format("::{} title={}::{}\n", name, escaped(printable_line(title, longest_title), ":,"),
+                     escaped(printable(message, longest_message), ""));
+}
+
+std::string violation(const Run& run, const properties::SubjectResult& result, const Witness& witness,
+                      const std::string& out_directory) {
+  const std::string& name = result.subject.name;
+  const properties::Invariant& invariant = *witness.invariant;
+  std::string message = fmt::format("{}, most often in {}. {}\n{}", violated_of_judged_cases(result.count(invariant)),
+                                    witness.family->name, invariant.statement, properties::in_words(witness.verdict));
+  if (!out_directory.empty()) {
+    message += '\n' + replay_line(run, result.subject, witness, out_directory);
+  }
+  const bool known = run.baseline && is_known(*run.baseline, name, invariant);
+  return command(known ? "notice" : "error",
+                 fmt::format("{} violates {}{}", name, invariant.name, known ? " (known from the baseline)" : ""),
+                 message);
 }
 
 }  // namespace
@@ -153,28 +169,59 @@ std::string junit_xml(const Run& run) {
   pugi::xml_document document;
   pugi::xml_node root = document.append_child("testsuites");
   root.append_attribute("name") = "carom";
-  Totals all;
-  const auto close = [&](const Totals& totals) {
-    set_totals(root.last_child(), totals);
+  double all_seconds = 0;
+  const auto close = [&](double seconds) {
+    set_totals(root.last_child(), seconds);
     root.last_child().append_attribute("timestamp") = run.environment.date.c_str();
-    all += totals;
+    all_seconds += seconds;
   };
   for (std::size_t s = 0; s < run.results.size(); ++s) {
     close(add_judged(root, run, s));
   }
   for (const Subject& subject : run.absent) {
-    close(add_absent(root, subject));
+    add_absent(root, subject);
+    close(0);
   }
   if (run.judge_error) {
     const pugi::xml_node suite = add(root, "testsuite", {{"name", "carom"}});
     add(add_test(suite, "carom", "judge"), "error", {{"message", "the judge failed"}, {"type", "judge"}},
         in_words(*run.judge_error));
-    close(totals_of(suite, 0));
+    close(0);
   }
-  set_totals(root, all);
+  set_totals(root, all_seconds);
   std::ostringstream text;
   document.save(text, "  ");
   return text.str();
+}
+
+std::string github_annotations(const Run& run, const std::string& out_directory) {
+  std::string text;
+  if (run.judge_error) {
+    text += command("error", "the judge failed", properties::in_words(*run.judge_error));
+  }
+  for (std::size_t s = 0; s < run.results.size(); ++s) {
+    if (!run.counts[s]) {
+      continue;
+    }
+    const properties::SubjectResult& result = run.results[s];
+    const std::string& name = result.subject.name;
+    for (const properties::diagnosis::Fault& fault : run.diagnoses[s].faults) {
+      text += command("notice", "diagnosis of " + name,
+                      fmt::format("{}", fmt::join(properties::diagnosis::lines_of(fault), "\n")));
+    }
+    for (const Witness* witness : witnesses_by_telling(run, s)) {
+      text += violation(run, result, *witness, out_directory);
+    }
+    if (!why_not_judged(result).empty()) {
+      text += command("error", fmt::format("{} could not be judged", name), why_not_judged(result));
+    }
+  }
+  const Overall overall = overall_of(run);
+  return text +
+         command("notice", "carom: " + in_words(overall),
+                 fmt::format("{} of {} subjects that count are sound; {}, seed {}{}", overall.sound, overall.subjects,
+                             extent_of(run), run.options.seed, overall.interrupted ? "; interrupted" : "") +
+                     (run.baseline ? "; against the baseline " + baseline_verdict(*run.baseline) : ""));
 }
 
 }  // namespace carom::report
