@@ -56,15 +56,15 @@ Outcome<T> outcome_in(const LiftedOutcome& outcome) {
 template <class T>
 std::optional<bool> relative_error_at_most(double bound, const BasicCollision<T>& collision, const Truth<T>& truth,
                                            const Outcome<T>& outcome) {
-  const T deviation = twice_energy(collision, minus(outcome, truth.outcome));
+  const T errors = twice_energy(collision, minus(outcome, truth.outcome));
   const T change = twice_energy(collision, minus(truth.outcome, unchanged(collision)));
-  const std::optional<int> sign = certain_sign(T(T(bound) * T(bound) * change - deviation));
+  const std::optional<int> sign = certain_sign(T(T(bound) * T(bound) * change - errors));
   return sign ? std::optional<bool>(*sign >= 0) : std::nullopt;
 }
 
 /// The error of each vector of an outcome, and the part of the accuracy that needs no sensitivity.
 template <class T>
-struct Deviation {
+struct ErrorVectors {
   PerVector<Components<T>> of_vector;
   Accuracy accuracy;
 };
@@ -83,14 +83,14 @@ double size_of_change(const ExactCase& exact_case, const BasicCollision<T>& coll
 
 /// `size_of_truth()` is the `size_of_change` of the truth.
 template <class T, class SizeOfTruth>
-Deviation<T> deviation_of(const ExactCase& exact_case, const Truth<T>& truth, const Outcome<T>& outcome,
-                          const SizeOfTruth& size_of_truth) {
-  Deviation<T> result;
+ErrorVectors<T> deviation_of(const ExactCase& exact_case, const Truth<T>& truth, const Outcome<T>& outcome,
+                             const SizeOfTruth& size_of_truth) {
+  ErrorVectors<T> result;
   Accuracy& accuracy = result.accuracy;
   const auto computed = vectors(outcome);
   const auto exact = vectors(truth.outcome);
-  Outcome<double> deviation;
-  const auto of_deviation = vectors(deviation);
+  Outcome<double> errors;
+  const auto of_deviation = vectors(errors);
   for (const OutcomeVector k : all_outcome_vectors) {
     const Components<T>& error = result.of_vector[k] = difference(*computed[k], *exact[k]);
     for (int i = 0; i < 3; ++i) {
@@ -99,7 +99,7 @@ Deviation<T> deviation_of(const ExactCase& exact_case, const Truth<T>& truth, co
     accuracy.error[k] = norm_of(*of_deviation[k]);
   }
   if (std::any_of(accuracy.error.begin(), accuracy.error.end(), [](double error) { return error != 0; })) {
-    const double norm_of_deviation = energy_norm(exact_case.collision(), deviation);
+    const double norm_of_deviation = energy_norm(exact_case.collision(), errors);
     const double norm_of_change = size_of_truth();
     const double ratio = norm_of_deviation / norm_of_change;
     // If the change is zero, or squares leave the range of binary64, the error counts as infinite.
@@ -111,13 +111,13 @@ Deviation<T> deviation_of(const ExactCase& exact_case, const Truth<T>& truth, co
 
 /// The accuracy with this sensitivity. No value if T does not decide it, or if a radius is too large for print.
 template <class T>
-std::optional<Accuracy> accuracy_by(const Deviation<T>& deviation, const Sensitivity& sensitivity,
+std::optional<Accuracy> accuracy_by(const ErrorVectors<T>& errors, const Sensitivity& sensitivity,
                                     const Yardstick& yardstick, const PerVector<double>& noise) {
-  Accuracy result = deviation.accuracy;
+  Accuracy result = errors.accuracy;
   result.sensitivity = sensitivity;
   for (const OutcomeVector k : all_outcome_vectors) {
     const double allowance = yardstick.allowance() * sensitivity[k] + noise[k];
-    const std::optional<bool> allowed = norm_at_most(deviation.of_vector[k], allowance);
+    const std::optional<bool> allowed = norm_at_most(errors.of_vector[k], allowance);
     if (!allowed) {
       return std::nullopt;
     }
@@ -126,7 +126,7 @@ std::optional<Accuracy> accuracy_by(const Deviation<T>& deviation, const Sensiti
       // A component is precise enough for print if its radius is at most a thousandth of the component or of the
       // permitted error.
       constexpr double thousandth = 0x1p-10;
-      for (const T& component : deviation.of_vector[k]) {
+      for (const T& component : errors.of_vector[k]) {
         if (component.radius() > thousandth * std::max(component.magnitude_below(), allowance)) {
           return std::nullopt;
         }
@@ -161,18 +161,18 @@ double Accuracy::digits() const { return digits_by(relative_error); }
 
 double digits_of(const BasicCollision<Rational>& collision, const Outcome<Rational>& exact,
                  const Outcome<Rational>& computed) {
-  const Rational deviation = twice_energy(collision, minus(computed, exact));
+  const Rational errors = twice_energy(collision, minus(computed, exact));
   const Rational change = twice_energy(collision, minus(exact, unchanged(collision)));
   if (change == 0) {
-    return digits_by(deviation == 0 ? 0 : HUGE_VAL);
+    return digits_by(errors == 0 ? 0 : HUGE_VAL);
   }
-  return digits_by(std::sqrt(nearest_double(Rational(deviation / change))));
+  return digits_by(std::sqrt(nearest_double(Rational(errors / change))));
 }
 
 namespace {
 
 /// The accuracy of an outcome by the law's answer to a contact of approach `as`.
-Accuracy accuracy_as(const ExactCase& exact_case, Law law, Approach as, const LiftedOutcome& outcome,
+Accuracy accuracy_as(const ExactCase& exact_case, Law law, ContactState as, const LiftedOutcome& outcome,
                      const Yardstick& yardstick, double known) {
   const bool may_use_bounds = yardstick.filtered() && yardstick.allowance() > 0;
   const auto with_digits = [&](Accuracy accuracy) {
@@ -189,7 +189,7 @@ Accuracy accuracy_as(const ExactCase& exact_case, Law law, Approach as, const Li
     return accuracy;
   };
   const PerVector<double> noise = permitted_noise(exact_case.collision(), yardstick);
-  std::optional<Deviation<Enclosure>> enclosed;
+  std::optional<ErrorVectors<Enclosure>> enclosed;
   const auto by_enclosures = [&](const Sensitivity& sensitivity) {
     if (!enclosed) {
       const Truth<Enclosure>& truth = exact_case.enclosed_truth(law, as);
@@ -202,7 +202,7 @@ Accuracy accuracy_as(const ExactCase& exact_case, Law law, Approach as, const Li
   };
   // If a lower bound of the sensitivity permits an error, the sensitivity permits it, too. The sensitivity of moderate
   // numbers is finite. The reported errors depend neither on the sensitivity nor on `known`.
-  if (yardstick.uses_bounds() && as == exact_case.approach() && exact_case.is_moderate(law) && outcome.is_moderate()) {
+  if (yardstick.uses_bounds() && as == exact_case.state() && exact_case.is_moderate(law) && outcome.is_moderate()) {
     const Sensitivity& below = exact_case.sensitivity_below(law);
     const auto bounded = by_enclosures(below);
     if (bounded && bounded->is_allowed() && bounded->backward_error(yardstick.unit_roundoff()) <= known) {
@@ -210,9 +210,8 @@ Accuracy accuracy_as(const ExactCase& exact_case, Law law, Approach as, const Li
       return with_digits(*bounded);
     }
   }
-  const Sensitivity sensitivity = as == exact_case.approach()
-                                      ? exact_case.sensitivity(law, yardstick.allowance())
-                                      : exact_case.sensitivity_as(law, as, yardstick.allowance());
+  const Sensitivity sensitivity = as == exact_case.state() ? exact_case.sensitivity(law, yardstick.allowance())
+                                                           : exact_case.sensitivity_as(law, as, yardstick.allowance());
   for (const double sum : sensitivity) {
     if (!yardstick.allowed(sum)) {
       Accuracy undecided;
@@ -246,7 +245,7 @@ bool passes(const Accuracy& accuracy) {
 
 Accuracy accuracy(const ExactCase& exact_case, Law law, const LiftedOutcome& outcome, const Yardstick& yardstick,
                   double known) {
-  const Approach approach = exact_case.approach();
+  const ContactState approach = exact_case.state();
   if (exact_case.is_open(law, yardstick.allowance())) {
     Accuracy undecided;
     undecided.is_decided = false;
@@ -257,7 +256,7 @@ Accuracy accuracy(const ExactCase& exact_case, Law law, const LiftedOutcome& out
   }
   // The nearer answer is found by backward errors, so these must not depend on `known`.
   const Accuracy own = accuracy_as(exact_case, law, approach, outcome, yardstick, 0);
-  const Approach other = approach == Approach::colliding ? Approach::separating : Approach::colliding;
+  const ContactState other = approach == ContactState::colliding ? ContactState::separating : ContactState::colliding;
   Accuracy result = accuracy_as(exact_case, law, other, outcome, yardstick, 0);
   if (!passes(result)) {
     return own;

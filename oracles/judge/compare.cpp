@@ -18,12 +18,12 @@ namespace {
 
 /// The components of left − right that an inequality does not permit. For an equation, all components.
 template <class T, int N, class IsPermitted>
-Components<T> missing(const Sides<T, N>& sides, Relation relation, const IsPermitted& is_permitted) {
+Components<T> missing(const Sides<T, N>& sides, EquationForm form, const IsPermitted& is_permitted) {
   Components<T> all = difference(sides.left, sides.right);
-  if (relation == Relation::equal) {
+  if (form == EquationForm::equal) {
     return all;
   }
-  const int permitted_sign = relation == Relation::at_least ? 1 : -1;
+  const int permitted_sign = form == EquationForm::at_least ? 1 : -1;
   Components<T> result;
   for (const T& x : all) {
     if (!is_permitted(x, permitted_sign)) {
@@ -35,8 +35,8 @@ Components<T> missing(const Sides<T, N>& sides, Relation relation, const IsPermi
 
 /// `missing`, plus the components of uncertain sign.
 template <int N>
-Components<Enclosure> maybe_missing(const Sides<Enclosure, N>& sides, Relation relation) {
-  return missing(sides, relation, [](const Enclosure& x, int sign) { return x.sign().value_or(-sign) != -sign; });
+Components<Enclosure> possibly_missing(const Sides<Enclosure, N>& sides, EquationForm form) {
+  return missing(sides, form, [](const Enclosure& x, int sign) { return x.sign().value_or(-sign) != -sign; });
 }
 
 /// The errors of the outputs by underflow, divided by u. An operation that underflows has an error of η = u s, the
@@ -282,8 +282,8 @@ double part_of_scale(const ByShownMatrix& by_matrix, const ExactCase& exact_case
 }
 
 template <class T, int N>
-Comparison violation(const Sides<T, N>& sides, const Components<T>& missed, double allowed) {
-  Comparison comparison{false, true, norm(missed), allowed, {}, {}};
+EquationCheck violation(const Sides<T, N>& sides, const Components<T>& missed, double allowed) {
+  EquationCheck comparison{false, true, norm(missed), allowed, {}, {}};
   for (Eigen::Index i = 0; i < sides.left.size(); ++i) {
     comparison.left.push_back(rounded(sides.left[i]));
     comparison.right.push_back(rounded(sides.right[i]));
@@ -291,8 +291,8 @@ Comparison violation(const Sides<T, N>& sides, const Components<T>& missed, doub
   return comparison;
 }
 
-Comparison undecided() {
-  Comparison comparison;
+EquationCheck undecided() {
+  EquationCheck comparison;
   comparison.is_decided = false;
   return comparison;
 }
@@ -302,33 +302,33 @@ Comparison undecided() {
 template <class OneEquation>
 class Compared {
  public:
-  Compared(const OneEquation& equation, Relation relation, const ExactCase& exact_case, const LiftedOutcome& outcome,
+  Compared(const OneEquation& equation, EquationForm form, const ExactCase& exact_case, const LiftedOutcome& outcome,
            const Yardstick& yardstick)
       : equation_(equation),
-        relation_(relation),
+        form_(form),
         exact_case_(exact_case),
         outcome_(outcome),
         yardstick_(yardstick),
         sizes_(sizes_of_outputs(exact_case, outcome, yardstick)) {}
 
   /// No value if the error bounds do not decide. Precondition: yardstick.uses_bounds().
-  [[nodiscard]] std::optional<Comparison> by_enclosures() const {
+  [[nodiscard]] std::optional<EquationCheck> by_enclosures() const {
     const auto sides = equation_(exact_case_.enclosed(), outcome_.enclosed());
-    const auto missed = maybe_missing(sides, relation_);
+    const auto missed = possibly_missing(sides, form_);
     if (missed.empty() || norm_at_most(missed, surely_allowed()).value_or(false)) {
-      return Comparison{};
+      return EquationCheck{};
     }
     const std::optional<double> bound = allowed();
     const std::optional<bool> within = bound ? norm_at_most(missed, *bound) : std::nullopt;
     if (!within) {
       return std::nullopt;
     }
-    return *within ? Comparison{} : violation(sides, missed, *bound);
+    return *within ? EquationCheck{} : violation(sides, missed, *bound);
   }
 
-  [[nodiscard]] Comparison by_rationals() const {
+  [[nodiscard]] EquationCheck by_rationals() const {
     const auto sides = equation_(exact_case_.exact(), outcome_.exact());
-    const auto missed = missing(sides, relation_, [](const Rational& x, int sign) { return sign_of(x) != -sign; });
+    const auto missed = missing(sides, form_, [](const Rational& x, int sign) { return sign_of(x) != -sign; });
     if (norm_at_most(missed, 0)) {
       return {};
     }
@@ -336,7 +336,7 @@ class Compared {
     if (!bound) {
       return undecided();
     }
-    return norm_at_most(missed, *bound) ? Comparison{} : violation(sides, missed, *bound);
+    return norm_at_most(missed, *bound) ? EquationCheck{} : violation(sides, missed, *bound);
   }
 
  private:
@@ -364,7 +364,7 @@ class Compared {
   }
 
   const OneEquation& equation_;
-  Relation relation_;
+  EquationForm form_;
   const ExactCase& exact_case_;
   const LiftedOutcome& outcome_;
   const Yardstick& yardstick_;
@@ -373,11 +373,11 @@ class Compared {
 };
 
 template <class OneEquation>
-Comparison compare_one(const OneEquation& equation, Relation relation, const ExactCase& exact_case,
-                       const LiftedOutcome& outcome, const Yardstick& yardstick) {
-  const Compared<OneEquation> compared(equation, relation, exact_case, outcome, yardstick);
+EquationCheck compare_one(const OneEquation& equation, EquationForm form, const ExactCase& exact_case,
+                          const LiftedOutcome& outcome, const Yardstick& yardstick) {
+  const Compared<OneEquation> compared(equation, form, exact_case, outcome, yardstick);
   if (yardstick.uses_bounds()) {
-    if (std::optional<Comparison> decided = compared.by_enclosures()) {
+    if (std::optional<EquationCheck> decided = compared.by_enclosures()) {
       count(Stage::enclosure);
       return *std::move(decided);
     }
@@ -388,14 +388,13 @@ Comparison compare_one(const OneEquation& equation, Relation relation, const Exa
 
 }  // namespace
 
-Comparison compare(const Equation& equation, Relation relation, const ExactCase& exact_case,
-                   const LiftedOutcome& outcome, const Yardstick& yardstick) {
-  return std::visit([&](const auto& one) { return compare_one(one, relation, exact_case, outcome, yardstick); },
-                    equation);
+EquationCheck compare(const Equation& equation, EquationForm form, const ExactCase& exact_case,
+                      const LiftedOutcome& outcome, const Yardstick& yardstick) {
+  return std::visit([&](const auto& one) { return compare_one(one, form, exact_case, outcome, yardstick); }, equation);
 }
 
-Comparison compare_change_by(const LiftedMatrix& shown, const ExactCase& exact_case, const LiftedOutcome& outcome,
-                             const Yardstick& yardstick) {
+EquationCheck compare_change_by(const LiftedMatrix& shown, const ExactCase& exact_case, const LiftedOutcome& outcome,
+                                const Yardstick& yardstick) {
   CAROM_EXPECTS(shown.is_finite());
   const ByShownMatrix equation{shown, reads_impulse_off_a(exact_case.collision())};
   if (yardstick.allowance() > 0 && !has_part_by_matrix(equation, exact_case, outcome, yardstick.allowance())) {
@@ -403,7 +402,7 @@ Comparison compare_change_by(const LiftedMatrix& shown, const ExactCase& exact_c
   }
   // Products of moderate numbers stay in the range of binary64.
   const bool filtered = yardstick.filtered() && shown.is_moderate();
-  return compare_one(equation, Relation::equal, exact_case, outcome, yardstick.with_filters(filtered));
+  return compare_one(equation, EquationForm::equal, exact_case, outcome, yardstick.with_filters(filtered));
 }
 
 }  // namespace carom::oracles

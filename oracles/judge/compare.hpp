@@ -13,11 +13,11 @@ namespace carom::oracles {
 inline constexpr double smallest_scale = 0x1p-900;
 inline constexpr double largest_scale = 0x1p+1000;
 
-enum class Relation { equal, at_least, at_most };
+enum class EquationForm { equal, at_least, at_most };
 
 /// The comparison of the two sides of an equation at an outcome. The decision is exact. The numbers are rounded, for
 /// print.
-struct Comparison {
+struct EquationCheck {
   bool holds = true;
   bool is_decided = true;  // false if the scale, or the allowance times it, leaves the range of numbers
   // The members below are set if the equation does not hold.
@@ -31,13 +31,13 @@ struct Comparison {
 /// scale, and more in a hard case (permitted_residual.hpp). With a filtered yardstick, `compare` tries in turn:
 /// enclosures with a lower bound of the scale; enclosures with the scale; rationals. Precondition: that of the equation
 /// (equations.hpp).
-[[nodiscard]] Comparison compare(const Equation& equation, Relation relation, const ExactCase& exact_case,
-                                 const LiftedOutcome& outcome, const Yardstick& yardstick);
+[[nodiscard]] EquationCheck compare(const Equation& equation, EquationForm form, const ExactCase& exact_case,
+                                    const LiftedOutcome& outcome, const Yardstick& yardstick);
 
 /// Compares V⁺ − V⁻ with C F as `compare` does, for the collision matrix C that a subject reports. C may differ from
 /// the exact K by as much as permitted inputs (permitted_inputs.hpp) change K. The velocity change of the lighter
 /// movable body gives F. Preconditions: a body is movable; shown.is_finite().
-[[nodiscard]] Comparison compare_change_by(const LiftedMatrix& shown, const ExactCase& exact_case,
-                                           const LiftedOutcome& outcome, const Yardstick& yardstick);
+[[nodiscard]] EquationCheck compare_change_by(const LiftedMatrix& shown, const ExactCase& exact_case,
+                                              const LiftedOutcome& outcome, const Yardstick& yardstick);
 
 }  // namespace carom::oracles

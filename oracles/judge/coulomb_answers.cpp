@@ -6,7 +6,7 @@
 namespace carom::oracles {
 
 std::vector<CoulombAnswer> coulomb_answers(const ExactCase& exact_case) {
-  if (exact_case.approach() == Approach::colliding) {
+  if (exact_case.state() == ContactState::colliding) {
     return coulomb_answers(exact_case.exact());
   }
   return {{AnswerKind::untouched, exact_case.truth(Law::frictionless)}};

@@ -141,13 +141,13 @@ const ExactCase::StopImpulses& ExactCase::stop_impulses() const {
   });
 }
 
-Approach ExactCase::approach() const {
-  return collision().a.immovable && collision().b.immovable ? Approach::inert
-                                                            : approach_of_sign(normal_velocity().sign);
+ContactState ExactCase::state() const {
+  return collision().a.immovable && collision().b.immovable ? ContactState::inert
+                                                            : state_of_sign(normal_velocity().sign);
 }
 
 bool ExactCase::is_grazing(double allowance) const {
-  if (approach() == Approach::inert) {
+  if (state() == ContactState::inert) {
     return false;
   }
   const PermittedInputs* permitted = permitted_inputs(allowance);
@@ -169,7 +169,7 @@ const PermittedInputs* ExactCase::permitted_inputs(double allowance) const {
   return permitted_inputs_
       .get(allowance,
            [&] {
-             return PermittedInputs::first_order_is_blind(collision(), allowance, normal_velocity_sensitivity())
+             return PermittedInputs::derivatives_fail(collision(), allowance, normal_velocity_sensitivity())
                         ? std::make_unique<PermittedInputs>(*this, allowance)
                         : nullptr;
            })
@@ -224,16 +224,16 @@ Truth<T> certified_rough(const BasicCollision<T>& c, Branch branch) {
   certify_rough<T>(c, truth.outcome,
                    {after(of.stops_approach), after(of.stops_point),
                     Rough::friction_share<T>(c, of.stops_approach, of.difference(), branch)});
-  certify(c, Law::rough, Approach::colliding, truth.outcome);
+  certify(c, Law::rough, ContactState::colliding, truth.outcome);
   return truth;
 }
 
 }  // namespace
 
-const Truth<Rational>& ExactCase::truth(Law law, Approach as) const {
-  CAROM_EXPECTS(as != Approach::colliding || branch(law) != Branch::on_cone, law);
-  return (as == Approach::colliding ? of(law).truth : unchanged_).get([&] {
-    if (as == Approach::colliding && law == Law::rough) {
+const Truth<Rational>& ExactCase::truth(Law law, ContactState as) const {
+  CAROM_EXPECTS(as != ContactState::colliding || branch(law) != Branch::on_cone, law);
+  return (as == ContactState::colliding ? of(law).truth : unchanged_).get([&] {
+    if (as == ContactState::colliding && law == Law::rough) {
       return certified_rough(exact(), branch(law));
     }
     Truth<Rational> truth = truth_of(exact(), law, as, Branch::only);
@@ -250,7 +250,7 @@ const Truth<Radical>& ExactCase::truth_on_cone(Law law) const {
 }
 
 Outcome<double> ExactCase::nearest_truth(Law law) const {
-  return with_truth(law, approach(), []<class T>(const Truth<T>& truth) {
+  return with_truth(law, state(), []<class T>(const Truth<T>& truth) {
     return map_outcome<double>(truth.outcome, [](const T& x) { return nearest_double(x); });
   });
 }
@@ -271,13 +271,14 @@ bool ExactCase::acts_at_once_here(Law law, double allowance) const {
 }
 
 bool ExactCase::is_open(Law law, double allowance) const {
-  return approach() != Approach::inert && branch(law) != Branch::only && is_grazing(allowance) &&
+  return state() != ContactState::inert && branch(law) != Branch::only && is_grazing(allowance) &&
          is_near_cone_surface(law, allowance);
 }
 
-Approach ExactCase::answered_as(Law law, Approach as) const {
-  const bool acts = as != Approach::colliding || approach() == Approach::colliding || branch(law) != Branch::on_cone;
-  return acts ? as : approach();
+ContactState ExactCase::answered_as(Law law, ContactState as) const {
+  const bool acts =
+      as != ContactState::colliding || state() == ContactState::colliding || branch(law) != Branch::on_cone;
+  return acts ? as : state();
 }
 
 const Truth<Enclosure>& ExactCase::colliding_truth(Law law) const {
@@ -292,13 +293,13 @@ const Truth<Enclosure>& ExactCase::colliding_truth(Law law) const {
 
 Vector3<double> ExactCase::colliding_impulse(Law law) const { return middle(colliding_truth(law).impulse); }
 
-const Truth<Enclosure>& ExactCase::enclosed_truth(Law law, Approach as) const {
-  return answered_as(law, as) == Approach::colliding
+const Truth<Enclosure>& ExactCase::enclosed_truth(Law law, ContactState as) const {
+  return answered_as(law, as) == ContactState::colliding
              ? colliding_truth(law)
              : enclosed_unchanged_.get([&] { return truth_of(enclosed(), law, as, Branch::only); });
 }
 
-void ExactCase::check_enclosed_truth(Law law, Approach as) const {
+void ExactCase::check_enclosed_truth(Law law, ContactState as) const {
   if (law == Law::rough) {
     with_truth(law, as, [](const auto&) {});
     return;
@@ -323,8 +324,8 @@ const Sensitivity& ExactCase::unchanged_sensitivity() const {
 
 Sensitivity ExactCase::sensitivity(Law law, double allowance) const {
   const bool may_collide =
-      approach() == Approach::colliding || (is_grazing(allowance) && !acts_at_once_here(law, allowance));
-  return sensitivity_as(law, may_collide ? Approach::colliding : approach(), allowance);
+      state() == ContactState::colliding || (is_grazing(allowance) && !acts_at_once_here(law, allowance));
+  return sensitivity_as(law, may_collide ? ContactState::colliding : state(), allowance);
 }
 
 Sensitivity ExactCase::sensitivity_with_noise(Law law, const Yardstick& yardstick) const {
@@ -333,9 +334,9 @@ Sensitivity ExactCase::sensitivity_with_noise(Law law, const Yardstick& yardstic
   return sum;
 }
 
-Sensitivity ExactCase::sensitivity_as(Law law, Approach as, double allowance) const {
-  const bool collides = as == Approach::colliding &&
-                        (approach() == Approach::colliding || branch(law) != Branch::on_cone || reaches_cone());
+Sensitivity ExactCase::sensitivity_as(Law law, ContactState as, double allowance) const {
+  const bool collides = as == ContactState::colliding &&
+                        (state() == ContactState::colliding || branch(law) != Branch::on_cone || reaches_cone());
   return collides
              ? colliding_sensitivity(law, allowance)
              : per_vector([&](OutcomeVector k) { return unchanged_sensitivity()[k] + allowance * second_order()[k]; });
@@ -356,7 +357,7 @@ Sensitivity ExactCase::colliding_sensitivity(Law law, double allowance) const {
            allowance * (second_order_of_arms(law)[k] + (grazes ? second_order_from_rest()[k] : 0));
   });
   if (const PermittedInputs* permitted = permitted_inputs(allowance)) {
-    const bool from_rest = approach() != Approach::colliding && !acts_at_once_here(law, allowance);
+    const bool from_rest = state() != ContactState::colliding && !acts_at_once_here(law, allowance);
     const PerVector<double> distance =
         permitted->distance_of_answers(*this, colliding_impulse(law), law, branch(law), from_rest);
     at_least([&](OutcomeVector k) { return distance[k] / allowance; });
@@ -411,12 +412,12 @@ const Sensitivity& ExactCase::colliding_first_order(Law law, Branch branch) cons
 }
 
 bool ExactCase::is_moderate(Law law) const {
-  return is_moderate() && (approach() == Approach::inert || has_clear_divisor(branch(law)));
+  return is_moderate() && (state() == ContactState::inert || has_clear_divisor(branch(law)));
 }
 
 const Sensitivity& ExactCase::sensitivity_below(Law law) const {
   CAROM_EXPECTS(is_moderate(law), law);
-  if (approach() != Approach::colliding) {
+  if (state() != ContactState::colliding) {
     return norms_before();
   }
   return of(law).sensitivity_below.get([&] {

@@ -40,12 +40,12 @@ class ExactCase {
   /// V⁻, rounded from enclosures, because cancellation in binary64 may leave V⁻ without a correct digit.
   [[nodiscard]] const Vector3<double>& relative_velocity() const;
 
-  [[nodiscard]] Approach approach() const;
+  [[nodiscard]] ContactState state() const;
 
   /// Σ_q ‖∂(N·V⁻)/∂q‖ ‖q‖ over the quantities q (quantities.hpp).
   [[nodiscard]] double normal_velocity_sensitivity() const;
 
-  /// The permitted inputs, if PermittedInputs::first_order_is_blind and 0 < allowance < ½. Otherwise nullptr.
+  /// The permitted inputs, if PermittedInputs::derivatives_fail and 0 < allowance < ½. Otherwise nullptr.
   [[nodiscard]] const PermittedInputs* permitted_inputs(double allowance) const;
 
   /// Whether the permitted inputs include both colliding and separating contacts.
@@ -75,36 +75,36 @@ class ExactCase {
   /// The law's answer. Throws JudgeError if the answer does not satisfy the defining equations exactly.
   /// Preconditions: the law is one of `laws_with_truth`; the contact does not collide, or `branch` is not `on_cone`, so
   /// that the answer is rational.
-  [[nodiscard]] const Truth<Rational>& truth(Law law) const { return truth(law, approach()); }
+  [[nodiscard]] const Truth<Rational>& truth(Law law) const { return truth(law, state()); }
 
   /// The law's answer as if the contact had the approach `as`. The answer is checked in the same way.
-  [[nodiscard]] const Truth<Rational>& truth(Law law, Approach as) const;
+  [[nodiscard]] const Truth<Rational>& truth(Law law, ContactState as) const;
 
   /// The answer in numbers p + q √s, checked in the same way. Precondition: `branch` is `on_cone`.
   [[nodiscard]] const Truth<Radical>& truth_on_cone(Law law) const;
 
   template <class Use>
-  decltype(auto) with_truth(Law law, Approach as, const Use& use) const {
-    const Approach answered = answered_as(law, as);
-    return answered == Approach::colliding && branch(law) == Branch::on_cone ? use(truth_on_cone(law))
-                                                                             : use(truth(law, answered));
+  decltype(auto) with_truth(Law law, ContactState as, const Use& use) const {
+    const ContactState answered = answered_as(law, as);
+    return answered == ContactState::colliding && branch(law) == Branch::on_cone ? use(truth_on_cone(law))
+                                                                                 : use(truth(law, answered));
   }
 
   /// The outcome of the truth, rounded to the nearest binary64 numbers.
   [[nodiscard]] Outcome<double> nearest_truth(Law law) const;
 
   /// The truth to about 100 bits, with error bounds.
-  [[nodiscard]] const Truth<Enclosure>& enclosed_truth(Law law) const { return enclosed_truth(law, approach()); }
-  [[nodiscard]] const Truth<Enclosure>& enclosed_truth(Law law, Approach as) const;
+  [[nodiscard]] const Truth<Enclosure>& enclosed_truth(Law law) const { return enclosed_truth(law, state()); }
+  [[nodiscard]] const Truth<Enclosure>& enclosed_truth(Law law, ContactState as) const;
 
   /// Throws JudgeError if `enclosed_truth(law, as)` certainly violates an equation that defines the law. For `rough`,
   /// whose equations do not suffice, certifies the exact truth.
-  void check_enclosed_truth(Law law, Approach as) const;
+  void check_enclosed_truth(Law law, ContactState as) const;
 
   /// ‖y − y⁻‖ in the kinetic-energy norm (accuracy.hpp), for the outcome y of `enclosed_truth(law, as)`. `measure`
   /// computes the norm on first use.
   template <class Measure>
-  [[nodiscard]] double size_of_change(Law law, Approach as, const Measure& measure) const {
+  [[nodiscard]] double size_of_change(Law law, ContactState as, const Measure& measure) const {
     return sizes_of_change_.get({law, as}, measure);
   }
 
@@ -116,7 +116,7 @@ class ExactCase {
   ///
   /// If the contact grazes (`is_grazing`), the function returns the sensitivity of the colliding answer, unless the law
   /// has two answers (`has_two_answers`). Near the surface of the friction cone, the larger of two sensitivities
-  /// counts: that inside the cone and that on the surface. If PermittedInputs::first_order_is_blind, the sensitivity of
+  /// counts: that inside the cone and that on the surface. If PermittedInputs::derivatives_fail, the sensitivity of
   /// a colliding answer is at least PermittedInputs::distance_of_answers divided by the allowance.
   [[nodiscard]] Sensitivity sensitivity(Law law, double allowance) const;
 
@@ -124,7 +124,7 @@ class ExactCase {
   [[nodiscard]] Sensitivity sensitivity_with_noise(Law law, const Yardstick& yardstick) const;
 
   /// The sensitivity of the answer for approach `as`, whether or not the contact grazes.
-  [[nodiscard]] Sensitivity sensitivity_as(Law law, Approach as, double allowance) const;
+  [[nodiscard]] Sensitivity sensitivity_as(Law law, ContactState as, double allowance) const;
 
   /// Whether permitted inputs have answers that are far from each other. This holds if the contact grazes and the law
   /// acts at once: its impulse may differ from 0 in the limit N·V⁻ → 0. `rough` acts at once if D (models/rough.hpp)
@@ -155,7 +155,7 @@ class ExactCase {
   /// digits.
   [[nodiscard]] bool is_well_conditioned() const;
 
-  /// Σ_q ‖∂K/∂q‖ ‖q‖. If PermittedInputs::first_order_is_blind, the sum includes the effect of the squared changes of
+  /// Σ_q ‖∂K/∂q‖ ‖q‖. If PermittedInputs::derivatives_fail, the sum includes the effect of the squared changes of
   /// the lever arms.
   [[nodiscard]] double collision_matrix_sensitivity(double allowance) const;
   /// A lower bound of Σ_q ‖∂K/∂q‖ ‖q‖ (exact_case_bounds.hpp): λ/2, or ‖K‖_F/2 if this is larger and ‖K‖_F exceeds its
@@ -205,7 +205,7 @@ class ExactCase {
   /// The approach whose answer counts for approach `as`: `as` itself, with one exception. If the contact does not
   /// collide and its colliding answer would lie on the cone's surface, the impulse of this answer tends to 0 with N·V⁻.
   /// Then the contact's own approach counts.
-  [[nodiscard]] Approach answered_as(Law law, Approach as) const;
+  [[nodiscard]] ContactState answered_as(Law law, ContactState as) const;
   [[nodiscard]] const Sensitivity& second_order() const;
   /// The part of τ_k by the change of K. Precondition: a body is movable.
   [[nodiscard]] const Sensitivity& second_order_of_arms(Law law) const;
@@ -235,8 +235,8 @@ class ExactCase {
   Lazy<bool> has_clear_divisor_;
   Lazy<ConeDistance> cone_distance_;
   LazyMap<Law, OfLaw> of_law_;
-  LazyMap<std::pair<Law, Approach>, double> sizes_of_change_;
-  LazyMap<std::pair<Law, Approach>, bool> is_enclosed_truth_checked_;
+  LazyMap<std::pair<Law, ContactState>, double> sizes_of_change_;
+  LazyMap<std::pair<Law, ContactState>, bool> is_enclosed_truth_checked_;
   Lazy<Truth<Rational>> unchanged_;
   Lazy<Truth<Enclosure>> enclosed_unchanged_;
   Lazy<Sensitivity> unchanged_sensitivity_;

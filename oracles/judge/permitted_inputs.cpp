@@ -38,8 +38,8 @@ PermittedInputs::PermittedInputs(const ExactCase& exact_case, double allowance) 
   least_inverse_mass_ = inverse_mass(c) / (1 + allowance);
 }
 
-bool PermittedInputs::first_order_is_blind(const Collision& c, double allowance, double normal_velocity_sensitivity) {
-  constexpr double a_good_part = 32;
+bool PermittedInputs::derivatives_fail(const Collision& c, double allowance, double normal_velocity_sensitivity) {
+  constexpr double safety_factor = 32;
   double products = 0;
   for (const Body* body : {&c.a, &c.b}) {
     const double length = norm_of(lever_arm<double>(*body, c.point));
@@ -47,13 +47,13 @@ bool PermittedInputs::first_order_is_blind(const Collision& c, double allowance,
     if (body->immovable) {
       continue;
     }
-    const double rounding = a_good_part * allowance * length_of_lever_arm(*body, c.point);
+    const double rounding = safety_factor * allowance * length_of_lever_arm(*body, c.point);
     if ((length > 0 && rounding > length) ||
         rounding > std::sqrt(body->principal_inertia.minCoeff()) / std::sqrt(body->mass)) {
       return true;
     }
   }
-  return norm_of(c.normal) * products > a_good_part * normal_velocity_sensitivity;
+  return norm_of(c.normal) * products > safety_factor * normal_velocity_sensitivity;
 }
 
 bool PermittedInputs::is_finite() const {

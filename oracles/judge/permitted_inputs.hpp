@@ -64,7 +64,7 @@ class ExactCase;
 
 /// All collisions whose quantities (quantities.hpp) differ from those of a given collision by at most `allowance` times
 /// their lengths. The class encloses a law's answers to these collisions. The judge uses it if derivatives do not
-/// describe these answers (`first_order_is_blind`).
+/// describe these answers (`derivatives_fail`).
 class PermittedInputs {
  public:
   /// Preconditions: the collision is valid; 0 < allowance < 1/2.
@@ -72,8 +72,8 @@ class PermittedInputs {
 
   /// Whether derivatives fail to describe the law's answers to permitted inputs, by conditions 1 to 3 of
   /// docs/reference/yardstick.md#hard-cases. `normal_velocity_sensitivity` is Σ_q ‖∂(N·V⁻)/∂q‖ ‖q‖.
-  [[nodiscard]] static bool first_order_is_blind(const Collision& collision, double allowance,
-                                                 double normal_velocity_sensitivity);
+  [[nodiscard]] static bool derivatives_fail(const Collision& collision, double allowance,
+                                             double normal_velocity_sensitivity);
 
   /// Whether velocities, lever arms, and the bodies' responses to an impulse have finite enclosures.
   [[nodiscard]] bool is_finite() const;

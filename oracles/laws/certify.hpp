@@ -11,7 +11,7 @@ namespace carom::oracles {
 /// The first equation that defines the law and whose sides differ exactly; nullptr if the outcome satisfies all. T is
 /// an exact field. Precondition: the law is one of `laws_with_truth`.
 template <class T>
-[[nodiscard]] const char* first_unsatisfied(const BasicCollision<T>& collision, Law law, Approach approach,
+[[nodiscard]] const char* first_unsatisfied(const BasicCollision<T>& collision, Law law, ContactState approach,
                                             const Outcome<T>& outcome) {
   const char* first = nullptr;
   for_each_defining_equation(collision, law, approach, [&](const char* name, const auto& equation) {
@@ -28,7 +28,7 @@ template <class T>
 /// collision in T. Precondition: that of `first_unsatisfied`.
 template <class T>
 [[nodiscard]] const char* first_refuted(const Collision& collision, const BasicCollision<T>& enclosed, Law law,
-                                        Approach approach, const Outcome<T>& outcome) {
+                                        ContactState approach, const Outcome<T>& outcome) {
   const char* first = nullptr;
   for_each_defining_equation(collision, law, approach, [&](const char* name, const auto& equation) {
     const auto sides = equation(enclosed, outcome);
@@ -50,7 +50,7 @@ template <class T>
 /// Checks exactly that an outcome satisfies the equations that define the law. Throws a JudgeError that names the first
 /// equation whose sides differ. Precondition: that of `first_unsatisfied`.
 template <class T>
-void certify(const BasicCollision<T>& collision, Law law, Approach approach, const Outcome<T>& outcome) {
+void certify(const BasicCollision<T>& collision, Law law, ContactState approach, const Outcome<T>& outcome) {
   if (const char* const name = first_unsatisfied(collision, law, approach, outcome)) {
     fail_to_certify(collision, "the truth", name);
   }

@@ -14,7 +14,7 @@ namespace carom::oracles {
 
 /// The state of the contact before the impulse. N is the normal from B to A, and V⁻ is V_A⁻ − V_B⁻ at the contact
 /// point.
-enum class Approach {
+enum class ContactState {
   colliding,   // N·V⁻ < 0 and a body can move
   resting,     // N·V⁻ = 0
   separating,  // N·V⁻ > 0
@@ -22,11 +22,11 @@ enum class Approach {
 };
 
 /// The approach of a contact with a movable body, from the sign (−1, 0 or 1) of N·V⁻.
-[[nodiscard]] constexpr Approach approach_of_sign(int sign) {
+[[nodiscard]] constexpr ContactState state_of_sign(int sign) {
   if (sign < 0) {
-    return Approach::colliding;
+    return ContactState::colliding;
   }
-  return sign == 0 ? Approach::resting : Approach::separating;
+  return sign == 0 ? ContactState::resting : ContactState::separating;
 }
 
 template <class T, int N>
@@ -407,13 +407,13 @@ static_assert(detail::stand_in_the_order_of_their_names());
 /// Calls visit(name, equation) for each equation that defines the answer of a law to a contact with this approach. The
 /// law `rough` has further conditions, which `certify_rough` checks. Precondition: the law is one of `laws_with_truth`.
 template <class T, class Visit>
-void for_each_defining_equation(const BasicCollision<T>& c, Law law, Approach approach, const Visit& visit) {
+void for_each_defining_equation(const BasicCollision<T>& c, Law law, ContactState approach, const Visit& visit) {
   const auto visit_untouched = [&](const char* name, bool a) {
     for (const OutcomeVector vector : vectors_of_body(a)) {
       visit(name, equation::Untouched{vector});
     }
   };
-  if (approach != Approach::colliding) {
+  if (approach != ContactState::colliding) {
     visit_untouched("the velocities of A being untouched", true);
     visit_untouched("the velocities of B being untouched", false);
     return;

@@ -37,7 +37,7 @@ void certify_rough(const BasicCollision<T>& collision, const Outcome<T>& outcome
   BasicCollision<T> inelastic = collision;
   inelastic.restitution = T(0);
   const auto demand_part = [&](Law law, const Outcome<T>& part) {
-    const char* const unsatisfied = first_unsatisfied(inelastic, law, Approach::colliding, part);
+    const char* const unsatisfied = first_unsatisfied(inelastic, law, ContactState::colliding, part);
     demand(unsatisfied == nullptr, unsatisfied);
   };
   demand_part(Law::frictionless, parts.approach_stopped);

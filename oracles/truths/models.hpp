@@ -102,8 +102,9 @@ template <class T>
 }
 
 template <class T>
-[[nodiscard]] Truth<T> truth_of(const BasicCollision<T>& c, Law law, Approach approach, Branch branch) {
-  return approach == Approach::colliding ? colliding_truth(c, law, branch) : Truth<T>{{T(0), T(0), T(0)}, unchanged(c)};
+[[nodiscard]] Truth<T> truth_of(const BasicCollision<T>& c, Law law, ContactState approach, Branch branch) {
+  return approach == ContactState::colliding ? colliding_truth(c, law, branch)
+                                             : Truth<T>{{T(0), T(0), T(0)}, unchanged(c)};
 }
 
 /// Whether F of `rough` with κ = 1 + e_t (rough.hpp) lies in the friction cone. No value if `sign` does not decide it.

@@ -105,7 +105,7 @@ Told told_of(const ViolatedCase& violated, Law law) {
   if ((c.a.immovable && moved(c.a, after.a)) || (c.b.immovable && moved(c.b, after.b))) {
     return {Step::immovable_moved, {}};
   }
-  if (exact_case.approach() != oracles::Approach::colliding) {
+  if (exact_case.state() != oracles::ContactState::colliding) {
     return {moved_visibly(c.a, after.a) || moved_visibly(c.b, after.b) ? Step::moved_apart : Step::none, {}};
   }
   if (!moved(c.a, after.a) && !moved(c.b, after.b)) {

@@ -111,10 +111,10 @@ bool is_known(const oracles::Truth<oracles::Enclosure>& truth) {
 
 bool is_linear(Law law) { return std::ranges::find(oracles::linear_laws, law) != oracles::linear_laws.end(); }
 
-LawAnswer law_answer(const Collision& collision, Law law, std::optional<oracles::Approach> approach) {
+LawAnswer law_answer(const Collision& collision, Law law, std::optional<oracles::ContactState> approach) {
   CAROM_EXPECTS(determines_outcome(law), law);
   const oracles::ExactCase exact_case(collision);
-  const oracles::Approach as = approach.value_or(exact_case.approach());
+  const oracles::ContactState as = approach.value_or(exact_case.state());
   if (const auto& enclosed = exact_case.enclosed_truth(law, as); is_known(enclosed)) {
     return rounded(enclosed, [](const oracles::Enclosure& x) { return x.middle(); });
   }
@@ -123,9 +123,9 @@ LawAnswer law_answer(const Collision& collision, Law law, std::optional<oracles:
   });
 }
 
-Vector3<double> law_impulse(const Collision& collision, Law law, std::optional<oracles::Approach> approach) {
+Vector3<double> law_impulse(const Collision& collision, Law law, std::optional<oracles::ContactState> approach) {
   const oracles::ExactCase exact_case(collision);
-  const oracles::Approach as = approach.value_or(exact_case.approach());
+  const oracles::ContactState as = approach.value_or(exact_case.state());
   // A scalar with the unit roundoff u makes fewer than 2⁹ roundings, which grow by this factor. So the relative error
   // is below 2⁹ u · 2⁻⁵² / u = 2⁻⁴³. This is a thousandth of the least visible error.
   const auto largest_growth = [](auto scalar) {
@@ -133,7 +133,7 @@ Vector3<double> law_impulse(const Collision& collision, Law law, std::optional<o
   };
   const double growth = oracles::growth_in_collision_matrix(collision);
   const double allowed = is_wide_slow ? largest_growth(double{}) : largest_growth(Wide{});
-  if (as != oracles::Approach::colliding || !is_linear(law) || !exact_case.is_moderate() || !(growth <= allowed)) {
+  if (as != oracles::ContactState::colliding || !is_linear(law) || !exact_case.is_moderate() || !(growth <= allowed)) {
     return law_answer(collision, law, as).impulse;
   }
   if (is_wide_slow) {
@@ -154,7 +154,7 @@ std::optional<KnownCase> known_case(const ViolatedCase& violated, Law law) {
 
 KnownCase known_case(const Collision& collision, const Outcome<double>& answered, Law law) {
   const LawAnswer answer = law_answer(collision, law);
-  return {collision,      law,           oracles::ExactCase(collision).approach(), unchanged(collision), answered,
+  return {collision,      law,           oracles::ExactCase(collision).state(), unchanged(collision), answered,
           answer.outcome, answer.impulse};
 }
 

@@ -19,17 +19,18 @@ struct LawAnswer {
 
 /// The law's answer to a collision. If set, `approach` replaces the approach of the collision. Preconditions: the
 /// collision is valid; the law determines an outcome; a contact that does not collide is solved only by a linear law.
-[[nodiscard]] LawAnswer law_answer(const Collision& collision, Law law, std::optional<oracles::Approach> approach = {});
+[[nodiscard]] LawAnswer law_answer(const Collision& collision, Law law,
+                                   std::optional<oracles::ContactState> approach = {});
 
 /// The impulse of `law_answer`, with a relative error below 2⁻⁴³. It takes less time.
 [[nodiscard]] Vector3<double> law_impulse(const Collision& collision, Law law,
-                                          std::optional<oracles::Approach> approach = {});
+                                          std::optional<oracles::ContactState> approach = {});
 
 /// A case that the subject answered by an outcome, and the law's answer.
 struct KnownCase {
   Collision collision;
   Law law = Law::any;
-  oracles::Approach approach = oracles::Approach::inert;
+  oracles::ContactState approach = oracles::ContactState::inert;
   Outcome<double> before;
   Outcome<double> answered;
   Outcome<double> truth;    // nearest binary64 numbers

@@ -39,7 +39,7 @@ std::vector<Hypothesis> misread_approach() {
     return [test](Steps& steps, const KnownCase& one) {
       steps.test = test;
       steps.has_right_impulse = false;
-      return one.approach != oracles::Approach::inert;
+      return one.approach != oracles::ContactState::inert;
     };
   };
   const std::string condition =

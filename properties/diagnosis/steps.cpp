@@ -9,13 +9,13 @@
 namespace carom::properties::diagnosis {
 namespace {
 
-oracles::Approach approach_by(ApproachTest test, const Collision& collision) {
-  const oracles::Approach approach = oracles::ExactCase(collision).approach();
-  if (test == ApproachTest::right || approach == oracles::Approach::inert) {
+oracles::ContactState approach_by(ApproachTest test, const Collision& collision) {
+  const oracles::ContactState approach = oracles::ExactCase(collision).state();
+  if (test == ApproachTest::right || approach == oracles::ContactState::inert) {
     return approach;
   }
-  const bool is_solved = test == ApproachTest::missing || approach != oracles::Approach::colliding;
-  return is_solved ? oracles::Approach::colliding : oracles::Approach::separating;
+  const bool is_solved = test == ApproachTest::missing || approach != oracles::ContactState::colliding;
+  return is_solved ? oracles::ContactState::colliding : oracles::ContactState::separating;
 }
 
 /// No value if the law has no answer: the steps solve a contact that does not collide, and only the formulas of the
@@ -24,8 +24,8 @@ std::optional<Vector3<double>> impulse_on_a(const Steps& steps, const Collision&
   if (steps.test == ApproachTest::right) {
     return law_impulse(collision, steps.law);
   }
-  const oracles::Approach as = approach_by(steps.test, collision);
-  const bool is_extended = as == oracles::Approach::colliding && oracles::ExactCase(collision).approach() != as;
+  const oracles::ContactState as = approach_by(steps.test, collision);
+  const bool is_extended = as == oracles::ContactState::colliding && oracles::ExactCase(collision).state() != as;
   if (is_extended && !is_linear(steps.law)) {
     return std::nullopt;
   }

@@ -89,7 +89,7 @@ class Sample {
     size_ = count;
     everything_ = violated_ = CaseSet(count);
     std::vector<CaseSet> of_feature(all_features().size(), CaseSet(count));
-    std::map<oracles::Approach, CaseSet> of_approach;
+    std::map<oracles::ContactState, CaseSet> of_approach;
     std::size_t number = 0;
     for (std::size_t f = 0; f < report.sampled.size(); ++f) {
       CaseSet of_family(count);
@@ -137,15 +137,15 @@ class Sample {
     auto operator<=>(const Sized&) const = default;
   };
 
-  static std::string words_of(oracles::Approach approach) {
+  static std::string words_of(oracles::ContactState approach) {
     switch (approach) {
-      case oracles::Approach::colliding:
+      case oracles::ContactState::colliding:
         return "colliding contacts (N·V⁻ < 0)";
-      case oracles::Approach::resting:
+      case oracles::ContactState::resting:
         return "resting contacts (N·V⁻ = 0)";
-      case oracles::Approach::separating:
+      case oracles::ContactState::separating:
         return "separating contacts (N·V⁻ > 0)";
-      case oracles::Approach::inert:
+      case oracles::ContactState::inert:
         break;
     }
     return "contacts of two immovable bodies";

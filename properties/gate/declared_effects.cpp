@@ -206,7 +206,7 @@ EffectFlags take_out_effects(ExactAnswer& answer, const DeclaredEffects& effects
       take_out_of_body(part(velocities), BodyVelocity<Rational>{}, effects);
       return;
     }
-    judged.with_truth(law, judged.approach(), [&](const auto& truth) {
+    judged.with_truth(law, judged.state(), [&](const auto& truth) {
       shortened = either(shortened, take_out_of_body(part(velocities), part(truth.outcome), effects));
     });
   };

@@ -129,7 +129,7 @@ std::uint64_t sampled_of(const Family& family) {
 
 SampledCase sampled_case(const JudgedCase& judged_case, std::vector<std::uint16_t> features) {
   const Collision& collision = judged_case.generated().collision;
-  return {true, judged_case.exact().approach(), std::move(features), quantities_of(collision), collision};
+  return {true, judged_case.exact().state(), std::move(features), quantities_of(collision), collision};
 }
 
 std::vector<SampledCase> drawn_sample(const Domain& within, const Family& family, std::uint64_t seed,

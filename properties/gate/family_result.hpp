@@ -117,8 +117,8 @@ void keep_if_first(std::vector<ViolatedCase>& kept, const ViolatedCase& violated
 /// A sampled case, with the properties that a diagnosis compares.
 struct SampledCase {
   bool is_valid = false;
-  oracles::Approach approach = oracles::Approach::inert;  // of a valid case
-  std::vector<std::uint16_t> features = {};               // places in all_features(), ascending
+  oracles::ContactState approach = oracles::ContactState::inert;  // of a valid case
+  std::vector<std::uint16_t> features = {};                       // places in all_features(), ascending
   std::vector<float> quantities = {};  // decimal logarithms, in the order of all_compared_quantities()
   Collision collision = {};
 };

@@ -299,13 +299,13 @@ class Worker {
   }
 
   void look_at(std::size_t family, std::uint64_t index, const JudgedCase& one) {
-    const oracles::Approach approach = one.exact().approach();
+    const oracles::ContactState approach = one.exact().state();
     const bool is_sampled = index < sampled_of(*run_->options.families[family]);
-    if (!is_sampled && approach != oracles::Approach::colliding) {
+    if (!is_sampled && approach != oracles::ContactState::colliding) {
       return;
     }
     std::vector<std::uint16_t> present = feature_places_of(one.generated().collision);
-    if (approach == oracles::Approach::colliding) {
+    if (approach == oracles::ContactState::colliding) {
       features_.add(present);
     }
     if (is_sampled) {

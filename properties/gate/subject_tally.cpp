@@ -6,7 +6,7 @@
 namespace carom::properties {
 namespace {
 
-using oracles::Approach;
+using oracles::ContactState;
 
 bool is_isotropic(const Body& body) {
   return body.immovable || (body.principal_inertia[0] == body.principal_inertia[1] &&
@@ -26,16 +26,17 @@ Coverage coverage_of(const JudgedCase& judged_case) {
     return coverage;
   }
   const Collision& c = judged_case.generated().collision;
-  const Approach approach = judged_case.exact().approach();
-  coverage.colliding = approach == Approach::colliding ? 1 : 0;
-  coverage.resting = approach == Approach::resting ? 1 : 0;
-  coverage.separating = approach == Approach::separating ? 1 : 0;
-  coverage.inert = approach == Approach::inert ? 1 : 0;
+  const ContactState approach = judged_case.exact().state();
+  coverage.colliding = approach == ContactState::colliding ? 1 : 0;
+  coverage.resting = approach == ContactState::resting ? 1 : 0;
+  coverage.separating = approach == ContactState::separating ? 1 : 0;
+  coverage.inert = approach == ContactState::inert ? 1 : 0;
   coverage.one_immovable = c.a.immovable != c.b.immovable ? 1 : 0;
   coverage.spheres =
-      approach != Approach::inert && is_isotropic(c.a) && is_isotropic(c.b) && judged_case.exact().is_collinear() ? 1
-                                                                                                                  : 0;
-  coverage.head_on = approach == Approach::colliding && judged_case.exact().is_head_on() ? 1 : 0;
+      approach != ContactState::inert && is_isotropic(c.a) && is_isotropic(c.b) && judged_case.exact().is_collinear()
+          ? 1
+          : 0;
+  coverage.head_on = approach == ContactState::colliding && judged_case.exact().is_head_on() ? 1 : 0;
   coverage.inelastic = c.restitution == 0 ? 1 : 0;
   coverage.elastic = c.restitution == 1 ? 1 : 0;
   return coverage;
@@ -55,7 +56,7 @@ void SubjectTally::add(std::size_t family, std::uint64_t index, const JudgedCase
   if (judgement.accuracy && judgement.accuracy->is_decided) {
     result.worst_backward_error =
         std::max(result.worst_backward_error, judgement.accuracy->backward_error(claim.yardstick.unit_roundoff()));
-    if (judged_case.exact().approach() == Approach::colliding && judgement.accuracy->is_of_truth) {
+    if (judged_case.exact().state() == ContactState::colliding && judgement.accuracy->is_of_truth) {
       digits.add(judgement.accuracy->digits());
     }
   }

@@ -138,7 +138,7 @@ EffectFlags JudgedCase::at_limit(const oracles::Yardstick& yardstick) const {
 }
 
 bool JudgedCase::collides() const {
-  return exact().approach() == oracles::Approach::colliding ||
+  return exact().state() == oracles::ContactState::colliding ||
          changes_between(generated_.collision, exact().collision())[DeclaredEffect::slop];
 }
 

@@ -75,13 +75,13 @@ bool is_surely_well_conditioned(const oracles::ExactCase& exact_case) {
 /// Whether the subject owes its matrix: the contact collides. If rounding of the inputs can make the contact separate,
 /// the subject may see no approach, and owes none.
 bool owes_matrix(const Evidence& e) {
-  return e.exact_case.approach() == oracles::Approach::colliding && !e.exact_case.is_grazing(e.allowance());
+  return e.exact_case.state() == oracles::ContactState::colliding && !e.exact_case.is_grazing(e.allowance());
 }
 
 /// Applies `check` to the C that the subject shows.
 template <Verdict (*check)(const Evidence&, const LiftedMatrix&)>
 Verdict of_shown_matrix(const Evidence& e) {
-  if (e.exact_case.approach() == oracles::Approach::inert) {
+  if (e.exact_case.state() == oracles::ContactState::inert) {
     return does_not_apply("both bodies are immovable");
   }
   const LiftedMatrix* shown = e.outcome.collision_matrix();

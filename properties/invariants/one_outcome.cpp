@@ -14,17 +14,17 @@ namespace carom::properties {
 namespace {
 
 namespace equation = oracles::equation;
-using oracles::Approach;
 using oracles::compare;
+using oracles::ContactState;
+using oracles::EquationForm;
 using oracles::Rational;
-using oracles::Relation;
 
-bool collides(const Evidence& e) { return e.exact_case.approach() == Approach::colliding; }
+bool collides(const Evidence& e) { return e.exact_case.state() == ContactState::colliding; }
 
-bool is_inert(const Evidence& e) { return e.exact_case.approach() == Approach::inert; }
+bool is_inert(const Evidence& e) { return e.exact_case.state() == ContactState::inert; }
 
-Verdict holds(const Evidence& e, Relation relation, const char* what, const oracles::Equation& equation) {
-  return verdict_of(compare(equation, relation, e.exact_case, e.outcome, e.yardstick), what);
+Verdict holds(const Evidence& e, EquationForm form, const char* what, const oracles::Equation& equation) {
+  return verdict_of(compare(equation, form, e.exact_case, e.outcome, e.yardstick), what);
 }
 
 const Body& body(const Evidence& e, bool a) { return a ? e.exact_case.collision().a : e.exact_case.collision().b; }
@@ -32,8 +32,8 @@ const Body& body(const Evidence& e, bool a) { return a ? e.exact_case.collision(
 Verdict untouched_body(const Evidence& e, bool a) {
   const char* what = a ? "velocities of A, after and before" : "velocities of B, after and before";
   const auto [velocity, angular_velocity] = vectors_of_body(a);
-  return both(holds(e, Relation::equal, what, equation::Untouched{velocity}),
-              holds(e, Relation::equal, what, equation::Untouched{angular_velocity}));
+  return both(holds(e, EquationForm::equal, what, equation::Untouched{velocity}),
+              holds(e, EquationForm::equal, what, equation::Untouched{angular_velocity}));
 }
 
 /// Zero if the bounds do not tell the number from zero.
@@ -47,7 +47,7 @@ Verdict check_linear_momentum(const Evidence& e) {
   if (body(e, true).immovable || body(e, false).immovable) {
     return does_not_apply("a body is immovable");
   }
-  return holds(e, Relation::equal, "m_A Δv_A and −m_B Δv_B", equation::LinearMomentum{});
+  return holds(e, EquationForm::equal, "m_A Δv_A and −m_B Δv_B", equation::LinearMomentum{});
 }
 
 Verdict check_angular_momentum(const Evidence& e) {
@@ -55,13 +55,13 @@ Verdict check_angular_momentum(const Evidence& e) {
   for (const bool a : {true, false}) {
     if (!body(e, a).immovable) {
       worst = both(std::move(worst),
-                   holds(e, Relation::equal, a ? "J_A Δw_A and r_A × m_A Δv_A" : "J_B Δw_B and r_B × m_B Δv_B",
+                   holds(e, EquationForm::equal, a ? "J_A Δw_A and r_A × m_A Δv_A" : "J_B Δw_B and r_B × m_B Δv_B",
                          equation::AngularMomentum{a}));
     }
   }
   if (!body(e, true).immovable && !body(e, false).immovable) {
     worst = both(std::move(worst),
-                 holds(e, Relation::equal, "angular momentum about the origin: the gain of A and the loss of B",
+                 holds(e, EquationForm::equal, "angular momentum about the origin: the gain of A and the loss of B",
                        equation::TotalAngularMomentum{}));
   }
   return worst;
@@ -71,14 +71,14 @@ Verdict check_restitution(const Evidence& e) {
   if (!collides(e)) {
     return does_not_apply("the contact is not colliding");
   }
-  return holds(e, Relation::equal, "N·V⁺ and −ε N·V⁻", equation::Restitution{});
+  return holds(e, EquationForm::equal, "N·V⁺ and −ε N·V⁻", equation::Restitution{});
 }
 
 Verdict check_non_penetration(const Evidence& e) {
   if (is_inert(e)) {
     return does_not_apply("both bodies are immovable");
   }
-  return holds(e, Relation::at_least, "N·V⁺ and 0", equation::NonPenetration{});
+  return holds(e, EquationForm::at_least, "N·V⁺ and 0", equation::NonPenetration{});
 }
 
 Verdict check_parting_speed(const Evidence& e) {
@@ -86,7 +86,7 @@ Verdict check_parting_speed(const Evidence& e) {
     return does_not_apply("both bodies are immovable");
   }
   const auto by_sign = [&](bool is_colliding) {
-    return holds(e, Relation::at_most, "N·V⁺ and |N·V⁻|", equation::PartingSpeed{is_colliding});
+    return holds(e, EquationForm::at_most, "N·V⁺ and |N·V⁻|", equation::PartingSpeed{is_colliding});
   };
   // The inputs that make the outcome exact may lie on the other side of N·V⁻ = 0.
   Verdict own = by_sign(collides(e));
@@ -112,7 +112,8 @@ Verdict check_impulse_bound(const Evidence& e) {
   }
   const Collision& c = e.exact_case.collision();
   const oracles::ImpulseBoundOf bound = oracles::impulse_bound_of(e.law, c);
-  return holds(e, Relation::at_most, sides_of(bound), equation::ImpulseBound{bound, oracles::reads_impulse_off_a(c)});
+  return holds(e, EquationForm::at_most, sides_of(bound),
+               equation::ImpulseBound{bound, oracles::reads_impulse_off_a(c)});
 }
 
 /// The verdict if `accuracy` is not decided. At a contact with several answers, what these answers share decides.
@@ -148,7 +149,7 @@ Verdict check_backward_error(const Evidence& e) {
     if (e.yardstick.filtered()) {
       show(e.exact_case.enclosed_truth(e.law));
     } else {
-      e.exact_case.with_truth(e.law, e.exact_case.approach(), show);
+      e.exact_case.with_truth(e.law, e.exact_case.state(), show);
     }
     worst = both(std::move(worst), std::move(verdict));
   }
@@ -159,8 +160,8 @@ Verdict check_push(const Evidence& e) {
   if (is_inert(e)) {
     return does_not_apply("both bodies are immovable");
   }
-  Verdict verdict =
-      holds(e, Relation::at_least, "N·F and 0", equation::Push{oracles::reads_impulse_off_a(e.exact_case.collision())});
+  Verdict verdict = holds(e, EquationForm::at_least, "N·F and 0",
+                          equation::Push{oracles::reads_impulse_off_a(e.exact_case.collision())});
   // At a grazing contact, the rounding of the inputs decides the sign of N·V⁻, which the residual of `push` does not
   // contain. So the accuracy decides.
   const bool is_allowed = verdict.status == Status::violated && e.accuracy != nullptr && e.accuracy->is_decided &&
@@ -213,7 +214,7 @@ Verdict check_frictionless_direction(const Evidence& e) {
   if (is_inert(e)) {
     return does_not_apply("both bodies are immovable");
   }
-  return holds(e, Relation::equal, "N × F and 0",
+  return holds(e, EquationForm::equal, "N × F and 0",
                equation::FrictionlessDirection{oracles::reads_impulse_off_a(e.exact_case.collision())});
 }
 
@@ -221,14 +222,14 @@ Verdict check_reflection_plane(const Evidence& e) {
   if (is_inert(e)) {
     return does_not_apply("both bodies are immovable");
   }
-  return holds(e, Relation::equal, "N × V⁺ and N × V⁻", equation::ReflectionPlane{});
+  return holds(e, EquationForm::equal, "N × V⁺ and N × V⁻", equation::ReflectionPlane{});
 }
 
 Verdict check_sticks(const Evidence& e) {
   if (!collides(e)) {
     return does_not_apply("the contact is not colliding");
   }
-  Verdict sticks = holds(e, Relation::equal, "N × V⁺ and 0", equation::Sticks{});
+  Verdict sticks = holds(e, EquationForm::equal, "N × V⁺ and 0", equation::Sticks{});
   const bool may_be_untouched = sticks.status == Status::violated && may_act_at_once(e);
   return may_be_untouched && untouched_bodies(e).status == Status::holds ? Verdict{} : sticks;
 }
@@ -237,7 +238,7 @@ Verdict check_friction_cone(const Evidence& e) {
   if (is_inert(e)) {
     return does_not_apply("both bodies are immovable");
   }
-  return both(check_push(e), holds(e, Relation::at_most, "‖N × F‖² and (μ N·F)²",
+  return both(check_push(e), holds(e, EquationForm::at_most, "‖N × F‖² and (μ N·F)²",
                                    equation::FrictionCone{oracles::reads_impulse_off_a(e.exact_case.collision())}));
 }
 
@@ -246,22 +247,22 @@ Verdict check_slip_opposed(const Evidence& e) {
   if (is_inert(e)) {
     return does_not_apply("both bodies are immovable");
   }
-  Verdict sticks = holds(e, Relation::equal, "N × V⁺ and 0", equation::Sticks{});
+  Verdict sticks = holds(e, EquationForm::equal, "N × V⁺ and 0", equation::Sticks{});
   if (sticks.status != Status::violated) {  // it holds, or cannot be decided
     return sticks;
   }
   const bool off_a = oracles::reads_impulse_off_a(e.exact_case.collision());
-  return both(
-      both(holds(e, Relation::equal, "‖N × F‖² and (μ N·F)²; the contact point slips", equation::FrictionCone{off_a}),
-           holds(e, Relation::equal, "(N × F) × (N × V⁺) and 0", equation::FrictionAlongSlip{off_a})),
-      holds(e, Relation::at_most, "(N × F)·(N × V⁺) and 0", equation::FrictionAgainstSlip{off_a}));
+  return both(both(holds(e, EquationForm::equal, "‖N × F‖² and (μ N·F)²; the contact point slips",
+                         equation::FrictionCone{off_a}),
+                   holds(e, EquationForm::equal, "(N × F) × (N × V⁺) and 0", equation::FrictionAlongSlip{off_a})),
+              holds(e, EquationForm::at_most, "(N × F)·(N × V⁺) and 0", equation::FrictionAgainstSlip{off_a}));
 }
 
 Verdict check_energy(const Evidence& e) {
   if (is_inert(e)) {
     return does_not_apply("both bodies are immovable");
   }
-  return holds(e, Relation::at_most, "E⁺ − E⁻ and the work of the wall", equation::Energy{});
+  return holds(e, EquationForm::at_most, "E⁺ − E⁻ and the work of the wall", equation::Energy{});
 }
 
 }  // namespace
@@ -407,7 +408,7 @@ namespace {
 constexpr std::array spins{OutcomeVector::angular_velocity_of_a, OutcomeVector::angular_velocity_of_b};
 
 Verdict check_collinear_spin(const Evidence& e) {
-  if (e.exact_case.approach() != oracles::Approach::colliding) {
+  if (e.exact_case.state() != oracles::ContactState::colliding) {
     return does_not_apply("the contact is not colliding");
   }
   if (!e.exact_case.is_collinear()) {

@@ -424,7 +424,7 @@ double slack_of_separation(const Evidence& e) {
 }
 
 Verdict check_repeat(const Evidence& e, std::span<const Related> related) {
-  if (e.exact_case.approach() != oracles::Approach::colliding || e.exact_case.collision().restitution == 0) {
+  if (e.exact_case.state() != oracles::ContactState::colliding || e.exact_case.collision().restitution == 0) {
     return does_not_apply("the contact is not colliding, or ε = 0");
   }
   const Collision& c = e.exact_case.collision();
@@ -447,10 +447,10 @@ Verdict check_repeat(const Evidence& e, std::span<const Related> related) {
   }
   Verdict worst;
   for (const OutcomeVector k : all_outcome_vectors) {
-    worst =
-        both(std::move(worst), verdict_of(oracles::compare(oracles::equation::Untouched{k}, oracles::Relation::equal,
-                                                           second.exact_case, after, e.yardstick),
-                                          fmt::format("{}, after a second impulse and before it", name_of(k))));
+    worst = both(std::move(worst),
+                 verdict_of(oracles::compare(oracles::equation::Untouched{k}, oracles::EquationForm::equal,
+                                             second.exact_case, after, e.yardstick),
+                            fmt::format("{}, after a second impulse and before it", name_of(k))));
   }
   return worst;
 }

@@ -26,7 +26,7 @@ namespace carom::properties {
   return {.status = Status::skipped, .detail = "the scale overflows or underflows", .is_undecided = true};
 }
 
-[[nodiscard]] inline Verdict verdict_of(oracles::Comparison comparison, std::string what) {
+[[nodiscard]] inline Verdict verdict_of(oracles::EquationCheck comparison, std::string what) {
   if (!comparison.is_decided) {
     return beyond_range();
   }

@@ -73,7 +73,7 @@ class Certifier {
   Certifier(const Collision& collision, const Demand& demand);
 
   [[nodiscard]] const oracles::ExactCase& exact() const { return judged_.exact(); }
-  [[nodiscard]] bool collides() const { return exact().approach() == oracles::Approach::colliding; }
+  [[nodiscard]] bool collides() const { return exact().state() == oracles::ContactState::colliding; }
 
   /// Judges an answer by the exact truth, and by every claimed invariant of one outcome.
   [[nodiscard]] Result judge(const Candidate& candidate, const Answer& answer) const;

@@ -146,7 +146,7 @@ std::optional<Reduction> reduction(const ExactCase& exact_case, Law law, Law les
   if (law == lesser) {
     return Reduction::same_law;
   }
-  if (exact_case.approach() != oracles::Approach::colliding) {
+  if (exact_case.state() != oracles::ContactState::colliding) {
     return Reduction::untouched;
   }
   switch (lesser) {

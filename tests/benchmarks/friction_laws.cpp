@@ -70,7 +70,7 @@ std::size_t place_of(const Matrix3<oracles::Rational>& k) {
 void add_case(std::uint64_t index, Collision collision, Map& map) {
   collision.tangential_restitution = 0;
   const oracles::ExactCase exact_case(collision);
-  if (exact_case.approach() != oracles::Approach::colliding) {
+  if (exact_case.state() != oracles::ContactState::colliding) {
     return;
   }
   const std::size_t condition = place_of(exact_case.collision_matrix());

@@ -222,7 +222,7 @@ void expect_same_rough(const oracles::ExactCase& exact_case, const std::string& 
   const auto contact = make_contact<Radical>(
       map_numbers<Radical>(exact_case.collision(), [](double number) { return Radical(number); }));
   const Outcome<Radical> solved = rough<Ldlt, Radical>(contact);
-  exact_case.with_truth(Law::rough, exact_case.approach(), [&]<class T>(const oracles::Truth<T>& truth) {
+  exact_case.with_truth(Law::rough, exact_case.state(), [&]<class T>(const oracles::Truth<T>& truth) {
     for (const OutcomeVector k : all_outcome_vectors) {
       for (int i = 0; i < 3; ++i) {
         EXPECT_EQ((*vectors(solved)[k])[i], Radical((*vectors(truth.outcome)[k])[i])) << family << ' ' << name_of(k);

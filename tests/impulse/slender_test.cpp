@@ -78,8 +78,8 @@ template <class S>
 double missed(const oracles::Equation& equation, const Collision& collision, const Outcome<S>& outcome) {
   constexpr double least_that_is_shown = 0x1p-10;
   const auto yardstick = oracles::Yardstick::of(precision_of<S>, {least_that_is_shown});
-  const oracles::Comparison comparison = oracles::compare(
-      equation, oracles::Relation::equal, oracles::ExactCase(collision),
+  const oracles::EquationCheck comparison = oracles::compare(
+      equation, oracles::EquationForm::equal, oracles::ExactCase(collision),
       oracles::LiftedOutcome(map_outcome<long double>(outcome, [](S x) { return static_cast<long double>(x); })),
       yardstick);
   return comparison.holds ? 0 : least_that_is_shown * comparison.residual / comparison.allowed;

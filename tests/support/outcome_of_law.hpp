@@ -17,7 +17,7 @@ namespace carom::unit {
     return map_outcome<oracles::Rational>(truth.outcome, [](const T& x) { return nearly(x); });
   };
   return law == Law::coulomb ? rational(oracles::coulomb_answers(exact_case).front().truth)
-                             : exact_case.with_truth(law, exact_case.approach(), rational);
+                             : exact_case.with_truth(law, exact_case.state(), rational);
 }
 
 /// The exact outcome of the law, rounded to binary64, as a subject reports it. Precondition: the law is one of

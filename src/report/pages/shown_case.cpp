@@ -22,7 +22,7 @@ namespace carom::report {
 namespace {
 
 using nlohmann::json;
-using oracles::Approach;
+using oracles::ContactState;
 using oracles::Rational;
 using properties::in_words;
 
@@ -39,7 +39,7 @@ const char* name_of(oracles::Branch branch) {
 }
 
 template <class T>
-std::string truth_steps(const BasicCollision<T>& c, const oracles::Truth<T>& truth, Approach approach) {
+std::string truth_steps(const BasicCollision<T>& c, const oracles::Truth<T>& truth, ContactState approach) {
   const Vector3<T> after = oracles::relative_velocity<T>(c, truth.outcome);
   std::string text = fmt::format("  F = {}\n", in_words(truth.impulse));
   const auto parts = vectors(truth.outcome);
@@ -47,22 +47,22 @@ std::string truth_steps(const BasicCollision<T>& c, const oracles::Truth<T>& tru
     text += fmt::format("  {}⁺ = {}\n", carom::name_of(k), in_words(*parts[k]));
   }
   text += fmt::format("  V⁺ = {}\n  N·V⁺ = {}\n", in_words(after), in_words(T(c.normal.dot(after))));
-  if (approach != Approach::inert) {
+  if (approach != ContactState::inert) {
     const auto energy = oracles::equation::Energy{}(c, truth.outcome);
     text += fmt::format("  E⁺ − E⁻ − W = {}\n", in_words(T(energy.left[0] - energy.right[0])));
   }
   return text;
 }
 
-const char* in_words_of(Approach approach) {
+const char* in_words_of(ContactState approach) {
   switch (approach) {
-    case Approach::colliding:
+    case ContactState::colliding:
       return "colliding";
-    case Approach::resting:
+    case ContactState::resting:
       return "resting";
-    case Approach::separating:
+    case ContactState::separating:
       return "separating";
-    case Approach::inert:
+    case ContactState::inert:
       break;
   }
   return "both bodies are immovable";
@@ -79,11 +79,11 @@ std::string contact_steps(const oracles::ExactCase& exact_case) {
   const double length = oracles::norm_of(exact_case.collision().normal);
   text += fmt::format(
       "  V⁻ = {}\n  N·V⁻ = {}: {}{}\n", in_words<Rational>(oracles::relative_velocity<Rational>(c, before)),
-      in_words(normal_velocity), in_words_of(exact_case.approach()),
+      in_words(normal_velocity), in_words_of(exact_case.state()),
       length == 1 || normal_velocity == 0 ? ""
                                           : fmt::format(", at {:.3g} m/s along the normal",
                                                         std::abs(oracles::nearest_double(normal_velocity)) / length));
-  if (exact_case.approach() != Approach::inert) {
+  if (exact_case.state() != ContactState::inert) {
     text += fmt::format("  λ = {}\n", in_words(oracles::inverse_mass(c)));
     for (int row = 0; row < 3; ++row) {
       text += fmt::format("  {} {}\n", row == 0 ? "K =" : "   ", in_words<Rational>(Vector3<Rational>(k.row(row))));
@@ -93,8 +93,8 @@ std::string contact_steps(const oracles::ExactCase& exact_case) {
 }
 
 std::string truth_steps(const oracles::ExactCase& exact_case, Law law) {
-  const Approach approach = exact_case.approach();
-  const bool collides = approach == Approach::colliding;
+  const ContactState approach = exact_case.state();
+  const bool collides = approach == ContactState::colliding;
   return fmt::format("{}, exactly{}\n", carom::name_of(law), collides ? name_of(exact_case.branch(law)) : "") +
          exact_case.with_truth(law, approach, [&]<class T>(const oracles::Truth<T>& truth) {
            const auto lifted = [](double number) { return T(number); };
@@ -108,7 +108,7 @@ std::string answers_steps(const oracles::ExactCase& exact_case, const std::vecto
     const oracles::CoulombAnswer& answer = answers[i];
     text += fmt::format("coulomb, answer {} of {}, {}{}\n{}", i + 1, answers.size(), name_of(answer.kind),
                         answer.is_exact() ? ", exactly" : ", with 36 digits of its resistance to slip",
-                        truth_steps(exact_case.exact(), answer.truth, exact_case.approach()));
+                        truth_steps(exact_case.exact(), answer.truth, exact_case.state()));
   }
   return text;
 }
@@ -187,7 +187,7 @@ std::vector<oracles::CoulombAnswer> show_truth(const Collision& collision, const
                                                Law shown_law, ShownCase& shown) {
   const oracles::ExactCase& exact_case = judged_case.exact();
   const std::vector<const properties::Feature*> features = properties::features_of(collision);
-  shown.record["approach"] = in_words_of(exact_case.approach());
+  shown.record["approach"] = in_words_of(exact_case.state());
   shown.record["features"] = json::array();
   for (const properties::Feature* feature : features) {
     shown.record["features"].push_back(feature->name);
@@ -259,7 +259,7 @@ void add_case_drawing(pugi::xml_node section, const properties::JudgedCase& judg
     const std::size_t nearest = is_finite ? oracles::nearest_answer(exact_case, answers, *computed).number : 0;
     picture.exact = motion_of(collision, answers[nearest].truth.outcome);
   } else if (determines_outcome(claimed)) {
-    exact_case.with_truth(claimed, exact_case.approach(),
+    exact_case.with_truth(claimed, exact_case.state(),
                           [&](const auto& truth) { picture.exact = motion_of(collision, truth.outcome); });
   }
   add_contact_figure(section, picture, anchor, title);

@@ -85,7 +85,7 @@ std::vector<Velocities> exact_columns(const oracles::ExactCase& exact_case, Law 
   }
   for (const Law law : laws_with_truth) {
     if (claimed == law || claimed == Law::any) {
-      exact_case.with_truth(law, exact_case.approach(), [&](const auto& truth) {
+      exact_case.with_truth(law, exact_case.state(), [&](const auto& truth) {
         columns.push_back(
             {claimed == law ? "exact" : fmt::format("exact, {}", name_of(law)), velocities_in_words(truth.outcome)});
       });

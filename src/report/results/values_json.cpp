@@ -233,7 +233,7 @@ json nearest_record(const Outcome<T>& outcome) {
 }  // namespace
 
 json truth_record(const oracles::ExactCase& exact_case, Law law) {
-  return exact_case.with_truth(law, exact_case.approach(), []<class T>(const oracles::Truth<T>& truth) {
+  return exact_case.with_truth(law, exact_case.state(), []<class T>(const oracles::Truth<T>& truth) {
     json record = velocities_and_impulse(truth);
     record["nearest"] = nearest_record(truth.outcome);
     return record;

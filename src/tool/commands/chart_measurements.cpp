@@ -31,7 +31,7 @@ std::vector<Collision> colliding(const Generate& generate, std::size_t count) {
   std::vector<Collision> found;
   for (std::size_t index = 0; found.size() < count && index < cases_drawn_for_each * count; ++index) {
     Collision collision = generate(index);
-    if (validate(collision).empty() && oracles::ExactCase(collision).approach() == oracles::Approach::colliding) {
+    if (validate(collision).empty() && oracles::ExactCase(collision).state() == oracles::ContactState::colliding) {
       found.push_back(std::move(collision));
     }
   }
@@ -42,7 +42,7 @@ std::vector<Collision> colliding(const Generate& generate, std::size_t count) {
 void add_result(report::ExactnessBuilder& builder, const properties::JudgedCase& judged, const properties::Claim& claim,
                 const Answer& answer) {
   const properties::Judgement judgement = judge_answer(judged, claim, properties::lift(answer));
-  if (judgement.skipped || judgement.unjudged || judged.exact().approach() != oracles::Approach::colliding) {
+  if (judgement.skipped || judgement.unjudged || judged.exact().state() != oracles::ContactState::colliding) {
     return;
   }
   const std::optional<oracles::Accuracy>& accuracy = judgement.accuracy;

@@ -45,8 +45,8 @@ TEST(Compare, AllowsTheLimitTimesTheScale) {
     const bool holds = std::abs(share) < 1;
     ReportedOutcome outcome;
     outcome.a.velocity = {0, 1 + static_cast<long double>(deviation), 0};
-    const Comparison comparison =
-        compare(equation::Restitution{}, Relation::equal, exact_case, LiftedOutcome(outcome), yardstick);
+    const EquationCheck comparison =
+        compare(equation::Restitution{}, EquationForm::equal, exact_case, LiftedOutcome(outcome), yardstick);
     EXPECT_EQ(comparison.holds, holds) << deviation;
     if (!holds) {
       EXPECT_NEAR(comparison.allowed, allowed, 0x1p-40 * allowed);
@@ -61,11 +61,11 @@ TEST(Compare, AllowsNothingInExactArithmetic) {
   Outcome<Rational> outcome = exact_case.truth(Law::frictionless).outcome;
   const equation::Restitution restitution;
   EXPECT_TRUE(
-      compare(restitution, Relation::equal, exact_case, LiftedOutcome(outcome), Yardstick::of_exact_arithmetic())
+      compare(restitution, EquationForm::equal, exact_case, LiftedOutcome(outcome), Yardstick::of_exact_arithmetic())
           .holds);
   outcome.a.velocity[1] += ratio(1, 1 << 30) * ratio(1, 1 << 30) * ratio(1, 1 << 30) * ratio(1, 1 << 30);
   EXPECT_FALSE(
-      compare(restitution, Relation::equal, exact_case, LiftedOutcome(outcome), Yardstick::of_exact_arithmetic())
+      compare(restitution, EquationForm::equal, exact_case, LiftedOutcome(outcome), Yardstick::of_exact_arithmetic())
           .holds);
 }
 
@@ -150,7 +150,7 @@ TEST(Digits, PermitNoiseInProportionToTheLargestSpeed) {
   const auto passes = [&](double spin) {
     ReportedOutcome outcome = reported(exact_case.nearest_truth(Law::frictionless));
     outcome.a.angular_velocity = {spin, 0, 0};
-    return compare(equation::Untouched{OutcomeVector::angular_velocity_of_a}, Relation::equal, exact_case,
+    return compare(equation::Untouched{OutcomeVector::angular_velocity_of_a}, EquationForm::equal, exact_case,
                    LiftedOutcome(outcome), yardstick)
         .holds;
   };
@@ -216,12 +216,12 @@ TEST(Accuracy, IsOfTheNearerAnswerInAnyOrderOfQuestions) {
   const ExactCase exact_case(drawn_case(family, 1, 143).collision);
   const Yardstick yardstick = yardstick_of(Precision::binary64);
   ASSERT_TRUE(exact_case.has_two_answers(Law::sticking, yardstick.allowance()));
-  const auto answer = [&](Approach approach) {
+  const auto answer = [&](ContactState approach) {
     return map_outcome<long double>(exact_case.enclosed_truth(Law::sticking, approach).outcome,
                                     [](const Enclosure& x) { return static_cast<long double>(x.middle()); });
   };
-  const Outcome<long double> colliding = answer(Approach::colliding);
-  const Outcome<long double> untouched = answer(Approach::separating);
+  const Outcome<long double> colliding = answer(ContactState::colliding);
+  const Outcome<long double> untouched = answer(ContactState::separating);
   for (const long double share : {0.25L, 0.4L, 0.5L, 0.6L, 0.75L}) {
     Outcome<long double> between = colliding;
     for (const OutcomeVector k : all_outcome_vectors) {
@@ -268,7 +268,8 @@ TEST(Yardstick, AddsTheLossByUnderflow) {
   for (const bool filtered : {false, true}) {
     Yardstick yardstick = yardstick_of(Precision::binary32, filtered);
     const auto holds = [&] {
-      return compare(equation::AngularMomentum{true}, Relation::equal, ExactCase(c), LiftedOutcome(outcome), yardstick)
+      return compare(equation::AngularMomentum{true}, EquationForm::equal, ExactCase(c), LiftedOutcome(outcome),
+                     yardstick)
           .holds;
     };
     EXPECT_TRUE(holds());
@@ -292,8 +293,8 @@ TEST(Range, AnAllowanceThatOverflowsDecidesNothing) {
   for (const bool filtered : {true, false}) {
     for (const double limit_ulps : {default_limit_ulps, 1e16}) {
       const Yardstick yardstick = Yardstick::of(Precision::binary32, {limit_ulps, {}, filtered});
-      const Comparison momentum =
-          compare(equation::LinearMomentum{}, Relation::equal, ExactCase(c), LiftedOutcome(outcome), yardstick);
+      const EquationCheck momentum =
+          compare(equation::LinearMomentum{}, EquationForm::equal, ExactCase(c), LiftedOutcome(outcome), yardstick);
       EXPECT_EQ(momentum.is_decided, limit_ulps == default_limit_ulps) << "the scale itself is in range";
       EXPECT_FALSE(momentum.is_decided && momentum.holds);
     }
@@ -326,7 +327,7 @@ TEST(Accuracy, TakesEitherOfTwoAnswers) {
     c.a.velocity = {1, -0x1p-10 + approach, 0};
     c.b.immovable = true;
     const ExactCase exact_case(c);
-    ASSERT_EQ(exact_case.approach(), approach < 0 ? Approach::colliding : Approach::separating);
+    ASSERT_EQ(exact_case.state(), approach < 0 ? ContactState::colliding : ContactState::separating);
     ASSERT_TRUE(exact_case.has_two_answers(Law::sticking, yardstick.allowance()));
     EXPECT_FALSE(exact_case.has_two_answers(Law::reflection, yardstick.allowance()));
     for (const bool filtered : {false, true}) {
@@ -356,7 +357,7 @@ TEST(Accuracy, IsThatOfTheNearerAnswer) {
   c.b.velocity = {1, -0x1p-10, 0};
   c.a.velocity = {1 + 0x1p-51, -0x1p-10 - 0x3p-62, 0};  // N·V⁻ = −2⁻⁶²
   const ExactCase exact_case(c);
-  ASSERT_EQ(exact_case.approach(), Approach::colliding);
+  ASSERT_EQ(exact_case.state(), ContactState::colliding);
   ASSERT_TRUE(exact_case.has_two_answers(Law::sticking, yardstick.allowance()));
   const auto unmoved = reported(unchanged(c));
   EXPECT_EQ(
@@ -377,7 +378,7 @@ TEST(Compare, AllowsEnergyTheRoundingOfVelocities) {
   c.b.position = {0, 0, 0x1p-14};
   Outcome<long double> after = reported(unchanged(c));
   const auto holds = [&] {
-    return compare(equation::Energy{}, Relation::at_most, ExactCase(c), LiftedOutcome(after), yardstick).holds;
+    return compare(equation::Energy{}, EquationForm::at_most, ExactCase(c), LiftedOutcome(after), yardstick).holds;
   };
   after.a.angular_velocity[1] = 0x1p-27;
   EXPECT_TRUE(holds());
@@ -405,8 +406,8 @@ TEST(Compare, AllowsTheFrictionConeTheRoundingOfTheImpulse) {
       (of_a ? outcome.a : outcome.b).velocity[0] = times * allowance;
       for (const bool filtered : {false, true}) {
         yardstick = yardstick.with_filters(filtered);
-        const Comparison result =
-            compare(equation::FrictionCone{of_a}, Relation::at_most, ExactCase(c), LiftedOutcome(outcome), yardstick);
+        const EquationCheck result = compare(equation::FrictionCone{of_a}, EquationForm::at_most, ExactCase(c),
+                                             LiftedOutcome(outcome), yardstick);
         EXPECT_EQ(result.holds, times < 87.3) << of_a << ' ' << times;
       }
     }
@@ -431,10 +432,10 @@ TEST(Compare, AllowsFrictionAcrossTheSlipTheRoundingOfBoth) {
       wall.velocity[2] = times * yardstick.allowance();
       ReportedOutcome outcome = reported(unchanged(c));
       (of_a ? outcome.a : outcome.b).velocity[0] = times * yardstick.allowance();
-      EXPECT_EQ(
-          compare(equation::FrictionAlongSlip{of_a}, Relation::equal, ExactCase(c), LiftedOutcome(outcome), yardstick)
-              .holds,
-          times < 33.1)
+      EXPECT_EQ(compare(equation::FrictionAlongSlip{of_a}, EquationForm::equal, ExactCase(c), LiftedOutcome(outcome),
+                        yardstick)
+                    .holds,
+                times < 33.1)
           << of_a << ' ' << times;
     }
   }
@@ -457,7 +458,7 @@ TEST(Compare, AllowsAngularMomentumTheRoundingOfArmAndVelocity) {
       ReportedOutcome outcome = reported(unchanged(c));
       (of_a ? outcome.a : outcome.b).angular_velocity[0] = times * yardstick.allowance() * yardstick.allowance();
       EXPECT_EQ(
-          compare(equation::AngularMomentum{of_a}, Relation::equal, ExactCase(c), LiftedOutcome(outcome), yardstick)
+          compare(equation::AngularMomentum{of_a}, EquationForm::equal, ExactCase(c), LiftedOutcome(outcome), yardstick)
               .holds,
           times < 84)
           << of_a << ' ' << times;
@@ -482,8 +483,8 @@ TEST(Compare, AllowsTheFrictionConeAllDigitsOfExtended) {
     outcome.a.velocity += Vector3<long double>(d, 0, 2);
     for (const bool filtered : {false, true}) {
       yardstick = yardstick.with_filters(filtered);
-      const Comparison result =
-          compare(equation::FrictionCone{true}, Relation::at_most, ExactCase(c), LiftedOutcome(outcome), yardstick);
+      const EquationCheck result =
+          compare(equation::FrictionCone{true}, EquationForm::at_most, ExactCase(c), LiftedOutcome(outcome), yardstick);
       EXPECT_EQ(result.holds, times < 8.5) << times << ' ' << result.residual << ' ' << result.allowed;
     }
   }
@@ -500,8 +501,8 @@ TEST(Range, AScaleBeyondBinary64DecidesOnlyExactArithmetic) {
   for (const bool filtered : {true, false}) {
     for (Yardstick yardstick : {Yardstick::of_exact_arithmetic(), yardstick_of(Precision::binary64)}) {
       yardstick = yardstick.with_filters(filtered);
-      const Comparison result =
-          compare(equation::Energy{}, Relation::at_most, ExactCase(c), LiftedOutcome(outcome), yardstick);
+      const EquationCheck result =
+          compare(equation::Energy{}, EquationForm::at_most, ExactCase(c), LiftedOutcome(outcome), yardstick);
       EXPECT_EQ(result.is_decided, yardstick.unit_roundoff() == 0);
       EXPECT_FALSE(result.is_decided && result.holds);
     }

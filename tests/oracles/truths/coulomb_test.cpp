@@ -68,7 +68,7 @@ TEST(CoulombAnswers, ExistAndSatisfyTheLaw) {
   int slides = 0;
   int several = 0;
   for (const auto& [family, one] : unit::valid_cases(6)) {
-    if (ExactCase(one.collision).approach() != Approach::colliding) {
+    if (ExactCase(one.collision).state() != ContactState::colliding) {
       continue;
     }
     const std::vector<CoulombAnswer> answers = coulomb_answers(lift(one.collision));

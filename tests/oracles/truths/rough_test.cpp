@@ -125,7 +125,7 @@ Accuracy accuracy_of(const ExactCase& exact_case, const Outcome<double>& outcome
 
 TEST(Rough, HasTwoAnswersIfFrictionActsThoughTheApproachIsRounding) {
   const ExactCase exact_case(approached_by_rounding(2));
-  ASSERT_EQ(exact_case.approach(), Approach::colliding);
+  ASSERT_EQ(exact_case.state(), ContactState::colliding);
   EXPECT_EQ(exact_case.branch(Law::rough), Branch::inside_cone);
   EXPECT_TRUE(exact_case.has_two_answers(Law::rough, of_binary64().allowance()));
   Outcome<double> between = exact_case.nearest_truth(Law::rough);
@@ -216,7 +216,7 @@ TEST(ConeDistance, IsTheSameBothWays) {
   int compared = 0;
   for (const auto& [family, one] : unit::sampled_cases(20)) {
     const ExactCase exact_case(one.collision);
-    if (exact_case.approach() != Approach::colliding || !exact_case.is_moderate() ||
+    if (exact_case.state() != ContactState::colliding || !exact_case.is_moderate() ||
         !exact_case.is_well_conditioned()) {
       continue;
     }

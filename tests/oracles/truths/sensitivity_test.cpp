@@ -97,7 +97,7 @@ Sensitivity sensitivity_by_definition(const Collision& collision, Law law) {
 }
 
 void expect_by_definition(const ExactCase& exact_case, Law law, double relative) {
-  ASSERT_EQ(exact_case.approach(), Approach::colliding);
+  ASSERT_EQ(exact_case.state(), ContactState::colliding);
   const Sensitivity expected = sensitivity_by_definition(exact_case.collision(), law);
   const Sensitivity& actual = exact_case.sensitivity(law, 0);
   for (const OutcomeVector k : all_outcome_vectors) {
@@ -113,7 +113,7 @@ TEST(Sensitivity, IsTheSumOfTheExactDerivatives) {
        binary64_collisions({"elastic", "near_head_on", "driven_wall", "sliding", "sticking", "mass_ratio",
                             "far_from_origin", "collinear_spheres", "long_normal"})) {
     const ExactCase exact_case(collision);
-    if (exact_case.approach() != Approach::colliding) {
+    if (exact_case.state() != ContactState::colliding) {
       continue;
     }
     ++colliding;
@@ -165,7 +165,7 @@ TEST(Sensitivity, IsTheSameByImplicitDifferentiation) {
   int compared = 0;
   for (const auto& [family, one] : unit::sampled_cases(20)) {
     const ExactCase exact_case(one.collision);
-    if (exact_case.approach() != Approach::colliding || !exact_case.is_moderate()) {
+    if (exact_case.state() != ContactState::colliding || !exact_case.is_moderate()) {
       continue;
     }
     const Matrix3<double> k =
@@ -208,7 +208,7 @@ TEST(Sensitivity, IsKnownWhereTheMatrixIsNearlySingular) {
     for (std::uint64_t i = 0; i < 8; ++i) {
       const Collision collision = unit::case_of(family, i).collision;
       const ExactCase exact_case(collision);
-      if (exact_case.approach() != Approach::colliding || growth(collision) > 0x1p+82) {
+      if (exact_case.state() != ContactState::colliding || growth(collision) > 0x1p+82) {
         continue;
       }
       for (const Law law : linear_laws) {
@@ -340,7 +340,7 @@ TEST(Grazing, MeansThatPermittedInputsChangeTheSignOfTheNormalVelocity) {
     c.normal = {1, 1, 0};
     c.a.velocity = {1, -1 + side * 0x1p-40, 0};
     const ExactCase exact_case(c);
-    EXPECT_EQ(exact_case.approach(), side < 0 ? Approach::colliding : Approach::separating);
+    EXPECT_EQ(exact_case.state(), side < 0 ? ContactState::colliding : ContactState::separating);
     EXPECT_TRUE(exact_case.is_grazing(0x1p-41));
     EXPECT_FALSE(exact_case.is_grazing(0x1p-43));
     EXPECT_FALSE(exact_case.is_grazing(0));
@@ -358,7 +358,7 @@ TEST(Grazing, TakesEveryDerivativeOfTheNormalVelocity) {
     const double edge = std::abs(velocity.value) / sensitivity;
     // The test skips N·V⁻ near 0, because its rounding moves the edge. It also skips hard cases, where an enclosure
     // decides instead.
-    if (exact_case.approach() == Approach::inert || !(edge > 0x1p-20) ||
+    if (exact_case.state() == ContactState::inert || !(edge > 0x1p-20) ||
         exact_case.permitted_inputs(edge * (1 - 0x1p-20)) != nullptr) {
       continue;
     }
@@ -378,7 +378,7 @@ TEST(Grazing, IgnoresInputsThatAreZero) {
   c.a.velocity = {1, 0, 0};
   c.b.velocity = {1 + 0x1p-52, 0, 0};
   const ExactCase exact_case(c);
-  EXPECT_EQ(exact_case.approach(), Approach::colliding);
+  EXPECT_EQ(exact_case.state(), ContactState::colliding);
   EXPECT_TRUE(exact_case.is_grazing(0x1p-48));
   EXPECT_FALSE(exact_case.is_grazing(0x1p-56));
 }

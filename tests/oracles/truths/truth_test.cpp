@@ -51,30 +51,32 @@ TEST(Truth, OfAFallingBallIsThatOfATextbook) {
   EXPECT_TRUE(same(sticking.outcome.a.angular_velocity, unit::ExactVector(0, 0, ratio(-2, 3))));
 }
 
-TEST(Approach, IsTheSignOfTheExactNormalVelocity) {
+TEST(ContactState, IsTheSignOfTheExactNormalVelocity) {
   for (const auto& [family, one] : unit::valid_cases(30)) {
     const Collision& c = one.collision;
     const Rational normal_velocity = lift(c).normal.dot(unit::velocity_before(lift(c)));
-    const Approach approach = ExactCase(c).approach();
+    const ContactState approach = ExactCase(c).state();
     if (c.a.immovable && c.b.immovable) {
-      EXPECT_EQ(approach, Approach::inert) << family;
+      EXPECT_EQ(approach, ContactState::inert) << family;
     } else {
-      EXPECT_EQ(approach, normal_velocity < 0    ? Approach::colliding
-                          : normal_velocity == 0 ? Approach::resting
-                                                 : Approach::separating)
+      EXPECT_EQ(approach, normal_velocity < 0    ? ContactState::colliding
+                          : normal_velocity == 0 ? ContactState::resting
+                                                 : ContactState::separating)
           << family;
     }
   }
 }
 
 /// N·V⁻ is ±2⁻¹⁵⁰ or 0, and its terms are about 0.1. Double-double numbers have too few bits for such a sum.
-TEST(Approach, IsDecidedExactlyWhereEnclosuresCannot) {
+TEST(ContactState, IsDecidedExactlyWhereEnclosuresCannot) {
   for (const int sign : {-1, 0, 1}) {
     Collision c;
     c.normal = {1, 1, std::ldexp(1.0, -75)};
     c.a.velocity = {0.1, -0.1, sign * std::ldexp(1.0, -75)};
-    const Approach expected = sign < 0 ? Approach::colliding : sign == 0 ? Approach::resting : Approach::separating;
-    EXPECT_EQ(ExactCase(c).approach(), expected) << sign;
+    const ContactState expected = sign < 0    ? ContactState::colliding
+                                  : sign == 0 ? ContactState::resting
+                                              : ContactState::separating;
+    EXPECT_EQ(ExactCase(c).state(), expected) << sign;
   }
 }
 
@@ -86,7 +88,7 @@ std::vector<Collision> contacts_to_certify() {
   return contacts;
 }
 
-void expect_every_corruption_noticed(const BasicCollision<Rational>& exact, Law law, Approach approach,
+void expect_every_corruption_noticed(const BasicCollision<Rational>& exact, Law law, ContactState approach,
                                      const Outcome<Rational>& outcome) {
   EXPECT_NO_THROW(certify(exact, law, approach, outcome));
   for (const int exponent : {-200, 0, 100}) {
@@ -104,9 +106,9 @@ void expect_every_corruption_noticed(const BasicCollision<Rational>& exact, Law 
 TEST(Certify, NoticesEachCorruptedComponent) {
   for (const Collision& collision : contacts_to_certify()) {
     const ExactCase exact_case(collision);
-    ASSERT_EQ(exact_case.approach(), Approach::colliding);
+    ASSERT_EQ(exact_case.state(), ContactState::colliding);
     for (const Law law : linear_laws) {
-      expect_every_corruption_noticed(exact_case.exact(), law, Approach::colliding, exact_case.truth(law).outcome);
+      expect_every_corruption_noticed(exact_case.exact(), law, ContactState::colliding, exact_case.truth(law).outcome);
     }
   }
 }
@@ -114,7 +116,7 @@ TEST(Certify, NoticesEachCorruptedComponent) {
 TEST(Certify, NoticesEachCorruptedComponentWhereNothingHappens) {
   for (const char* family : {"separating", "resting", "both_immovable"}) {
     const ExactCase exact_case(unit::case_of(family, 1).collision);
-    expect_every_corruption_noticed(exact_case.exact(), Law::reflection, exact_case.approach(),
+    expect_every_corruption_noticed(exact_case.exact(), Law::reflection, exact_case.state(),
                                     unchanged(exact_case.exact()));
   }
 }
@@ -125,9 +127,9 @@ TEST(Certify, RefutesEachCorruptedComponentOfAnEnclosedTruth) {
     const ExactCase exact_case(collision);
     const BasicCollision<Enclosure>& enclosed = exact_case.enclosed();
     for (const Law law : linear_laws) {
-      EXPECT_NO_THROW(exact_case.check_enclosed_truth(law, Approach::colliding));
+      EXPECT_NO_THROW(exact_case.check_enclosed_truth(law, ContactState::colliding));
       const Outcome<Enclosure>& outcome = exact_case.enclosed_truth(law).outcome;
-      EXPECT_EQ(first_refuted(collision, enclosed, law, Approach::colliding, outcome), nullptr);
+      EXPECT_EQ(first_refuted(collision, enclosed, law, ContactState::colliding, outcome), nullptr);
       double largest = 0;
       for (const Vector3<Enclosure>* v : vectors(outcome)) {
         for (const Enclosure& x : *v) {
@@ -138,7 +140,7 @@ TEST(Certify, RefutesEachCorruptedComponentOfAnEnclosedTruth) {
         for (int i = 0; i < 3; ++i) {
           Outcome<Enclosure> corrupted = outcome;
           (*vectors(corrupted)[k])[i] += Enclosure(largest * 0x1p-70);
-          EXPECT_NE(first_refuted(collision, enclosed, law, Approach::colliding, corrupted), nullptr)
+          EXPECT_NE(first_refuted(collision, enclosed, law, ContactState::colliding, corrupted), nullptr)
               << name_of(k) << '[' << i << ']';
         }
       }
@@ -148,7 +150,7 @@ TEST(Certify, RefutesEachCorruptedComponentOfAnEnclosedTruth) {
 
 std::string reproach(const BasicCollision<Rational>& exact, Law law, const Outcome<Rational>& outcome) {
   try {
-    certify(exact, law, Approach::colliding, outcome);
+    certify(exact, law, ContactState::colliding, outcome);
   } catch (const JudgeError& error) {
     return error.what();
   }

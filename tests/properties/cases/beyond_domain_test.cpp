@@ -31,7 +31,7 @@ Drawn drawn_of(const Family& family) {
   for (std::uint64_t i = 0; i < drawn_cases; ++i) {
     const Collision c = unit::case_of(family.name, i).collision;
     EXPECT_EQ(describe(validate(c)), "") << family.name << ' ' << i;
-    drawn.colliding += oracles::ExactCase(c).approach() == oracles::Approach::colliding ? 1 : 0;
+    drawn.colliding += oracles::ExactCase(c).state() == oracles::ContactState::colliding ? 1 : 0;
     drawn.least = std::min(drawn.least, family.beyond.of(c));
     drawn.greatest = std::max(drawn.greatest, family.beyond.of(c));
   }

@@ -200,36 +200,36 @@ TEST(Stream, NeverDrawsAZeroDirectionOrQuaternion) {
 // count of cases with the property has a standard deviation of √(n p (1 − p)). The limits are five standard deviations
 // from the mean.
 
-using oracles::Approach;
+using oracles::ContactState;
 using oracles::ExactCase;
 using unit::ExactVector;
 using unit::Rational;
 
 constexpr std::uint64_t exact_cases = 200;
 
-int count(std::string_view family, Approach approach) {
+int count(std::string_view family, ContactState approach) {
   int found = 0;
   for (std::uint64_t i = 0; i < exact_cases; ++i) {
-    found += ExactCase(unit::case_of(family, i).collision).approach() == approach ? 1 : 0;
+    found += ExactCase(unit::case_of(family, i).collision).state() == approach ? 1 : 0;
   }
   return found;
 }
 
 TEST(Families, ApproachAsTheyPromise) {
-  EXPECT_EQ(count("resting", Approach::resting), 200);
-  EXPECT_EQ(count("both_immovable", Approach::inert), 200);
-  EXPECT_EQ(count("head_on", Approach::colliding), 200);
-  EXPECT_GE(count("near_head_on", Approach::colliding), 198);  // in a few of 10⁴ cases, a feature makes it rest
+  EXPECT_EQ(count("resting", ContactState::resting), 200);
+  EXPECT_EQ(count("both_immovable", ContactState::inert), 200);
+  EXPECT_EQ(count("head_on", ContactState::colliding), 200);
+  EXPECT_GE(count("near_head_on", ContactState::colliding), 198);  // in a few of 10⁴ cases, a feature makes it rest
   // Rounding may give N·V the wrong sign near 0.
-  EXPECT_GE(count("separating", Approach::separating), 198);
+  EXPECT_GE(count("separating", ContactState::separating), 198);
   for (const char* family :
        {"physical", "inelastic", "elastic", "mass_ratio", "immovable_a", "immovable_b", "driven_wall", "zero_lever",
         "common_velocity", "long_normal", "long_quaternion", "near_special", "needle_tip"}) {
     // One case in four gets features. A few of these features stop both bodies.
-    EXPECT_GE(count(family, Approach::colliding), 190) << family;
+    EXPECT_GE(count(family, ContactState::colliding), 190) << family;
   }
   // p = 7/8: 175 ± 5 · 4.7.
-  EXPECT_NEAR(count("generic", Approach::colliding), 175, 24);
+  EXPECT_NEAR(count("generic", ContactState::colliding), 175, 24);
 }
 
 TEST(Families, AreExactlyHeadOnInAboutHalfOfHeadOn) {
@@ -251,11 +251,11 @@ TEST(Families, LieBesideTheConeOfStickingInStickOrSlip) {
   int slipping = 0;
   for (std::uint64_t i = 0; i < exact_cases; ++i) {
     const ExactCase exact_case(unit::case_of("stick_or_slip", i).collision);
-    if (exact_case.approach() != Approach::colliding) {
+    if (exact_case.state() != ContactState::colliding) {
       continue;
     }
     const auto& c = exact_case.exact();
-    const ExactVector& impulse = exact_case.truth(Law::sticking, Approach::colliding).impulse;
+    const ExactVector& impulse = exact_case.truth(Law::sticking, ContactState::colliding).impulse;
     const auto cone = oracles::squared_cone(c, impulse);
     if (c.normal.dot(impulse) <= 0 || cone.left[0] == 0) {
       continue;  // no friction suffices to stick, or none is needed
@@ -320,8 +320,8 @@ TEST(Families, HaveASmallNormalVelocityInGrazing) {
   }
   // k ≥ 3 has p = 8/9: 178 − 5 · 4.4.
   EXPECT_GE(slight, 155);
-  EXPECT_GT(count("grazing", Approach::separating), 10);
-  EXPECT_GT(count("grazing", Approach::colliding), 100);
+  EXPECT_GT(count("grazing", ContactState::separating), 10);
+  EXPECT_GT(count("grazing", ContactState::colliding), 100);
 }
 
 /// λI ⪯ K ⪯ 16 λI, with λ = 1/m_A + 1/m_B. The construction of each stored moment and coordinate has fewer than 64

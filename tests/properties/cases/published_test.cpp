@@ -75,7 +75,7 @@ TEST(ChungOoi, BothLawsWithFrictionGiveThePublishedAnswers) {
       EXPECT_EQ(outcome.a.velocity, published.velocity_of_a().unaryExpr(in_field));
       EXPECT_EQ(outcome.a.angular_velocity.z(), in_field(published.spin_of_a()));
     };
-    exact_case.with_truth(Law::rough, exact_case.approach(), [&]<class T>(const oracles::Truth<T>& truth) {
+    exact_case.with_truth(Law::rough, exact_case.state(), [&]<class T>(const oracles::Truth<T>& truth) {
       expect(truth.outcome, [](const Rational& x) { return T(x); });
     });
     const std::vector<oracles::CoulombAnswer> answers = oracles::coulomb_answers(exact_case);

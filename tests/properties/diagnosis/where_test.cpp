@@ -26,8 +26,7 @@ struct Sampled {
         const Collision collision = drawn_case(*family, 1, number).collision;
         SampledCase& one = sampled.emplace_back();
         if (validate(collision).empty()) {
-          one = {true, oracles::ExactCase(collision).approach(), feature_places_of(collision),
-                 quantities_of(collision)};
+          one = {true, oracles::ExactCase(collision).state(), feature_places_of(collision), quantities_of(collision)};
           if (is_violated(collision, one.approach)) {
             numbers.push_back(number);
           }
@@ -41,7 +40,7 @@ struct Sampled {
   }
 };
 
-constexpr auto colliding = oracles::Approach::colliding;
+constexpr auto colliding = oracles::ContactState::colliding;
 
 void expect_in(const std::string& part, const std::string& text) {
   EXPECT_NE(text.find(part), std::string::npos) << text;
@@ -54,8 +53,9 @@ TEST(Where, NoSentenceIsGivenIfNothingIsViolated) {
 TEST(Where, AllCollidingContactsAreNamedByTheirApproach) {
   expect_in("Nearly all colliding contacts (N·V⁻ < 0) fail: 100 %.",
             Sampled([](const Collision&, auto approach) { return approach == colliding; }).words());
-  expect_in("separating contacts",
-            Sampled([](const Collision&, auto approach) { return approach == oracles::Approach::separating; }).words());
+  expect_in("separating contacts", Sampled([](const Collision&, auto approach) {
+                                     return approach == oracles::ContactState::separating;
+                                   }).words());
 }
 
 TEST(Where, AFeatureOfEitherBodyIsFound) {

@@ -22,7 +22,7 @@ namespace carom::properties {
 namespace {
 
 bool is_colliding(const Collision& collision) {
-  return validate(collision).empty() && oracles::ExactCase(collision).approach() == oracles::Approach::colliding;
+  return validate(collision).empty() && oracles::ExactCase(collision).state() == oracles::ContactState::colliding;
 }
 
 TEST(Features, HaveNamesOfTheirOwnAndReasons) {

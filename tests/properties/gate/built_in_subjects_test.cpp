@@ -118,7 +118,7 @@ TEST(BuiltInSubjects, ShowTheirMatrixInEachCollidingCaseOrInNone) {
     for (std::uint64_t i = 0; i < 20; ++i) {
       const Collision collision = unit::case_of("sliding", i).collision;
       shown += std::get<ReportedOutcome>(session(std::span(&collision, 1)).at(0)).collision_matrix ? 1 : 0;
-      changed += oracles::ExactCase(collision).approach() == oracles::Approach::colliding ? 1 : 0;
+      changed += oracles::ExactCase(collision).state() == oracles::ContactState::colliding ? 1 : 0;
     }
     EXPECT_GT(changed, 5);
     EXPECT_EQ(shown, subject.shows_collision_matrix ? changed : 0) << subject.name;

@@ -111,7 +111,7 @@ TEST(Histogram, IsRestoredFromItsCounts) {
 
 void add_many(SubjectTally& tally, std::uint64_t count) {
   const JudgedCase judged_case(unit::case_of("elastic", 1));
-  ASSERT_EQ(judged_case.exact().approach(), oracles::Approach::colliding);
+  ASSERT_EQ(judged_case.exact().state(), oracles::ContactState::colliding);
   Claim claim;
   claim.yardstick = oracles::Yardstick::of(Precision::binary64);
   Stream stream = stream_from(count);

@@ -41,7 +41,7 @@ struct ShownSolve {
 ShownSolve shown_solve(std::string_view family, std::uint64_t index, Law law = Law::reflection) {
   ShownSolve result{unit::case_of(family, index), {}};
   const oracles::ExactCase exact_case(result.one.collision);
-  result.outcome = exact_case.approach() == oracles::Approach::colliding
+  result.outcome = exact_case.state() == oracles::ContactState::colliding
                        ? unit::reported_outcome_with_matrix(exact_case, law)
                        : unit::reported_outcome(exact_case, law);
   return result;
@@ -221,7 +221,7 @@ TEST(ShownMatrix, MustNotBeMissingIfTheContactCollides) {
     for (std::uint64_t i = 0; i < 40; ++i) {
       const ShownSolve near = shown_solve("grazing", i);
       const oracles::ExactCase exact_case(near.one.collision);
-      if (exact_case.approach() == oracles::Approach::colliding && exact_case.is_grazing(allowance)) {
+      if (exact_case.state() == oracles::ContactState::colliding && exact_case.is_grazing(allowance)) {
         EXPECT_EQ(violated(near, std::nullopt, filtered), Names{}) << i;
         ++grazing;
       }

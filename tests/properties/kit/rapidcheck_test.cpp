@@ -133,7 +133,7 @@ TEST(Shrinking, KeepsWhatFamiliesPromise) {
   const std::map<std::string_view, Promise> promises{
       {"collinear_spheres", [](const Collision& c) { return oracles::ExactCase(c).is_collinear(); }},
       {"spin_alone", [](const Collision& c) { return oracles::ExactCase(c).is_collinear(); }},
-      {"resting", [](const Collision& c) { return oracles::ExactCase(c).approach() == oracles::Approach::resting; }},
+      {"resting", [](const Collision& c) { return oracles::ExactCase(c).state() == oracles::ContactState::resting; }},
       {"inelastic", [](const Collision& c) { return c.restitution == 0; }},
       {"elastic", [](const Collision& c) { return c.restitution == 1; }},
       {"immovable_a", [](const Collision& c) { return c.a.immovable && !c.b.immovable; }},

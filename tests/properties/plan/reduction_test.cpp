@@ -26,7 +26,7 @@ bool are_same(const Outcome<T>& x, const Outcome<Rational>& y) {
 /// Whether the exact outcomes of two laws are the same. Preconditions: each law has one exact outcome, and the outcome
 /// of `lesser` is rational.
 bool answer_alike(const ExactCase& c, Law law, Law lesser) {
-  return c.with_truth(law, c.approach(), [&]<class T>(const oracles::Truth<T>& truth) {
+  return c.with_truth(law, c.state(), [&]<class T>(const oracles::Truth<T>& truth) {
     return are_same<T>(truth.outcome, c.truth(lesser).outcome);
   });
 }
@@ -62,7 +62,7 @@ TEST(Reduction, ToFrictionlessIsGivenIfAndOnlyIfTheExactOutcomesAreTheSame) {
   PerLaw<int> not_given{};
   for (const Collision& collision : cases()) {
     const ExactCase c(collision);
-    if (c.approach() != oracles::Approach::colliding) {
+    if (c.state() != oracles::ContactState::colliding) {
       continue;
     }
     for (const Law law : {Law::reflection, Law::sticking, Law::rough}) {
@@ -81,7 +81,7 @@ TEST(Reduction, OfRoughToStickingIsGivenOnlyIfTheExactOutcomesAreTheSame) {
   int given = 0;
   for (const Collision& collision : cases()) {
     const ExactCase c(collision);
-    if (c.approach() == oracles::Approach::colliding && reduction(c, Law::rough, Law::sticking)) {
+    if (c.state() == oracles::ContactState::colliding && reduction(c, Law::rough, Law::sticking)) {
       ++given;
       EXPECT_TRUE(answer_alike(c, Law::rough, Law::sticking));
     }
@@ -95,7 +95,7 @@ TEST(Reduction, OfCoulombIsGivenOnlyIfTheLesserLawGivesAnAnswer) {
   const std::vector<Collision> all = cases();
   for (std::size_t i = 0; i < all.size(); i += 4) {  // isolating the answers takes milliseconds
     const ExactCase c(all[i]);
-    if (c.approach() != oracles::Approach::colliding) {
+    if (c.state() != oracles::ContactState::colliding) {
       continue;
     }
     const auto answers = oracles::coulomb_answers(c);
@@ -127,7 +127,7 @@ TEST(Reduction, OfSpheresIsByTheEigenvectorWhateverTheirVelocities) {
     EXPECT_TRUE(is_normal_eigenvector(ExactCase(spheres)));
     spheres.a.position[static_cast<int>(i % 3)] += 0.25;  // the lever arm leaves the normal
     const ExactCase moved(spheres);
-    if (moved.approach() == oracles::Approach::colliding) {
+    if (moved.state() == oracles::ContactState::colliding) {
       EXPECT_EQ(is_normal_eigenvector(moved), answer_alike(moved, Law::reflection, Law::frictionless));
     }
   }
