@@ -14,9 +14,23 @@
 #include <carom/oracles/bounds/lazy.hpp>
 #include <carom/oracles/bounds/moderate.hpp>
 #include <carom/oracles/bounds/norm.hpp>
+#include <carom/oracles/exact/definiteness.hpp>
 #include <carom/oracles/exact/rational.hpp>
 
 namespace carom::oracles {
+
+/// Whether xᵀ M x ≥ 0 for every x, or no value if the bounds do not decide it.
+[[nodiscard]] inline std::optional<bool> is_positive_semidefinite(const Matrix3<Enclosure>& matrix) {
+  bool decided = true;
+  for (const Enclosure& minor : principal_minors(matrix)) {
+    const std::optional<int> sign = minor.sign();
+    if (sign == -1) {
+      return false;
+    }
+    decided = decided && sign.has_value();
+  }
+  return decided ? std::optional<bool>(true) : std::nullopt;
+}
 
 /// A collision matrix, reported by a subject or computed in ℚ, in several number types. For one thread.
 class LiftedMatrix {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <carom/oracles/bounds/inputs.hpp>
 #include <carom/oracles/bounds/norm.hpp>
+#include <carom/oracles/bounds/quantities.hpp>
 #include <carom/oracles/laws/equations.hpp>
 
 /// The derivatives of an equation g(x, y) with respect to the inputs x and the outcome y.

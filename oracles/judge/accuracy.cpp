@@ -56,9 +56,9 @@ Outcome<T> outcome_in(const LiftedOutcome& outcome) {
 template <class T>
 std::optional<bool> relative_error_at_most(double bound, const BasicCollision<T>& collision, const Truth<T>& truth,
                                            const Outcome<T>& outcome) {
-  const T errors = twice_energy(collision, minus(outcome, truth.outcome));
+  const T energy_of_error = twice_energy(collision, minus(outcome, truth.outcome));
   const T change = twice_energy(collision, minus(truth.outcome, unchanged(collision)));
-  const std::optional<int> sign = certain_sign(T(T(bound) * T(bound) * change - errors));
+  const std::optional<int> sign = certain_sign(T(T(bound) * T(bound) * change - energy_of_error));
   return sign ? std::optional<bool>(*sign >= 0) : std::nullopt;
 }
 
@@ -83,27 +83,27 @@ double size_of_change(const ExactCase& exact_case, const BasicCollision<T>& coll
 
 /// `size_of_truth()` is the `size_of_change` of the truth.
 template <class T, class SizeOfTruth>
-ErrorVectors<T> deviation_of(const ExactCase& exact_case, const Truth<T>& truth, const Outcome<T>& outcome,
-                             const SizeOfTruth& size_of_truth) {
+ErrorVectors<T> errors_of(const ExactCase& exact_case, const Truth<T>& truth, const Outcome<T>& outcome,
+                          const SizeOfTruth& size_of_truth) {
   ErrorVectors<T> result;
   Accuracy& accuracy = result.accuracy;
   const auto computed = vectors(outcome);
   const auto exact = vectors(truth.outcome);
   Outcome<double> errors;
-  const auto of_deviation = vectors(errors);
+  const auto of_errors = vectors(errors);
   for (const OutcomeVector k : all_outcome_vectors) {
     const Components<T>& error = result.of_vector[k] = difference(*computed[k], *exact[k]);
     for (int i = 0; i < 3; ++i) {
-      (*of_deviation[k])[i] = rounded(error[static_cast<std::size_t>(i)]);
+      (*of_errors[k])[i] = rounded(error[static_cast<std::size_t>(i)]);
     }
-    accuracy.error[k] = norm_of(*of_deviation[k]);
+    accuracy.error[k] = norm_of(*of_errors[k]);
   }
   if (std::any_of(accuracy.error.begin(), accuracy.error.end(), [](double error) { return error != 0; })) {
-    const double norm_of_deviation = energy_norm(exact_case.collision(), errors);
+    const double norm_of_error = energy_norm(exact_case.collision(), errors);
     const double norm_of_change = size_of_truth();
-    const double ratio = norm_of_deviation / norm_of_change;
+    const double ratio = norm_of_error / norm_of_change;
     // If the change is zero, or squares leave the range of binary64, the error counts as infinite.
-    const bool is_known = norm_of_deviation > 0 && norm_of_change > 0 && std::isfinite(ratio);
+    const bool is_known = norm_of_error > 0 && norm_of_change > 0 && std::isfinite(ratio);
     accuracy.relative_error = is_known ? ratio : std::numeric_limits<double>::infinity();
   }
   return result;
@@ -161,12 +161,12 @@ double Accuracy::digits() const { return digits_by(relative_error); }
 
 double digits_of(const BasicCollision<Rational>& collision, const Outcome<Rational>& exact,
                  const Outcome<Rational>& computed) {
-  const Rational errors = twice_energy(collision, minus(computed, exact));
+  const Rational energy_of_error = twice_energy(collision, minus(computed, exact));
   const Rational change = twice_energy(collision, minus(exact, unchanged(collision)));
   if (change == 0) {
-    return digits_by(errors == 0 ? 0 : HUGE_VAL);
+    return digits_by(energy_of_error == 0 ? 0 : HUGE_VAL);
   }
-  return digits_by(std::sqrt(nearest_double(Rational(errors / change))));
+  return digits_by(std::sqrt(nearest_double(Rational(energy_of_error / change))));
 }
 
 namespace {
@@ -193,7 +193,7 @@ Accuracy accuracy_as(const ExactCase& exact_case, Law law, ContactState as, cons
   const auto by_enclosures = [&](const Sensitivity& sensitivity) {
     if (!enclosed) {
       const Truth<Enclosure>& truth = exact_case.enclosed_truth(law, as);
-      enclosed = deviation_of(exact_case, truth, outcome.enclosed(), [&] {
+      enclosed = errors_of(exact_case, truth, outcome.enclosed(), [&] {
         return exact_case.size_of_change(
             law, as, [&] { return size_of_change(exact_case, exact_case.enclosed(), truth.outcome); });
       });
@@ -230,7 +230,7 @@ Accuracy accuracy_as(const ExactCase& exact_case, Law law, ContactState as, cons
   }
   count(Stage::rational);
   return exact_case.with_truth(law, as, [&]<class T>(const Truth<T>& truth) {
-    const auto exactly = deviation_of(exact_case, truth, outcome_in<T>(outcome), [&] {
+    const auto exactly = errors_of(exact_case, truth, outcome_in<T>(outcome), [&] {
       return size_of_change(exact_case, collision_in<T>(exact_case), truth.outcome);
     });
     return with_digits(*accuracy_by(exactly, sensitivity, yardstick, noise));

@@ -8,10 +8,9 @@
 
 #include <carom/collision/expects.hpp>
 #include <carom/collision/validate.hpp>
-#include <carom/oracles/bounds/definiteness_bounds.hpp>
+#include <carom/oracles/bounds/lifted_outcome.hpp>
 #include <carom/oracles/bounds/moderate.hpp>
 #include <carom/oracles/judge/exact_case.hpp>
-#include <carom/oracles/judge/exact_case_bounds.hpp>
 #include <carom/oracles/laws/certify.hpp>
 #include <carom/oracles/laws/rough.hpp>
 #include <carom/oracles/truths/models.hpp>

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <carom/collision/vector.hpp>
-#include <carom/oracles/bounds/inputs.hpp>
+#include <carom/oracles/bounds/quantities.hpp>
 #include <carom/oracles/truths/superposition.hpp>
 
 /// Implicit differentiation of a law's answer. The impulse F solves K F = b, with b the change of relative velocity

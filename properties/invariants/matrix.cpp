@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include <carom/oracles/bounds/definiteness_bounds.hpp>
+#include <carom/oracles/bounds/lifted_outcome.hpp>
 #include <carom/oracles/bounds/stage.hpp>
 #include <carom/properties/invariants/invariant_groups.hpp>
 #include <carom/properties/invariants/verdicts.hpp>

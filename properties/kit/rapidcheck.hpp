@@ -13,7 +13,7 @@
 #include <carom/properties/cases/draw_within.hpp>
 #include <carom/properties/draws/relative_velocity.hpp>
 #include <carom/properties/features/feature.hpp>
-#include <carom/properties/gate/simpler_cases.hpp>
+#include <carom/properties/gate/shrink.hpp>
 
 /// Collisions for RapidCheck: rc::Arbitrary<carom::Collision>, and a generator for each family. Small sizes give simple
 /// collisions; from size 50 on, a generator gives the family's whole distribution. Collisions shrink to numbers with

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Times the solvers: solvers [--benchmark_…]. Prints medians, their ratios to a baseline of the same run, and whether
-// the goals are reached. A run takes about a minute.
+// Times the solvers: solvers [--benchmark_…]. Prints medians, and their ratios to two baselines of the same run. A run
+// takes about a minute.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -26,68 +26,6 @@
 
 #include "plain_note.hpp"
 #include "support/exit_status.hpp"
-
-// The peak rate of multiplications and additions for each instruction set (peak.cpp).
-namespace carom::benchmarks::baseline {
-std::size_t multiply_and_add(double* sink);
-}
-namespace carom::benchmarks::avx2 {
-std::size_t multiply_and_add(double* sink);
-}
-namespace carom::benchmarks::avx512 {
-std::size_t multiply_and_add(double* sink);
-}
-
-namespace carom::benchmarks {
-
-/// Counts the operations performed on it. A change of sign counts as free, and a root as a division.
-class Counted {
- public:
-  Counted() = default;
-  // NOLINTNEXTLINE(google-explicit-constructor): solvers write S(1)
-  Counted(double number) : number_(number) {}
-
-  static inline int operations = 0;
-
-  friend Counted operator-(const Counted& x) { return {-x.number_}; }
-  friend Counted operator+(const Counted& x, const Counted& y) {
-    ++operations;
-    return {x.number_ + y.number_};
-  }
-  friend Counted operator-(const Counted& x, const Counted& y) {
-    ++operations;
-    return {x.number_ - y.number_};
-  }
-  friend Counted operator*(const Counted& x, const Counted& y) {
-    ++operations;
-    return {x.number_ * y.number_};
-  }
-  friend Counted operator/(const Counted& x, const Counted& y) {
-    ++operations;
-    return {x.number_ / y.number_};
-  }
-  friend Counted sqrt(const Counted& x) {
-    ++operations;
-    return {std::sqrt(x.number_)};
-  }
-  Counted& operator+=(const Counted& y) { return *this = *this + y; }
-  friend bool operator==(const Counted& x, const Counted& y) { return x.number_ == y.number_; }
-  friend bool operator<(const Counted& x, const Counted& y) { return x.number_ < y.number_; }
-  friend bool operator>(const Counted& x, const Counted& y) { return y < x; }
-
- private:
-  double number_ = 0;
-};
-
-}  // namespace carom::benchmarks
-
-template <>
-struct Eigen::NumTraits<carom::benchmarks::Counted> : Eigen::NumTraits<double> {
-  using Real = carom::benchmarks::Counted;
-  using NonInteger = Real;
-  using Nested = Real;
-  using Literal = Real;
-};
 
 namespace carom::benchmarks {
 namespace {
@@ -146,29 +84,6 @@ template <class S>
 Workload<S>& usual_workload(std::size_t count) {
   static std::map<std::size_t, Workload<S>> workloads;
   return workloads.try_emplace(count, usual_collisions(), count).first->second;
-}
-
-/// Bytes that a batch solver reads and writes for each contact.
-constexpr std::size_t bytes_of_contact =
-    (impulse::contact_number_count + impulse::outcome_number_count) * sizeof(double);
-constexpr std::size_t triad_bytes_of_contact = 3 * impulse::outcome_number_count * sizeof(double);
-
-/// Computes z = x + s y for each array z of outcomes. x and y are arrays of contacts.
-void triad(Workload<double>& workload) {
-  std::vector<std::span<const double>> from;
-  auto contacts = std::as_const(workload.contacts).arrays();
-  impulse::for_each_array(contacts, [&](const std::span<const double>& array) { from.push_back(array); });
-  std::size_t k = 0;
-  auto outcomes = workload.outcomes.arrays();
-  impulse::for_each_array(outcomes, [&](const std::span<double>& array) {
-    const double* x = from[2 * k].data();
-    const double* y = from[2 * k + 1].data();
-    double* z = array.data();
-    for (std::size_t i = 0; i < array.size(); ++i) {
-      z[i] = x[i] + 3 * y[i];
-    }
-    ++k;
-  });
 }
 
 /// Keeps Google Benchmark's measurements by name, in nanoseconds per iteration, and shows progress as dots. Repetitions
@@ -326,45 +241,6 @@ void add_batches() {
       });
     }
   }
-  add("triad", out_of_cache, [] { return [&workload = usual_workload<double>(out_of_cache)] { triad(workload); }; });
-}
-
-std::size_t multiply_and_add(InstructionSet set, double* sink) {
-#ifdef CAROM_BATCH_HAS_avx512
-  if (set == InstructionSet::avx512) {
-    return avx512::multiply_and_add(sink);
-  }
-#endif
-#ifdef CAROM_BATCH_HAS_avx2
-  if (set == InstructionSet::avx2) {
-    return avx2::multiply_and_add(sink);
-  }
-#endif
-  return set == InstructionSet::baseline ? baseline::multiply_and_add(sink) : 0;
-}
-
-std::size_t peak_operations() {
-  double sink[]{0.5, 1, 0};
-  const std::size_t operations = multiply_and_add(impulse::best_instruction_set(), sink);
-  benchmark::DoNotOptimize(sink);
-  return operations;
-}
-
-int operations_of(Law law) {
-  const auto contact = impulse::make_contact<double>(usual_collisions()[0]);
-  const auto counted = [](const auto& matrix) { return matrix.template cast<Counted>().eval(); };
-  const auto body = [&](const impulse::ContactBody<double>& b) {
-    return impulse::ContactBody<Counted>{b.inverse_mass,
-                                         {counted(b.inertia.axes), counted(b.inertia.inverse_moments)},
-                                         counted(b.lever_arm),
-                                         counted(b.velocity),
-                                         counted(b.angular_velocity)};
-  };
-  const impulse::Contact<Counted> posed{body(contact.a),     body(contact.b),  counted(contact.normal),
-                                        contact.restitution, contact.friction, contact.tangential_restitution};
-  Counted::operations = 0;
-  impulse::with_law(law, [&](const auto& solver) { static_cast<void>(impulse::apply_impulse(posed, solver(posed))); });
-  return Counted::operations;
 }
 
 void print_times(const Recorder& recorder) {
@@ -377,52 +253,6 @@ void print_times(const Recorder& recorder) {
       fmt::print("{:<46} {:>10} {:>11.2f} {:>7.1f}% {:>22.3f} {:>17.3f}\n", name, contacts, each,
                  100 * recorder.spread(name), over(baseline_method), over("plain/reflection"));
     }
-  }
-}
-
-enum class Goal { at_least, at_most };
-
-/// Prints nothing if a benchmark did not run.
-void print_goal(const std::string& what, double value, Goal sense, double goal) {
-  if (!std::isnan(value)) {
-    const bool is_reached = sense == Goal::at_least ? value >= goal : value <= goal;
-    fmt::print("  {}: {:.3g}; goal at {} {:.3g}: {}\n", what, value, sense == Goal::at_least ? "least" : "most", goal,
-               is_reached ? "reached" : "not reached");
-  }
-}
-
-void print_goals(const Recorder& recorder) {
-  const InstructionSet best = impulse::best_instruction_set();
-  const auto batch = [&](Law law, std::size_t count) {
-    return recorder.median(batch_name("double", law, count, best)) / static_cast<double>(count);
-  };
-  const auto in_cache_of = [&](const std::string& name) { return recorder.median(name) / in_cache; };
-  // Operations and bytes a nanosecond.
-  const double arithmetic = static_cast<double>(peak_operations()) / recorder.median("peak");
-  const double memory = static_cast<double>(triad_bytes_of_contact * out_of_cache) / recorder.median("triad");
-  fmt::print(
-      "\nBatches in double, {}; arithmetic {:.1f} Gflop/s (multiply, add; not fused), memory {:.1f} GB/s (triad)\n",
-      name_of(best), arithmetic, memory);
-  print_goal(fmt::format("reflection, in units of {}", baseline_method),
-             batch(Law::reflection, in_cache) / in_cache_of(baseline_method), Goal::at_most, 1.0 / 8);
-  print_goal("rough, in units of reflection", batch(Law::rough, in_cache) / batch(Law::reflection, in_cache),
-             Goal::at_most, 1.6);
-  struct Goals {
-    Law law;
-    double operations;
-    double of_plain;
-  };
-  for (const auto& [law, operations, of_plain] : {Goals{Law::reflection, 300, 15}, Goals{Law::frictionless, 170, 20}}) {
-    const std::string name(name_of(law));
-    const double needed = operations_of(law);
-    print_goal(name + ", flop a contact of bodies that are not slender", needed, Goal::at_most, operations);
-    print_goal(name + ", share of the arithmetic", needed / batch(law, in_cache) / arithmetic, Goal::at_least, 0.7);
-    print_goal(name + ", share of the memory", bytes_of_contact / batch(law, out_of_cache) / memory, Goal::at_least,
-               0.7);
-    print_goal(name + ", times as quick as the note's reflection in plain C++",
-               in_cache_of("plain/reflection") / batch(law, in_cache), Goal::at_least, of_plain);
-    print_goal(name + " of spheres, times as quick as of general bodies",
-               batch(law, in_cache) / in_cache_of("spheres/" + name), Goal::at_least, 3);
   }
 }
 
@@ -445,11 +275,9 @@ int run(int argc, char** argv) {
   add_methods();
   add_plain();
   add_batches();
-  add("peak", 1, [] { return peak_operations; });
   Recorder recorder;
   benchmark::RunSpecifiedBenchmarks(&recorder);
   print_times(recorder);
-  print_goals(recorder);
   return 0;
 }
 

@@ -9,7 +9,7 @@
 
 #include <carom/collision/validate.hpp>
 
-#include "support/outcome_of_law.hpp"
+#include "support/known_collisions.hpp"
 
 namespace carom::equality {
 namespace {

@@ -18,7 +18,7 @@
 #include <carom/properties/gate/witness.hpp>
 
 #include "catalogue.hpp"
-#include "support/selected.hpp"
+#include "support/cases.hpp"
 
 namespace carom::mutants {
 namespace {

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include <gtest/gtest.h>
+
 #include <carom/properties/cases/family.hpp>
 
 /// The collisions of the tests. The seeds are fixed, so a failure is reproducible.
@@ -122,6 +124,20 @@ inline constexpr std::uint64_t seed = 20240607;
 
 [[nodiscard]] inline bool same_bits(double x, double y) {
   return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
+}
+
+/// Whether GoogleTest's filter and shard select a test of the current suite with this parameter's name. SetUpTestSuite
+/// calls this function, to compute only the shared results that the selected tests need.
+[[nodiscard]] inline bool is_selected(std::string_view parameter) {
+  const testing::TestSuite& suite = *testing::UnitTest::GetInstance()->current_test_suite();
+  for (int i = 0; i < suite.total_test_count(); ++i) {
+    const testing::TestInfo& test = *suite.GetTestInfo(i);
+    const std::string_view name = test.name();
+    if (test.should_run() && name.substr(name.rfind('/') + 1) == parameter) {
+      return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace carom::unit

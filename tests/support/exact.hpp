@@ -2,10 +2,13 @@
 #pragma once
 
 #include <cstdlib>
+#include <initializer_list>
 #include <string>
 
 #include <carom/impulse/collision_matrix.hpp>
 #include <carom/impulse/contact.hpp>
+#include <carom/oracles/bounds/enclosure.hpp>
+#include <carom/oracles/bounds/quantities.hpp>
 #include <carom/oracles/exact/rational.hpp>
 #include <carom/oracles/judge/exact_case.hpp>
 
@@ -82,6 +85,30 @@ template <class S>
     result[i] = exact_eighths(stream, most);
   }
   return result;
+}
+
+using EnclosedDual = oracles::Dual<oracles::Enclosure, oracles::collision_inputs>;
+
+[[nodiscard]] inline oracles::DualInputs<oracles::Enclosure, oracles::collision_inputs> enclosed_inputs(
+    const Collision& collision) {
+  return oracles::dual_inputs<oracles::Enclosure, oracles::collision_inputs>(
+      collision, [](double x) { return oracles::Enclosure(x); });
+}
+
+/// An upper bound of Σ_q ‖∂y/∂q‖ ‖q‖ for a vector y with these components.
+[[nodiscard]] inline double sensitivity_above(std::initializer_list<const EnclosedDual*> components,
+                                              const std::vector<oracles::Quantity>& quantities) {
+  return oracles::sum_over_quantities(quantities, components.size(), [&](std::size_t i, std::size_t j) {
+    return components.begin()[i]->derivative[j].magnitude_above();
+  });
+}
+
+/// A lower bound of the same sum.
+[[nodiscard]] inline double sensitivity_below(std::initializer_list<const EnclosedDual*> components,
+                                              const std::vector<oracles::Quantity>& quantities) {
+  return oracles::sum_over_quantities(quantities, components.size(), [&](std::size_t i, std::size_t j) {
+    return components.begin()[i]->derivative[j].magnitude_below();
+  });
 }
 
 }  // namespace carom::unit

@@ -9,7 +9,6 @@
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include <carom/subjects/engines/claims.hpp>
-#include <carom/subjects/engines/unit.hpp>
 #include <carom/subjects/session.hpp>
 
 /// Poses a collision to Bullet, in the precision of btScalar (set by BT_USE_DOUBLE_PRECISION). A program can contain

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include <carom/collision/subject.hpp>
 
 namespace carom::subjects {
@@ -77,6 +79,12 @@ struct EngineSummary {
     claim.absent = package + " was not found when this program was built";
   }
   return claims;
+}
+
+/// v/‖v‖ for any v ≠ 0, without overflow or underflow of the squared length.
+template <int Size>
+[[nodiscard]] Eigen::Matrix<double, Size, 1> unit(const Eigen::Matrix<double, Size, 1>& v) {
+  return (v / v.cwiseAbs().maxCoeff()).normalized();
 }
 
 }  // namespace carom::subjects

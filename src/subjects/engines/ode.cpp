@@ -5,7 +5,6 @@
 #include <carom/subjects/engines.hpp>
 #include <carom/subjects/engines/claims.hpp>
 #include <carom/subjects/engines/ode_handles.hpp>
-#include <carom/subjects/engines/unit.hpp>
 #include <carom/subjects/session.hpp>
 
 namespace carom::subjects {

@@ -12,7 +12,6 @@
 
 #include <carom/properties/gate/by_name.hpp>
 #include <carom/properties/gate/gate.hpp>
-#include <carom/report/results/duration.hpp>
 #include <carom/report/results/words.hpp>
 #include <carom/subjects/catalogue.hpp>
 #include <carom/subjects/protocol/exec.hpp>

@@ -5,7 +5,6 @@
 
 #include <carom/oracles/bounds/dual.hpp>
 #include <carom/oracles/judge/exact_case.hpp>
-#include <carom/oracles/judge/exact_case_bounds.hpp>
 #include <carom/oracles/truths/sensitivity.hpp>
 #include <carom/oracles/truths/superposition.hpp>
 #include <carom/properties/draws/stream.hpp>

@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/oracles/bounds/inputs.hpp>
 #include <carom/oracles/bounds/moderate.hpp>
+#include <carom/oracles/bounds/quantities.hpp>
 #include <carom/oracles/bounds/slopes.hpp>
 #include <carom/oracles/judge/compare.hpp>
 #include <carom/oracles/truths/models.hpp>

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/oracles/bounds/definiteness_bounds.hpp>
+#include <carom/oracles/bounds/lifted_outcome.hpp>
 
 #include "support/exact.hpp"
 

@@ -13,7 +13,6 @@
 #include <carom/oracles/truths/models.hpp>
 
 #include "support/exact.hpp"
-#include "support/forward_differentiation.hpp"
 
 /// The truth (exact answer) of the law `rough` is F = (1 + ε) P_I + κ D with D = P_II − P_I. The frictionless impulse
 /// P_I stops the approach, and P_II stops the contact point. κ is the share of friction, from 0 to 1 + e_t.

@@ -7,13 +7,12 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
-#include <carom/oracles/bounds/inputs.hpp>
+#include <carom/oracles/bounds/quantities.hpp>
 #include <carom/oracles/judge/exact_case.hpp>
 #include <carom/oracles/truths/models.hpp>
 #include <carom/oracles/truths/sensitivity.hpp>
 
 #include "support/exact.hpp"
-#include "support/forward_differentiation.hpp"
 #include "support/known_collisions.hpp"
 
 namespace carom::oracles {

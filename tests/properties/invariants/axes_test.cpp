@@ -9,7 +9,7 @@
 #include <carom/properties/gate/trial.hpp>
 
 #include "support/exact.hpp"
-#include "support/outcome_of_law.hpp"
+#include "support/known_collisions.hpp"
 
 /// A verdict stays the same if the collision and its outcome are rotated together.
 namespace carom::properties {

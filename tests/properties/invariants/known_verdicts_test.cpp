@@ -10,7 +10,6 @@
 
 #include "support/cases.hpp"
 #include "support/known_collisions.hpp"
-#include "support/outcome_of_law.hpp"
 
 /// The verdicts that users see on a few collisions, and why.
 namespace carom::properties {

@@ -13,7 +13,7 @@
 #include <carom/properties/gate/trial.hpp>
 
 #include "support/cases.hpp"
-#include "support/outcome_of_law.hpp"
+#include "support/known_collisions.hpp"
 
 namespace carom::properties {
 namespace {

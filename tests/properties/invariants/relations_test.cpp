@@ -11,7 +11,6 @@
 
 #include "support/exact.hpp"
 #include "support/known_collisions.hpp"
-#include "support/outcome_of_law.hpp"
 
 namespace carom::properties {
 namespace {

@@ -15,9 +15,9 @@
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
 
+#include "support/cases.hpp"
 #include "support/expect_in.hpp"
 #include "support/program.hpp"
-#include "support/selected.hpp"
 
 /// The gate's reaction to programs that violate the protocol, or misread what it permits.
 namespace carom::tests {
