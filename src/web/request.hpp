@@ -1,24 +1,15 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
-#include <carom/collision/subject.hpp>
 #include <carom/properties/gate/gate_report.hpp>
 #include <carom/report/results/run.hpp>
 
 namespace carom::web {
-
-/// Opens a session of JavaScript's solver for a subject with these claims. Each request and answer is a row of doubles.
-/// A failed session throws SessionFailure.
-[[nodiscard]] Session open_solver(const Subject& subject);
-
-/// Tells JavaScript how many cases are judged.
-void report_progress(std::uint64_t done, std::uint64_t all);
 
 /// The solver and the run of a request.
 struct Request {

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include <carom/properties/widest_domain/widest_domain.hpp>
 #include <carom/report/results/run.hpp>
 
 /// Every form of a run or a comparison. `out_directory` is the directory of the run's witnesses; empty if they are not
@@ -31,5 +33,26 @@ namespace carom::report {
 
 /// A comparison for a terminal: one table. The last line is the summary.
 [[nodiscard]] std::string comparison_text(const Comparison& comparison);
+
+struct MeasuredDomain {
+  std::string subject;
+  std::vector<std::string> deviates;  // deviations from the command line
+  properties::WidestDomainOptions options;
+  properties::WidestDomain widest;
+  DeclaredEffects effects = {};  // of the subject
+
+  /// Whether the subject could be judged in the core, and holds there.
+  [[nodiscard]] bool is_known() const { return widest.ends.error.empty() && !widest.ends.in_core; }
+};
+
+/// The measured domain as docs/reference/schemas/domain.schema.json describes it.
+[[nodiscard]] nlohmann::json widest_domain_record(const MeasuredDomain& measured);
+
+/// The measured domain for a terminal.
+[[nodiscard]] std::string widest_domain_text(const MeasuredDomain& measured);
+
+/// One bar for each quantity, with the range of another domain beside it, as SVG. Precondition: the domain is known.
+[[nodiscard]] std::string widest_domain_svg(const MeasuredDomain& measured, const properties::Domain& beside,
+                                            const std::string& name_of_beside);
 
 }  // namespace carom::report

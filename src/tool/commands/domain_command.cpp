@@ -10,7 +10,7 @@
 #include <carom/collision/precision.hpp>
 #include <carom/properties/cases/draw_within.hpp>
 #include <carom/properties/widest_domain/widest_domain.hpp>
-#include <carom/report/pages/reach_pages.hpp>
+#include <carom/report/pages/pages.hpp>
 #include <carom/report/results/values_json.hpp>
 #include <carom/report/results/words.hpp>
 
@@ -83,18 +83,18 @@ int measure_domain(const DomainArguments& arguments) {
   }
   report::MeasuredDomain measured{
       subject.name, deviates, options_of(arguments, subject.precision, stop), {}, subject.effects};
-  measured.reach = measured_widest_domain(subject, measured.options);
+  measured.widest = measured_widest_domain(subject, measured.options);
   fmt::print("{}", arguments.format == "json"
-                       ? reach_record(measured).dump(1, ' ', false, json::error_handler_t::replace) + '\n'
-                       : reach_text(measured));
+                       ? widest_domain_record(measured).dump(1, ' ', false, json::error_handler_t::replace) + '\n'
+                       : widest_domain_text(measured));
   if (!measured.is_known()) {
-    return measured.reach.ends.in_core ? exit_violated : exit_usage;
+    return measured.widest.ends.in_core ? exit_violated : exit_usage;
   }
   if (!arguments.out.empty()) {
-    write_file(arguments.out, report::Json<properties::Domain>::write(measured.reach.domain).dump(1) + '\n');
+    write_file(arguments.out, report::Json<properties::Domain>::write(measured.widest.domain).dump(1) + '\n');
   }
   if (!arguments.picture.empty()) {
-    write_file(arguments.picture, reach_svg(measured, beside, arguments.beside));
+    write_file(arguments.picture, widest_domain_svg(measured, beside, arguments.beside));
   }
   return exit_all_hold;
 }

@@ -13,7 +13,7 @@
 #include <carom/properties/gate/in_words.hpp>
 #include <carom/properties/gate/unjudged.hpp>
 #include <carom/report/pages/document.hpp>
-#include <carom/report/pages/reach_pages.hpp>
+#include <carom/report/pages/pages.hpp>
 #include <carom/report/pictures/markup.hpp>
 #include <carom/report/pictures/plot.hpp>
 #include <carom/report/results/values_json.hpp>
@@ -67,20 +67,20 @@ std::string stricter_end(const properties::Ends& stricter, const Face& face) {
 }
 
 Table table_of(const MeasuredDomain& measured) {
-  const properties::WidestDomain& reach = measured.reach;
-  const bool has_stricter = reach.stricter && !reach.stricter->faces.empty();
+  const properties::WidestDomain& widest = measured.widest;
+  const bool has_stricter = widest.stricter && !widest.stricter->faces.empty();
   Table table{"The ends of each range", {{"quantity"}, {"end"}, {"holds to", true}}, {}};
   if (has_stricter) {
     table.columns.push_back({"at " + limit_in_words(*measured.options.stricter), true});
   }
   table.columns.push_back({"in the domain", true});
   table.columns.push_back({"violated beyond"});
-  for (const Face& face : reach.ends.faces) {
-    const properties::Range& range = reach.domain.ranges[face.quantity];
+  for (const Face& face : widest.ends.faces) {
+    const properties::Range& range = widest.domain.ranges[face.quantity];
     std::vector<Cell> row{
         {std::string(name_of(face.quantity))}, {face.is_upper ? "most" : "least"}, {end_in_words(face.end)}};
     if (has_stricter) {
-      row.push_back({stricter_end(*reach.stricter, face)});
+      row.push_back({stricter_end(*widest.stricter, face)});
     }
     row.push_back({end_in_words(face.is_upper ? range.most : range.least)});
     row.push_back({face.beyond          ? std::string(face.beyond->invariant->name)
@@ -93,7 +93,7 @@ Table table_of(const MeasuredDomain& measured) {
 
 /// Empty if the stricter limits hold in the core, or if there is none.
 std::string stricter_in_core(const MeasuredDomain& measured) {
-  const std::optional<properties::Ends>& stricter = measured.reach.stricter;
+  const std::optional<properties::Ends>& stricter = measured.widest.stricter;
   if (!stricter || !stricter->faces.empty()) {
     return "";
   }
@@ -316,57 +316,57 @@ Interval interval_of(const properties::Range& range) { return {range.least, rang
 
 }  // namespace
 
-json reach_record(const MeasuredDomain& measured) {
-  const auto& [subject, deviates, options, reach, effects] = measured;
-  json record = ends_record(reach.ends, options.limits);
+json widest_domain_record(const MeasuredDomain& measured) {
+  const auto& [subject, deviates, options, widest, effects] = measured;
+  json record = ends_record(widest.ends, options.limits);
   record.update({{"carom", version},
                  {"subject", subject},
                  {"seed", options.seed},
                  {"core", domain_record(options.core)},
-                 {"domain", domain_record(reach.domain)},
-                 {"share", reach.share},
-                 {"cases", reach.cases},
-                 {"not_judged", Json<properties::UnjudgedCounts>::write(reach.unjudged)}});
+                 {"domain", domain_record(widest.domain)},
+                 {"share", widest.share},
+                 {"cases", widest.cases},
+                 {"not_judged", Json<properties::UnjudgedCounts>::write(widest.unjudged)}});
   if (!deviates.empty()) {
     record["deviates"] = deviates;
   }
-  if (reach.stricter) {
-    record["stricter"] = ends_record(*reach.stricter, *options.stricter);
+  if (widest.stricter) {
+    record["stricter"] = ends_record(*widest.stricter, *options.stricter);
   }
   return record;
 }
 
-std::string reach_text(const MeasuredDomain& measured) {
-  const auto& [subject, deviates, options, reach, declared] = measured;
+std::string widest_domain_text(const MeasuredDomain& measured) {
+  const auto& [subject, deviates, options, widest, declared] = measured;
   const std::string effects = properties::to_text(declared);
   std::string text =
       fmt::format("Carom {}: the domain of {}, seed {}, limit {}\nThe search starts from {}.\n{}{}\n", version,
                   shown(subject), options.seed, limit_in_words(options.limits), to_text(options.core),
                   deviates.empty() ? "" : fmt::format("Not judged: {}.\n", fmt::join(deviates, ", ")),
                   effects.empty() ? "" : fmt::format("Judged without its declared effects: {}.\n", effects));
-  if (!reach.ends.error.empty()) {
-    return text + fmt::format("The subject could not be judged in these ranges: {}\n", shown(reach.ends.error));
+  if (!widest.ends.error.empty()) {
+    return text + fmt::format("The subject could not be judged in these ranges: {}\n", shown(widest.ends.error));
   }
-  if (reach.ends.in_core) {
+  if (widest.ends.in_core) {
     return text + fmt::format(
                       "The subject violates {} in these ranges, so it has no domain around them. Choose other "
                       "ranges by --core.\n\n  {}",
-                      reach.ends.in_core->invariant->name, witness_text(*reach.ends.in_core));
+                      widest.ends.in_core->invariant->name, witness_text(*widest.ends.in_core));
   }
   text += in_text({table_of(measured)});
   text += fmt::format(
       "\n*holds to*: only this quantity leaves the core. *in the domain*: all quantities leave it together{}.\n\n"
       "{}\n\nNo violation in {} fresh cases of this domain. A defect that shows in fewer than 3 of "
       "so many cases can be missed.\n",
-      reach.share < 1 ? fmt::format(", {:.0f} % of the way", 100 * reach.share) : "", to_text(reach.domain),
-      reach.cases);
+      widest.share < 1 ? fmt::format(", {:.0f} % of the way", 100 * widest.share) : "", to_text(widest.domain),
+      widest.cases);
   for (const properties::Unjudged reason : properties::all_reasons_unjudged) {
-    if (reach.unjudged[reason] > 0) {
-      text += fmt::format("{} of the cases were not judged: {}.\n", reach.unjudged[reason], in_words(reason));
+    if (widest.unjudged[reason] > 0) {
+      text += fmt::format("{} of the cases were not judged: {}.\n", widest.unjudged[reason], in_words(reason));
     }
   }
   text += stricter_in_core(measured);
-  for (const Face& face : reach.ends.faces) {
+  for (const Face& face : widest.ends.faces) {
     if (face.beyond) {
       text +=
           fmt::format("\n{} {} {:.3g}: violates {}\n  {}", name_of(face.quantity), face.is_upper ? "above" : "below",
@@ -376,24 +376,24 @@ std::string reach_text(const MeasuredDomain& measured) {
   return text;
 }
 
-std::string reach_svg(const MeasuredDomain& measured, const properties::Domain& beside,
-                      const std::string& name_of_beside) {
-  const auto& [subject, deviates, options, reach, effects] = measured;
+std::string widest_domain_svg(const MeasuredDomain& measured, const properties::Domain& beside,
+                              const std::string& name_of_beside) {
+  const auto& [subject, deviates, options, widest, effects] = measured;
   CAROM_EXPECTS(measured.is_known(), subject);
   RangePicture picture{
       fmt::format("The domain of {}", shown(subject)),
       fmt::format("For each quantity, a bar shows where {} holds if only this quantity leaves the core {}.",
                   shown(subject), to_text(options.core)),
       limit_in_words(options.limits),
-      reach.stricter ? limit_in_words(*options.stricter) : "",
+      widest.stricter ? limit_in_words(*options.stricter) : "",
       beside.is_everything() ? "" : shown(name_of_beside),
       {}};
   for (const properties::LimitedQuantity quantity : properties::all_limited_quantities) {
     RangeBar bar{std::string(name_of(quantity)), std::string(unit_of(quantity)), !is_linear(quantity),
                  interval_of(properties::searched_range(quantity)),
-                 interval_of(range_of(reach.ends, options.core, quantity))};
-    if (reach.stricter && !reach.stricter->faces.empty()) {
-      bar.loses_none = interval_of(range_of(*reach.stricter, options.core, quantity));
+                 interval_of(range_of(widest.ends, options.core, quantity))};
+    if (widest.stricter && !widest.stricter->faces.empty()) {
+      bar.loses_none = interval_of(range_of(*widest.stricter, options.core, quantity));
     }
     if (beside.ranges[quantity] != properties::whole_range(quantity)) {
       bar.beside = interval_of(beside.ranges[quantity]);
