@@ -12,28 +12,6 @@
 /// The quantities of a collision (docs/reference/yardstick.md).
 namespace carom::oracles {
 
-/// The lengths of derivative arrays. A collision has up to 43 numbers and an outcome 12; the lengths are multiples of
-/// four.
-inline constexpr std::size_t collision_inputs = 44;
-inline constexpr std::size_t outcome_inputs = 12;
-
-template <class S, std::size_t N>
-struct DualInputs {
-  BasicCollision<Dual<S, N>> collision;
-  std::vector<Quantity> quantities;
-};
-
-/// The collision in dual numbers, with its j-th number as input j. `convert` maps a double to S.
-template <class S, std::size_t N, class Convert>
-[[nodiscard]] DualInputs<S, N> dual_inputs(const Collision& collision, Convert&& convert) {
-  DualInputs<S, N> inputs;
-  std::size_t next = 0;
-  inputs.collision =
-      map_numbers<Dual<S, N>>(collision, [&](double number) { return Dual<S, N>::input(convert(number), next++); });
-  inputs.quantities = quantities_of(collision);
-  return inputs;
-}
-
 /// A scalar or a vector among the numbers of a collision. `for_each_number` defines the order of the numbers.
 struct Quantity {
   std::size_t first;  // index of its first number
@@ -72,6 +50,28 @@ template <class Derivative>
     }
   }
   return sum;
+}
+
+/// The lengths of derivative arrays. A collision has up to 43 numbers and an outcome 12; the lengths are multiples of
+/// four.
+inline constexpr std::size_t collision_inputs = 44;
+inline constexpr std::size_t outcome_inputs = 12;
+
+template <class S, std::size_t N>
+struct DualInputs {
+  BasicCollision<Dual<S, N>> collision;
+  std::vector<Quantity> quantities;
+};
+
+/// The collision in dual numbers, with its j-th number as input j. `convert` maps a double to S.
+template <class S, std::size_t N, class Convert>
+[[nodiscard]] DualInputs<S, N> dual_inputs(const Collision& collision, Convert&& convert) {
+  DualInputs<S, N> inputs;
+  std::size_t next = 0;
+  inputs.collision =
+      map_numbers<Dual<S, N>>(collision, [&](double number) { return Dual<S, N>::input(convert(number), next++); });
+  inputs.quantities = quantities_of(collision);
+  return inputs;
 }
 
 }  // namespace carom::oracles

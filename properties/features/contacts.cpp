@@ -229,9 +229,9 @@ void rest_one(Stream& stream, Collision& c) { (stream.chance(2) ? c.a : c.b).vel
 /// multiple of −N + δ N × r / ‖r‖, with δ between `across`/2 and `across`.
 void approach_by_spin_of_a(Stream& stream, Collision& c, double across) {
   const V r = with_few_bits(turned_across(stream, lever_arm(c, c.a), c.normal));
-  const double spin = size_of(c.a.angular_velocity) / size_of(r) / size_of(c.normal);
+  const double scale = size_of(c.a.angular_velocity) / size_of(r) / size_of(c.normal);
   set_exact_lever_arm(c, c.a, r);
-  c.a.angular_velocity = plus(cross(c.normal, r), c.normal, across * size_of(r)) * spin;
+  c.a.angular_velocity = plus(cross(c.normal, r), c.normal, across * size_of(r)) * scale;
   spin_along_lever_arm(c, c.b);
   if (stream.chance(2)) {
     c.a.velocity.setZero();
