@@ -11,7 +11,7 @@
 #include <carom/properties/cases/choices.hpp>
 #include <carom/properties/cases/draw_within.hpp>
 #include <carom/properties/gate/by_name.hpp>
-#include <carom/properties/gate/simpler_cases.hpp>
+#include <carom/properties/gate/shrink.hpp>
 #include <carom/web/commands.hpp>
 #include <carom/web/request.hpp>
 

@@ -199,35 +199,33 @@ std::vector<Together> drawn_sets(const Together& defects, std::size_t size, std:
   return sets;
 }
 
-/// Solvers with two and with three of the known defects. A defect may be invisible: another one overwrites its effect.
-TEST(Diagnosis, NamesTheDefectsThatArePlantedTogether) {
+/// Plants `count` sets of `size` defects. In at least `least_complete` of the solvers, the diagnosis names all of them.
+void expect_all_named(std::size_t size, std::size_t count, int least_complete) {
   const std::vector<KnownDefect> known = known_defects();
   const Together frequent = frequent_defects(known);
   ASSERT_GE(frequent.size(), 30U);
-  struct Sets {
-    std::size_t size;
-    std::size_t count;
-    int least_complete;
-  };
-  for (const auto& [size, count, least_complete] : {Sets{2, 30, 27}, Sets{3, 10, 7}}) {
-    const std::vector<Together> sets = drawn_sets(frequent, size, count);
-    const std::vector<Diagnosis> found =
-        diagnose_all(judged(subjects_with(sets), properties::GateOptions().cases, seldom));
-    int complete = 0;
-    std::string others;
-    for (std::size_t s = 0; s < count; ++s) {
-      Together named;
-      std::ranges::copy_if(sets[s], std::back_inserter(named), [&](const KnownDefect* defect) {
-        return std::ranges::any_of(found[s].faults,
-                                   [&](const Fault& fault) { return is_named_in(text_of(fault), *defect); });
-      });
-      const bool is_complete = named.size() == size;
-      complete += is_complete ? 1 : 0;
-      others += is_complete ? "" : names_of(sets[s]) + "; named: " + names_of(named) + '\n';
-    }
-    EXPECT_GE(complete, least_complete) << "of " << count << "; the others are\n" << others;
+  const std::vector<Together> sets = drawn_sets(frequent, size, count);
+  const std::vector<Diagnosis> found =
+      diagnose_all(judged(subjects_with(sets), properties::GateOptions().cases, seldom));
+  int complete = 0;
+  std::string others;
+  for (std::size_t s = 0; s < count; ++s) {
+    Together named;
+    std::ranges::copy_if(sets[s], std::back_inserter(named), [&](const KnownDefect* defect) {
+      return std::ranges::any_of(found[s].faults,
+                                 [&](const Fault& fault) { return is_named_in(text_of(fault), *defect); });
+    });
+    const bool is_complete = named.size() == size;
+    complete += is_complete ? 1 : 0;
+    others += is_complete ? "" : names_of(sets[s]) + "; named: " + names_of(named) + '\n';
   }
+  EXPECT_GE(complete, least_complete) << "of " << count << "; the others are\n" << others;
 }
+
+// A defect may be invisible: another one overwrites its effect.
+TEST(Diagnosis, NamesTwoDefectsThatArePlantedTogether) { expect_all_named(2, 30, 27); }
+
+TEST(Diagnosis, NamesThreeDefectsThatArePlantedTogether) { expect_all_named(3, 10, 7); }
 
 }  // namespace
 }  // namespace carom::mutants
