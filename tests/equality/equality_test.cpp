@@ -98,7 +98,7 @@ TEST(FilteredJudge, EqualsTheRationalJudgeOnBuiltInSubjectsAndMutants) {
   for (const mutants::Mutant& mutant : mutants::all_mutants()) {
     defective.emplace_back(mutants::subject_of(mutant));
   }
-  constexpr int full = 50;
+  constexpr int full = 25;
   const int cases = unit::effort(full) < full ? 1 : unit::effort(full);  // all subjects together take 0.2 s for a case
   Agreement agreement;
   compare_on_families(examined, cases, {}, agreement);
