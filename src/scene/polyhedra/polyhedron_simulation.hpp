@@ -23,10 +23,10 @@ namespace carom::scene {
 ///
 /// A contact is the first instant at which two bodies are within `contact_tolerance` of each other and do not draw
 /// apart. Even then, the bodies certainly do not touch (time_of_contact.hpp). If the bodies approach at all corners of
-/// the contact patch (contact_patch.hpp), the impulse acts at the centroid of the patch, otherwise at the corner of the
-/// fastest approach. Other corners with an approach have their own impacts at the same time. When a body has turned by
-/// `longest_turn`, a renewal stores its state. Of events at one time, renewals come first and impacts on planes last;
-/// within one kind, lower body indices come first.
+/// the contact patch (contact_patch.hpp), the impulse acts at the centroid of the patch. If not, it acts at the corner
+/// of the fastest approach. Other corners with an approach have their own impacts at the same time. When a body has
+/// turned by `longest_turn`, a renewal stores its state. Of events at one time, renewals come first and impacts on
+/// planes last; within one kind, lower body indices come first.
 class PolyhedronSimulation {
  public:
   /// Precondition: the scene is valid (valid_polyhedra.hpp). Throws SceneError if bodies are not certain to be apart.

@@ -18,7 +18,7 @@
 #include <carom/report/pictures/measurement.hpp>
 #include <carom/subjects/methods.hpp>
 
-/// What the command `chart` measures.
+/// The measurements of the command `chart`.
 namespace carom::tool::chart {
 
 /// Subjects, each with an open session. A program is started again after a failure. After a hundred failures, or after
