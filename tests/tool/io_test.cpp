@@ -31,6 +31,7 @@
 #include "io/threads.hpp"
 #include "io/usage_error.hpp"
 #include "support/expect_in.hpp"
+#include "support/message_of.hpp"
 #include "support/program.hpp"
 
 namespace carom::tool {
@@ -48,15 +49,6 @@ VariableLookup lookup_in(const Variables& variables) {
 std::pair<std::uint64_t, std::uint64_t> shard_in(const Variables& variables) {
   const properties::Shard shard = shard_of_job(lookup_in(variables));
   return {shard.number, shard.of};
-}
-
-std::string message_of(const Variables& variables) {
-  try {
-    (void)shard_in(variables);
-  } catch (const UsageError& error) {
-    return error.what();
-  }
-  return "no error";
 }
 
 Variables array_task(const std::string& id, const std::string& min, const std::string& max, const std::string& count) {
@@ -154,8 +146,9 @@ TEST(JobShard, RefusesAMissingOrWrongVariableAndNamesItWithItsValue) {
       {{{"CI_NODE_TOTAL", "1"}, {"SLURM_PROCID", "0"}}, "the environment has no variable of a batch system"},
   };
   for (const auto& [variables, message] : cases) {
-    EXPECT_EQ(message_of(variables).find("--shard auto: "), 0U) << message_of(variables);
-    unit::expect_in(message_of(variables), {message});
+    const std::string said = unit::message_of<UsageError>([&one = variables] { return shard_in(one); });
+    EXPECT_TRUE(said.starts_with("--shard auto: ")) << said;
+    unit::expect_in(said, {message});
   }
 }
 

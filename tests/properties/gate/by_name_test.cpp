@@ -9,6 +9,7 @@
 #include <carom/properties/gate/trial.hpp>
 
 #include "support/expect_in.hpp"
+#include "support/message_of.hpp"
 
 namespace carom::properties {
 namespace {
@@ -42,13 +43,8 @@ TEST(Deviation, IsOfAnInvariantEverywhereOrInOneFamily) {
 }
 
 TEST(Deviation, OfNothingKnownThrowsAndNamesTheNearest) {
-  const auto said_of = [](const char* text) -> std::string {
-    try {
-      (void)deviation_from(text);
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
-    return "";
+  const auto said_of = [](const char* text) {
+    return unit::message_of<std::invalid_argument>([&] { return deviation_from(text); });
   };
   unit::expect_in(said_of("enrgy"), {"did you mean 'energy'?"});
   unit::expect_in(said_of("energy@headon"), {"did you mean 'head_on'?"});
