@@ -95,19 +95,13 @@ using EnclosedDual = oracles::Dual<oracles::Enclosure, oracles::collision_inputs
       collision, [](double x) { return oracles::Enclosure(x); });
 }
 
-/// An upper bound of Σ_q ‖∂y/∂q‖ ‖q‖ for a vector y with these components.
-[[nodiscard]] inline double sensitivity_above(std::initializer_list<const EnclosedDual*> components,
-                                              const std::vector<oracles::Quantity>& quantities) {
+/// A bound of Σ_q ‖∂y/∂q‖ ‖q‖ for a vector y with these components: an upper one by Enclosure::magnitude_above, or a
+/// lower one by Enclosure::magnitude_below.
+[[nodiscard]] inline double sensitivity_by(double (oracles::Enclosure::*bound)() const,
+                                           std::initializer_list<const EnclosedDual*> components,
+                                           const std::vector<oracles::Quantity>& quantities) {
   return oracles::sum_over_quantities(quantities, components.size(), [&](std::size_t i, std::size_t j) {
-    return components.begin()[i]->derivative[j].magnitude_above();
-  });
-}
-
-/// A lower bound of the same sum.
-[[nodiscard]] inline double sensitivity_below(std::initializer_list<const EnclosedDual*> components,
-                                              const std::vector<oracles::Quantity>& quantities) {
-  return oracles::sum_over_quantities(quantities, components.size(), [&](std::size_t i, std::size_t j) {
-    return components.begin()[i]->derivative[j].magnitude_below();
+    return (components.begin()[i]->derivative[j].*bound)();
   });
 }
 

@@ -14,26 +14,22 @@ namespace carom::bounds {
 ///
 /// - `above`: |x| ≤ 2^above.
 /// - `below`: |x| ≥ 2^below. NaN if unknown, as for a sum that may cancel.
-/// - `unit`: x is a multiple of 2^unit, even after rounding. So x is zero or |x| ≥ 2^unit. −∞ if unknown.
 ///
 /// All results since `forget()` are at most 2^highest() in size.
 class Magnitude {
  public:
   Magnitude() = default;
-  Magnitude(int exact) : Magnitude(static_cast<double>(exact)) {  // NOLINT(google-explicit-constructor)
-    unit_ = exact == 0 ? infinity : 0;
-  }
+  Magnitude(int exact) : Magnitude(static_cast<double>(exact)) {}  // NOLINT(google-explicit-constructor)
   /// A number of this size and of either sign. All of its bits may be set.
   explicit Magnitude(double size) {
     if (size != 0) {
       above_ = std::log2(std::abs(size));
       below_ = above_;
-      unit_ = std::floor(above_) - (std::numeric_limits<double>::digits - 1);
       identity_ = next_identity();
     }
   }
 
-  /// A number of at most this size. It is a multiple of the last bit of a double of this size.
+  /// A number of at most this size.
   [[nodiscard]] static Magnitude at_most(double size) {
     Magnitude x(size);
     x.below_ = unknown;
@@ -43,13 +39,11 @@ class Magnitude {
   [[nodiscard]] static Magnitude of_exponent(double above) {
     Magnitude x;
     x.above_ = above;
-    x.unit_ = -infinity;
     return x;
   }
 
   [[nodiscard]] double above() const { return above_; }
   [[nodiscard]] double below() const { return below_; }
-  [[nodiscard]] double unit() const { return unit_; }
   [[nodiscard]] bool is_zero() const { return above_ == -infinity; }
 
   /// While this object exists, a divisor without a known lower bound counts as a number of at least 2^below. A theorem
@@ -83,7 +77,6 @@ class Magnitude {
       // A number without a lower bound may be zero.
       sum.below_ = std::isnan(x.below_) ? y.below_ : (std::isnan(y.below_) ? x.below_ : log_of_sum(x.below_, y.below_));
     }
-    sum.unit_ = std::min(x.unit_, y.unit_);
     return sum.noted();
   }
   friend Magnitude operator-(const Magnitude& x, const Magnitude& y) {
@@ -102,7 +95,6 @@ class Magnitude {
     Magnitude product = of_exponent(x.above_ + y.above_);
     product.below_ = x.below_ + y.below_;
     product.is_positive_ = (x.is_positive_ && y.is_positive_) || (x.identity_ != 0 && x.identity_ == y.identity_);
-    product.unit_ = x.unit_ + y.unit_;
     return product.noted();
   }
   /// Precondition: the divisor has a lower bound, its own or that of a DivisorsAtLeast.
@@ -164,7 +156,6 @@ class Magnitude {
 
   double above_ = -infinity;  // zero
   double below_ = unknown;
-  double unit_ = infinity;
   bool is_positive_ = false;
   int identity_ = 0;  // copies share it, so a product of equal identities is a square
 };

@@ -26,7 +26,6 @@ class RoundingCount {
   [[nodiscard]] static RoundingCount input(double size = 1, int roundings = 0) { return {roundings, size}; }
 
   [[nodiscard]] int roundings() const { return roundings_; }
-  [[nodiscard]] double terms() const { return terms_; }
 
   /// The error bound n Σ|t| in units of u, to first order.
   [[nodiscard]] double error() const { return roundings_ * terms_; }

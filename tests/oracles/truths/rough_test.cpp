@@ -13,6 +13,7 @@
 #include <carom/oracles/truths/models.hpp>
 
 #include "support/exact.hpp"
+#include "support/message_of.hpp"
 
 /// The truth (exact answer) of the law `rough` is F = (1 + ε) P_I + κ D with D = P_II − P_I. The frictionless impulse
 /// P_I stops the approach, and P_II stops the contact point. κ is the share of friction, from 0 to 1 + e_t.
@@ -61,12 +62,10 @@ class CertifiedRough : public testing::Test {
   }
   /// The part of the law that the certificate of the impulse (friction, 6, 0) misses.
   [[nodiscard]] std::string missed_by(const Rational& friction) const {
-    try {
+    const std::string message = unit::message_of<JudgeError>([&] {
       certify_rough(exact, after({friction, Rational(6), Rational(0)}), parts);
-    } catch (const JudgeError& error) {
-      return std::string(error.what()).substr(std::string("the truth of `rough` does not satisfy ").size());
-    }
-    return "";
+    });
+    return message.substr(std::min(message.size(), std::string("the truth of `rough` does not satisfy ").size()));
   }
 
   BasicCollision<Rational> exact = lift(unit::ball_on_a_plane(0.5, 0.125));
@@ -205,8 +204,9 @@ double band_by_forward_differentiation(const Collision& collision) {
       Rough::combined<T>(c, of.stops_approach, of.difference(), T(T(1) + c.tangential_restitution));
   const T limit = c.friction * c.normal.dot(whole);
   const Vector3<T> tangential = c.normal.cross(whole);
-  return unit::sensitivity_above({&limit}, inputs.quantities) +
-         unit::sensitivity_above({&tangential[0], &tangential[1], &tangential[2]}, inputs.quantities);
+  return unit::sensitivity_by(&Enclosure::magnitude_above, {&limit}, inputs.quantities) +
+         unit::sensitivity_by(&Enclosure::magnitude_above, {&tangential[0], &tangential[1], &tangential[2]},
+                              inputs.quantities);
 }
 
 /// Implicit differentiation, in binary64 and in enclosures, agrees with forward differentiation of the whole law. A

@@ -135,8 +135,8 @@ EnclosedSensitivity sensitivity_by_forward_differentiation(const Collision& coll
   EnclosedSensitivity result{norms_before(collision), norms_before(collision)};
   for (const OutcomeVector k : all_outcome_vectors) {
     const auto& y = *vectors(truth.outcome)[k];
-    result.below[k] += unit::sensitivity_below({&y[0], &y[1], &y[2]}, inputs.quantities);
-    result.above[k] += unit::sensitivity_above({&y[0], &y[1], &y[2]}, inputs.quantities);
+    result.below[k] += unit::sensitivity_by(&Enclosure::magnitude_below, {&y[0], &y[1], &y[2]}, inputs.quantities);
+    result.above[k] += unit::sensitivity_by(&Enclosure::magnitude_above, {&y[0], &y[1], &y[2]}, inputs.quantities);
   }
   return result;
 }
