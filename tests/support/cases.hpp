@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <carom/properties/cases/family.hpp>
+#include <carom/properties/draws/relative_velocity.hpp>
 
 /// The collisions of the tests. The seeds are fixed, so a failure is reproducible.
 namespace carom::unit {
@@ -108,17 +109,7 @@ inline constexpr std::uint64_t seed = 20240607;
     c.normal[1] = 1;
   }
   c.restitution = stream.integer(0, 8) / 8.0;
-  // The arithmetic is exact, because the numbers have few bits.
-  const Vector3<double> arm_a = c.point - c.a.position;
-  const Vector3<double> arm_b = c.point - c.b.position;
-  const auto cross = [](const Vector3<double>& x, const Vector3<double>& y) {
-    return Vector3<double>{x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
-  };
-  const Vector3<double> v =
-      c.a.velocity + cross(c.a.angular_velocity, arm_a) - (c.b.velocity + cross(c.b.angular_velocity, arm_b));
-  if (c.normal.dot(v) > 0) {
-    c.normal = -c.normal;
-  }
+  properties::make_approaching(c);  // without rounding, because the numbers have few bits
   return c;
 }
 

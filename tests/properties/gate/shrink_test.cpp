@@ -9,6 +9,7 @@
 
 #include <carom/collision/validate.hpp>
 #include <carom/properties/cases/beyond_domain.hpp>
+#include <carom/properties/draws/relative_velocity.hpp>
 #include <carom/properties/gate/shrink.hpp>
 #include <carom/properties/gate/witness.hpp>
 
@@ -19,15 +20,7 @@ namespace {
 
 constexpr std::size_t ample = 100000;
 
-double normal_velocity(const Collision& c) {
-  const auto cross = [](const Vector3<double>& x, const Vector3<double>& y) {
-    return Vector3<double>{x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
-  };
-  return c.normal.dot((c.a.velocity + cross(c.a.angular_velocity, c.point - c.a.position)) -
-                      (c.b.velocity + cross(c.b.angular_velocity, c.point - c.b.position)));
-}
-
-bool collides_upward(const Collision& c) { return c.normal[1] > 0 && normal_velocity(c) < 0; }
+bool collides_upward(const Collision& c) { return c.normal[1] > 0 && is_approaching(c); }
 
 TEST(Simpler, GivesValidAndStrictlySimplerCollisionsOnly) {
   std::size_t candidates = 0;
@@ -170,11 +163,7 @@ TEST(Shrink, CallsThePredicateNoMoreThanItMay) {
 }
 
 Verdict violated(double residual, double allowed) {
-  Verdict verdict;
-  verdict.status = Status::violated;
-  verdict.residual = residual;
-  verdict.allowed = allowed;
-  return verdict;
+  return {.status = Status::violated, .residual = residual, .allowed = allowed};
 }
 
 /// Violated in each case. If A moves along x, the residual is gross. Otherwise, the residual is a rounding error, but
