@@ -76,16 +76,6 @@ long double to_precision(long double number, Precision precision) {
   return number;
 }
 
-/// The number in extended precision, within one ulp.
-long double to_extended(const oracles::Rational& number) {
-  const double high = oracles::to_double(number);
-  if (!std::isfinite(high)) {
-    return static_cast<long double>(high);
-  }
-  return static_cast<long double>(high) +
-         static_cast<long double>(oracles::to_double(number - oracles::Rational(high)));
-}
-
 }  // namespace
 
 properties::Case shortened(properties::Case one, Stream& stream) {
@@ -137,7 +127,7 @@ properties::Case wild_case(Stream& stream) {
 
 ReportedOutcome planted_outcome(const oracles::ExactCase& exact_case, Law law, Precision precision, double allowance,
                                 properties::Stream& stream) {
-  ReportedOutcome outcome = map_outcome<long double>(unit::outcome_of_law(exact_case, law), to_extended);
+  ReportedOutcome outcome = map_outcome<long double>(unit::outcome_of_law(exact_case, law), unit::to_extended);
   const auto k = static_cast<OutcomeVector>(stream.integer(0, 3));
   const double near_the_limit = std::exp2(stream.between(-1, 1));
   const double times = stream.chance(2) ? near_the_limit : near_the_limit * std::exp2(stream.integer(-5, 6));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -111,18 +112,29 @@ struct KnownCollision {
                              : exact_case.with_truth(law, exact_case.state(), rational);
 }
 
-/// The exact outcome of the law, rounded to binary64, as a subject reports it. Precondition: the law is one of
-/// `laws_with_truth`.
+[[nodiscard]] inline long double rounded_to_binary64(const oracles::Rational& number) {
+  return static_cast<long double>(oracles::nearest_double(number));
+}
+
+/// The number in extended precision, within one ulp.
+[[nodiscard]] inline long double to_extended(const oracles::Rational& number) {
+  const double high = oracles::to_double(number);
+  if (!std::isfinite(high)) {
+    return static_cast<long double>(high);
+  }
+  return static_cast<long double>(high) +
+         static_cast<long double>(oracles::to_double(number - oracles::Rational(high)));
+}
+
+/// The outcome_of_law, rounded to binary64, as a subject reports it.
 [[nodiscard]] inline ReportedOutcome reported_outcome(const oracles::ExactCase& exact_case, Law law) {
-  return {
-      map_outcome<long double>(exact_case.nearest_truth(law), [](double x) { return static_cast<long double>(x); })};
+  return map_outcome<long double>(outcome_of_law(exact_case, law), rounded_to_binary64);
 }
 
 /// Like reported_outcome, but also with the collision matrix, rounded to binary64.
 [[nodiscard]] inline ReportedOutcome reported_outcome_with_matrix(const oracles::ExactCase& exact_case, Law law) {
   ReportedOutcome reported = reported_outcome(exact_case, law);
-  reported.collision_matrix = exact_case.collision_matrix().unaryExpr(
-      [](const oracles::Rational& x) { return static_cast<long double>(oracles::nearest_double(x)); });
+  reported.collision_matrix = exact_case.collision_matrix().unaryExpr(&rounded_to_binary64);
   return reported;
 }
 

@@ -28,13 +28,8 @@ Claim whole_claim(Law law, Precision precision) {
   return claim;
 }
 
-/// The exact outcome and collision matrix, rounded to binary64.
 ReportedOutcome right_answer(const Collision& c, Law law) {
-  const oracles::ExactCase exact_case(c);
-  const auto rounded = [](const oracles::Rational& x) { return static_cast<long double>(oracles::nearest_double(x)); };
-  ReportedOutcome answer = map_outcome<long double>(unit::outcome_of_law(exact_case, law), rounded);
-  answer.collision_matrix = exact_case.collision_matrix().unaryExpr(rounded);
-  return answer;
+  return unit::reported_outcome_with_matrix(oracles::ExactCase(c), law);
 }
 
 Judgement judged(const Collision& collision, Law law, Precision precision, const ReportedOutcome& answer) {
