@@ -75,6 +75,16 @@ template <class Change>
   return subject;
 }
 
+/// The subject, which claims no invariant but this one.
+[[nodiscard]] inline Subject claiming_only(std::string_view invariant, Subject subject) {
+  for (const properties::Invariant& other : properties::all_invariants()) {
+    if (other.name != invariant) {
+      subject.deviates.emplace_back(other.name);
+    }
+  }
+  return subject;
+}
+
 /// A subject that leaves all bodies as they are.
 [[nodiscard]] inline Subject idle_subject() {
   return with_outcomes(subject_of("frictionless-double"), [](const Collision& collision, ReportedOutcome& outcome) {

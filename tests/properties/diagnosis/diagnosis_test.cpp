@@ -16,20 +16,15 @@
 namespace carom::properties::diagnosis {
 namespace {
 
-Diagnosis diagnosis_of(const Subject& subject, GateOptions options, const std::vector<const char*>& families) {
+Diagnosis diagnosis_of(const Subject& subject, GateOptions options) {
   options.shrinks = false;
-  for (const char* name : families) {
-    options.families.push_back(family_named(name));
-  }
-  const GateReport report = run_gate({subject}, options);
-  return diagnose_all(report).at(0);
+  return diagnose_all(run_gate({subject}, options)).at(0);
 }
 
 TEST(Diagnosis, OfASingleViolatedCaseSaysThatItIsTooFewForAHint) {
-  GateOptions options;
+  GateOptions options = unit::gate_options(default_cases, {"structured", "near_head_on"});
   options.fail_fast = true;
-  const Diagnosis diagnosis =
-      diagnosis_of(unit::subject_of("reflection-in-basis-double"), options, {"structured", "near_head_on"});
+  const Diagnosis diagnosis = diagnosis_of(unit::subject_of("reflection-in-basis-double"), options);
   EXPECT_EQ(diagnosis.violated, 1U);
   ASSERT_EQ(diagnosis.faults.size(), 1U);
   EXPECT_EQ(
@@ -42,17 +37,15 @@ TEST(Diagnosis, OfASingleViolatedCaseSaysThatItIsTooFewForAHint) {
 /// `frictionless-world-double` keeps the inverse inertia as a matrix in world axes. The diagnosis must name this
 /// matrix, although features of `structured` might also distinguish the violated cases.
 TEST(Diagnosis, OfSlenderBodiesNamesTheInverseInertiaInWorldAxes) {
-  GateOptions options;
-  options.cases = 200;
   const Diagnosis slender =
-      diagnosis_of(unit::subject_of("frictionless-world-double"), options, {"physical", "structured"});
+      diagnosis_of(unit::subject_of("frictionless-world-double"), unit::gate_options(200, {"physical", "structured"}));
   EXPECT_NE(slender.faults.at(0).where.find("If a body's greatest moment over its least is at least "),
             std::string::npos)
       << slender.faults.at(0).where;
   EXPECT_TRUE(slender.faults.at(0).look_at.starts_with("the inverse inertia: J⁻¹ as a matrix in world axes "))
       << slender.faults.at(0).look_at;
-  const Diagnosis others =
-      diagnosis_of(unit::subject_of("reflection-in-basis-double"), options, {"near_head_on", "head_on"});
+  const Diagnosis others = diagnosis_of(unit::subject_of("reflection-in-basis-double"),
+                                        unit::gate_options(200, {"near_head_on", "head_on"}));
   EXPECT_EQ(others.faults.at(0).look_at.find("world axes"), std::string::npos) << others.faults.at(0).look_at;
 }
 
@@ -65,10 +58,9 @@ Subject changed(const char* name, double (*change)(double)) {
 }
 
 TEST(Diagnosis, OfBinary32InDoublesNamesThePrecision) {
-  GateOptions options;
-  options.cases = 100;
-  const auto fault = [&](double (*change)(double)) {
-    return diagnosis_of(changed("frictionless-double", change), options, {"generic", "head_on"}).faults.at(0);
+  const auto fault = [](double (*change)(double)) {
+    const GateOptions options = unit::gate_options(100, {"generic", "head_on"});
+    return diagnosis_of(changed("frictionless-double", change), options).faults.at(0);
   };
   const Fault narrow = fault([](double x) { return static_cast<double>(static_cast<float>(x)); });
   EXPECT_TRUE(
@@ -91,9 +83,7 @@ TEST(Diagnosis, OfAWrongFormulaForSomeInertiasDoesNotNameLostDigits) {
           outcome.a.angular_velocity += 0.05L * (outcome.a.angular_velocity - a.angular_velocity.cast<long double>());
         }
       });
-  GateOptions options;
-  options.cases = 200;
-  const Diagnosis diagnosis = diagnosis_of(subject, options, {"physical"});
+  const Diagnosis diagnosis = diagnosis_of(subject, unit::gate_options(200, {"physical"}));
   EXPECT_NE(diagnosis.faults.at(0).where.find("greatest moment over its least is at least "), std::string::npos)
       << diagnosis.faults.at(0).where;
   EXPECT_EQ(diagnosis.faults.at(0).look_at.find("world axes"), std::string::npos) << diagnosis.faults.at(0).look_at;
@@ -107,9 +97,7 @@ Subject inelastic(Subject subject) {
 /// digits.
 TEST(Diagnosis, OfAWrongImpulseWithFrictionDoesNotNameLostDigits) {
   const Subject subject = inelastic(unit::subject_of("coulomb-double"));
-  GateOptions options;
-  options.cases = 50;
-  const Diagnosis diagnosis = diagnosis_of(subject, options, {"generic", "sliding"});
+  const Diagnosis diagnosis = diagnosis_of(subject, unit::gate_options(50, {"generic", "sliding"}));
   EXPECT_NE(diagnosis.faults.at(0).what.find("it differs from the law's impulse"), std::string::npos)
       << diagnosis.faults.at(0).what;
 }
@@ -117,9 +105,7 @@ TEST(Diagnosis, OfAWrongImpulseWithFrictionDoesNotNameLostDigits) {
 TEST(Diagnosis, OfAWrongImpulseOfAnyLawNamesTheRestitution) {
   Subject subject = unit::subject_of("frictionless-double");
   subject.law = Law::any;
-  GateOptions options;
-  options.cases = 50;
-  const Diagnosis diagnosis = diagnosis_of(inelastic(subject), options, {"generic", "sliding"});
+  const Diagnosis diagnosis = diagnosis_of(inelastic(subject), unit::gate_options(50, {"generic", "sliding"}));
   EXPECT_NE(diagnosis.faults.at(0).what.find("the normal velocity after it is not −ε N·V⁻"), std::string::npos)
       << diagnosis.faults.at(0).what;
 }

@@ -17,14 +17,9 @@ std::vector<KnownCase> right_answers(Law law) {
   std::vector<KnownCase> cases;
   for (const Family& family : all_families()) {
     for (std::uint64_t number = 0; number < 6; ++number) {
-      const Case one = drawn_case(family, 1, number);
-      if (validate(one.collision).empty()) {
-        const LawAnswer answer = law_answer(one.collision, law);
-        const auto wide =
-            map_outcome<long double>(answer.outcome, [](double x) { return static_cast<long double>(x); });
-        if (const auto known = known_case({number, one, wide}, law)) {
-          cases.push_back(*known);
-        }
+      const Collision collision = drawn_case(family, 1, number).collision;
+      if (validate(collision).empty()) {
+        cases.push_back(known_case(collision, law_answer(collision, law).outcome, law));
       }
     }
   }

@@ -8,6 +8,8 @@
 #include <carom/properties/features/coverage.hpp>
 #include <carom/properties/features/quantities.hpp>
 
+#include "support/expect_in.hpp"
+
 namespace carom::properties::diagnosis {
 namespace {
 
@@ -42,20 +44,16 @@ struct Sampled {
 
 constexpr auto colliding = oracles::ContactState::colliding;
 
-void expect_in(const std::string& part, const std::string& text) {
-  EXPECT_NE(text.find(part), std::string::npos) << text;
-}
-
 TEST(Where, NoSentenceIsGivenIfNothingIsViolated) {
   EXPECT_EQ(Sampled([](const Collision&, auto) { return false; }).words(), "");
 }
 
 TEST(Where, AllCollidingContactsAreNamedByTheirApproach) {
-  expect_in("Nearly all colliding contacts (N·V⁻ < 0) fail: 100 %.",
-            Sampled([](const Collision&, auto approach) { return approach == colliding; }).words());
-  expect_in("separating contacts", Sampled([](const Collision&, auto approach) {
-                                     return approach == oracles::ContactState::separating;
-                                   }).words());
+  unit::expect_in(Sampled([](const Collision&, auto approach) { return approach == colliding; }).words(),
+                  {"Nearly all colliding contacts (N·V⁻ < 0) fail: 100 %."});
+  unit::expect_in(
+      Sampled([](const Collision&, auto approach) { return approach == oracles::ContactState::separating; }).words(),
+      {"separating contacts"});
 }
 
 TEST(Where, AFeatureOfEitherBodyIsFound) {
@@ -63,7 +61,7 @@ TEST(Where, AFeatureOfEitherBodyIsFound) {
                               return approach == colliding && (c.a.orientation[0] < 0 || c.b.orientation[0] < 0) &&
                                      !c.a.immovable && !c.b.immovable;
                             }).words();
-  expect_in("for A or B the quaternion's w < 0, then 100 % of the colliding contacts (N·V⁻ < 0) fail: ", words);
+  unit::expect_in(words, {"for A or B the quaternion's w < 0, then 100 % of the colliding contacts (N·V⁻ < 0) fail: "});
 }
 
 TEST(Where, ALimitOfTheMassRatioIsFoundOnItsSide) {
@@ -71,22 +69,22 @@ TEST(Where, ALimitOfTheMassRatioIsFoundOnItsSide) {
                               return approach == colliding && !c.a.immovable && !c.b.immovable &&
                                      (c.a.mass > 100 * c.b.mass || c.b.mass > 100 * c.a.mass);
                             }).words();
-  expect_in("If the larger mass over the smaller is at least 1", words);
-  expect_in(", then 100 % of the colliding contacts (N·V⁻ < 0) fail", words);
+  unit::expect_in(words, {"If the larger mass over the smaller is at least 1"});
+  unit::expect_in(words, {", then 100 % of the colliding contacts (N·V⁻ < 0) fail"});
 }
 
 TEST(Where, AnAbsentFeatureIsFoundAsACondition) {
   const std::string words = Sampled([](const Collision& c, auto approach) {
                               return approach == colliding && !c.a.immovable && !c.b.immovable;
                             }).words();
-  expect_in("If it holds for neither A nor B that the body is immovable, then ", words);
+  unit::expect_in(words, {"If it holds for neither A nor B that the body is immovable, then "});
 }
 
 TEST(Where, NoConditionIsFoundIfEverySeventhCaseFails) {
   int count = 0;
   const std::string words =
       Sampled([&](const Collision&, auto approach) { return approach == colliding && ++count % 7 == 0; }).words();
-  expect_in("no feature distinguishes them from the others", words);
+  unit::expect_in(words, {"no feature distinguishes them from the others"});
 }
 
 /// Only some of the collisions with w < 0 are violated, so w < 0 does not distinguish the violated collisions.
@@ -100,7 +98,7 @@ TEST(Where, AFeatureThatManySoundCasesHaveIsNoFinding) {
         .words();
   };
   EXPECT_EQ(words_if(1).find("the quaternion's w < 0"), std::string::npos) << words_if(1);
-  expect_in("for A or B the quaternion's w < 0", words_if(3));
+  unit::expect_in(words_if(3), {"for A or B the quaternion's w < 0"});
 }
 
 TEST(Where, NothingIsSaidOfFewerViolatedCasesThanAHintNeeds) {
@@ -118,7 +116,7 @@ TEST(Where, AConditionOfADozenCasesByChanceIsNoFinding) {
     int count = offset;
     const std::string words =
         Sampled([&](const Collision&, auto approach) { return approach == colliding && ++count % 150 == 0; }).words();
-    expect_in("no feature distinguishes them from the others", words);
+    unit::expect_in(words, {"no feature distinguishes them from the others"});
   }
 }
 

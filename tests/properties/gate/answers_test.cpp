@@ -209,13 +209,7 @@ TEST(NotJudged, IsASubjectThatSkipsOrShowsNothing) {
   EXPECT_NE(result_of(skipping).not_judged, "");
   EXPECT_FALSE(result_of(skipping).is_sound());
 
-  Subject claims_little = right;
-  for (const Invariant& invariant : all_invariants()) {
-    if (invariant.name != "separating_untouched") {
-      claims_little.deviates.emplace_back(invariant.name);
-    }
-  }
-  EXPECT_EQ(result_of(claims_little).not_judged,
+  EXPECT_EQ(result_of(unit::claiming_only("separating_untouched", right)).not_judged,
             "no case exercised an invariant of the outcome of a colliding contact");
 
   Subject unknown = right;
@@ -225,9 +219,8 @@ TEST(NotJudged, IsASubjectThatSkipsOrShowsNothing) {
 
 constexpr int one_in = 100;
 
-/// frictionless-double, as a program that claims only the invariant `claimed`. In one of a hundred answers, drawn at
-/// random, the impulse is a quarter too large.
-Subject faulty(const std::string& claimed) {
+/// frictionless-double, as a program. In one of a hundred answers, drawn at random, the impulse is a quarter too large.
+Subject faulty() {
   Subject subject = unit::with_outcomes(
       unit::subject_of("frictionless-double"),
       [stream = stream_from(1)](const Collision& collision, ReportedOutcome& outcome) mutable {
@@ -239,11 +232,6 @@ Subject faulty(const std::string& claimed) {
         }
       });
   subject.specification = "exec:faulty";  // the gate judges relations on fewer cases of a program
-  for (const Invariant& invariant : all_invariants()) {
-    if (invariant.name != claimed) {
-      subject.deviates.emplace_back(invariant.name);
-    }
-  }
   return subject;
 }
 
@@ -256,7 +244,7 @@ TEST(RareFault, IsFoundByDefaultByOneRelationInOneFamily) {
     if (std::holds_alternative<AboutRelation>(invariant.about) && invariant.claimed_for(Law::frictionless) &&
         invariant.name != "repeat") {
       ++relations;
-      const SubjectResult result = run_gate({faulty(std::string(invariant.name))}, options).results.at(0);
+      const SubjectResult result = run_gate({unit::claiming_only(invariant.name, faulty())}, options).results.at(0);
       EXPECT_EQ(result.error, "");
       EXPECT_GT(result.count(invariant).violated, 0U) << invariant.name;
     }

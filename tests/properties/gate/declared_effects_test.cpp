@@ -5,18 +5,19 @@
 
 #include <gtest/gtest.h>
 
-#include <carom/collision/validate.hpp>
 #include <carom/oracles/laws/mechanics.hpp>
 #include <carom/properties/cases/family.hpp>
 #include <carom/properties/diagnosis/diagnosis.hpp>
 #include <carom/properties/gate/declared_effects.hpp>
 #include <carom/properties/gate/gate.hpp>
 #include <carom/properties/gate/trial.hpp>
+#include <carom/subjects/session.hpp>
 
 #include "io/threads.hpp"
 #include "support/cases.hpp"
 #include "support/changed_subject.hpp"
 #include "support/expect_in.hpp"
+#include "support/message_of.hpp"
 
 namespace carom::properties {
 namespace {
@@ -39,9 +40,6 @@ void damp_and_limit(Vector3<S>& velocity, double damping, double limit) {
 }
 
 Answer with_effects(Session& session, Collision c, const DeclaredEffects& effects) {
-  if (!validate(c).empty()) {
-    return session(std::span(&c, 1)).at(0);
-  }
   const double approach = approach_speed(c);
   if (approach > 0 && approach < effects[DeclaredEffect::restitution_threshold]) {
     c.restitution = 0;
@@ -73,13 +71,9 @@ Answer with_effects(Session& session, Collision c, const DeclaredEffects& effect
 Subject with_effects(const std::string& solver, const DeclaredEffects& done, const DeclaredEffects& declared) {
   Subject subject = unit::subject_of(solver);
   subject.effects = declared;
-  subject.open = [done, open = subject.open] {
-    return Session([done, session = open()](std::span<const Collision> collisions) mutable {
-      std::vector<Answer> answers;
-      for (const Collision& collision : collisions) {
-        answers.push_back(with_effects(session, collision, done));
-      }
-      return answers;
+  subject.open = [done, open = subject.open]() -> Session {
+    return subjects::session_of([done, session = open()](const Collision& collision) mutable {
+      return with_effects(session, collision, done);
     });
   };
   return subject;
@@ -290,13 +284,8 @@ TEST(DeclaredEffects, ThatDecideFewCasesAreJudged) {
 }
 
 TEST(DeclaredEffects, AreRefusedIfTheyAreNotValid) {
-  const auto why = [](DeclaredEffect effect, double size, Law law) -> std::string {
-    try {
-      require_valid(only(effect, size), law);
-      return "";
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
+  const auto why = [](DeclaredEffect effect, double size, Law law) {
+    return unit::message_of<std::invalid_argument>([&] { require_valid(only(effect, size), law); });
   };
   EXPECT_EQ(why(DeclaredEffect::slop, 0.1, Law::any), "");
   EXPECT_EQ(why(DeclaredEffect::max_speed, 10, Law::rough), "");

@@ -112,13 +112,10 @@ TEST(Histogram, IsRestoredFromItsCounts) {
 void add_many(SubjectTally& tally, std::uint64_t count) {
   const JudgedCase judged_case(unit::case_of("elastic", 1));
   ASSERT_EQ(judged_case.exact().state(), oracles::ContactState::colliding);
-  Claim claim;
-  claim.yardstick = oracles::Yardstick::of(Precision::binary64);
+  const Claim claim{Law::any, oracles::Yardstick::of(Precision::binary64), {}};
   Stream stream = stream_from(count);
   Judgement judgement;
-  Verdict violated;
-  violated.status = Status::violated;
-  judgement.verdicts.push_back({invariant_named("restitution"), violated});
+  judgement.verdicts.push_back({invariant_named("restitution"), {.status = Status::violated}});
   for (std::uint64_t i = 0; i < count; ++i) {
     judgement.accuracy.emplace();
     judgement.accuracy->relative_error = std::pow(10.0, stream.between(-45, 45));

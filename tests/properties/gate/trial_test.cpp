@@ -85,12 +85,9 @@ TEST(Trial, PushAllowsWhatTheInputsRoundTo) {
   c.b.position = {-1, -1, 0};
   c.normal = {1, 1, 0};
   const auto push_of = [&](double pull) {
-    const Subject subject = subjects::subject_named("frictionless-double").value();
-    Claim claim = claim_of(subject, {});
-    claim.invariants = {invariant_named("push")};
+    const Claim claim{Law::frictionless, oracles::Yardstick::of(Precision::binary64), {invariant_named("push")}};
     const auto pulled = [&](const Collision& collision) -> ExactAnswer {
-      auto outcome =
-          map_outcome<long double>(unchanged(collision), [](double x) { return static_cast<long double>(x); });
+      ReportedOutcome outcome = reported(unchanged(collision));
       outcome.b.velocity += Vector3<long double>{pull, pull, 0};
       return oracles::LiftedOutcome(outcome);
     };
@@ -110,11 +107,9 @@ TEST(Trial, ASlipThatCannotBeToldFromStickingIsNoViolation) {
     Case one{unit::ball_on_a_plane(mass / 2, 10), false};
     one.collision.a.mass = mass;
     one.collision.normal *= normal;
-    Claim claim = claim_of(subjects::subject_named("coulomb-double").value(), {});
-    claim.invariants = {invariant_named("slip_opposed")};
+    const Claim claim{Law::coulomb, oracles::Yardstick::of(Precision::binary64), {invariant_named("slip_opposed")}};
     const auto stuck = [](const Collision& collision) -> ExactAnswer {
-      auto outcome =
-          map_outcome<long double>(unchanged(collision), [](double x) { return static_cast<long double>(x); });
+      ReportedOutcome outcome = reported(unchanged(collision));
       outcome.a = {{-2 + 0x1p-52L, 2, 0}, {0, 0, 2}};
       return oracles::LiftedOutcome(outcome);
     };

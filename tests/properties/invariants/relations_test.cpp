@@ -24,10 +24,7 @@ ExactAnswer answer_of_reflection(const Collision& c) {
 template <class Answer>
 Verdict verdict_of_swap(const Answer& answer_to_swapped) {
   const Collision c = unit::plain_collision();
-  Claim claim;
-  claim.law = Law::reflection;
-  claim.yardstick = oracles::Yardstick::of(Precision::binary64);
-  claim.invariants = {invariant_named("swap")};
+  const Claim claim{Law::reflection, oracles::Yardstick::of(Precision::binary64), {invariant_named("swap")}};
   const auto solve = [&](const Collision& asked) -> ExactAnswer {
     return asked.normal == c.normal ? answer_of_reflection(asked) : ExactAnswer(answer_to_swapped(asked));
   };
@@ -47,10 +44,7 @@ TEST(Relations, HoldForRightAnswersOnly) {
     if (!invariant.asks()) {
       continue;
     }
-    Claim claim;
-    claim.law = Law::reflection;
-    claim.yardstick = oracles::Yardstick::of(Precision::binary64);
-    claim.invariants = {&invariant};
+    const Claim claim{Law::reflection, oracles::Yardstick::of(Precision::binary64), {&invariant}};
     const auto status_if = [&](bool is_right) {
       const JudgedCase one({unit::plain_collision()});
       const std::size_t questions = Trial(one, claim, answer_of_reflection(one.generated().collision)).question_count();
@@ -93,11 +87,8 @@ Status status_of(const char* relation, double factor, double share, bool filtere
   const Invariant& invariant = *invariant_named(relation);
   const JudgedCase judged_case({unit::plain_collision()}, filtered);
   const auto questions = judged_case.questions_of(invariant);
-  Claim claim;
-  claim.law = Law::reflection;
   // In binary32, the rounding of answers to binary64 is negligible.
-  claim.yardstick = oracles::Yardstick::of(Precision::binary32, {.filtered = filtered});
-  claim.invariants = {&invariant};
+  const Claim claim{Law::reflection, oracles::Yardstick::of(Precision::binary32, {.filtered = filtered}), {&invariant}};
   const double allowance = claim.yardstick.allowance();
   const auto sensitivity = [&](const oracles::ExactCase& question) {
     return question.sensitivity(Law::reflection, allowance)[OutcomeVector::velocity_of_b];

@@ -14,9 +14,8 @@ namespace carom::properties {
 namespace {
 
 TEST(Both, IsTheWorseOfTwoVerdictsOfDifferentStatus) {
-  Verdict violated;
-  violated.status = Status::violated;
-  const std::vector<Verdict> from_the_worst{violated, beyond_range(), Verdict{}, does_not_apply("why")};
+  const std::vector<Verdict> from_the_worst{
+      {.status = Status::violated}, beyond_range(), Verdict{}, does_not_apply("why")};
   const auto same = [](const Verdict& x, const Verdict& y) {
     return x.status == y.status && x.is_undecided == y.is_undecided;
   };
@@ -118,10 +117,8 @@ TEST(BackwardError, PrintsAnExactZeroAsZero) {
   c.normal = {0, 0, 1};
   c.restitution = 1;
   const JudgedCase judged_case({c, true});
-  Claim claim;
-  claim.law = Law::frictionless;
-  claim.yardstick = oracles::Yardstick::of(Precision::binary64);
-  claim.invariants = {invariant_named("backward_error")};
+  const Claim claim{
+      Law::frictionless, oracles::Yardstick::of(Precision::binary64), {invariant_named("backward_error")}};
   const Judgement judgement =
       try_case(judged_case, claim, [](const Collision& at) { return oracles::LiftedOutcome(reported(unchanged(at))); });
   ASSERT_EQ(judgement.verdicts.size(), 1U);

@@ -10,6 +10,7 @@
 
 #include "io/threads.hpp"
 #include "support/cases.hpp"
+#include "support/changed_subject.hpp"
 
 namespace carom::properties::plan {
 namespace {
@@ -108,17 +109,10 @@ TEST(Plan, RejectsACandidateThatIsWrongOnOneContact) {
   const std::vector<ClassedCollision> contacts = contacts_of("collinear_spheres", 100);
   const double mass = contacts[70].collision.a.mass;
   const Vector3<double> place = contacts[70].collision.a.position;
-  wrong.subject.open = [right, mass, place] {
-    return Session([session = right.open(), mass, place](std::span<const Collision> collisions) mutable {
-      std::vector<Answer> answers = session(collisions);
-      for (std::size_t i = 0; i < answers.size(); ++i) {
-        if (collisions[i].a.mass == mass && collisions[i].a.position == place) {
-          std::get<ReportedOutcome>(answers[i]).a.velocity *= 1 + 1e-10L;
-        }
-      }
-      return answers;
-    });
-  };
+  wrong.subject.open = unit::with_outcomes(right, [mass, place](const Collision& collision, ReportedOutcome& outcome) {
+                         const bool is_planted = collision.a.mass == mass && collision.a.position == place;
+                         outcome.a.velocity *= is_planted ? 1 + 1e-10L : 1;
+                       }).open;
   candidates.push_back(wrong);
   const Plan plan = make_plan(contacts, candidates, options_for(Law::reflection));
   const JudgedCandidate& planted = judged(plan, plan.whole, "planted");
@@ -137,11 +131,9 @@ TEST(Plan, RejectsACandidateThatRefuses) {
   std::vector<Candidate> candidates = some_candidates();
   Candidate mute = candidate("frictionless-float", 0);
   mute.subject.name = "mute";
-  mute.subject.open = [] {
-    return Session([](std::span<const Collision> collisions) {
-      return std::vector<Answer>(collisions.size(), Answer(Refused{"no"}));
-    });
-  };
+  mute.subject = unit::with_answers(mute.subject, [](const auto&, std::vector<Answer>& answers) {
+    std::ranges::fill(answers, Answer(Refused{"no"}));
+  });
   candidates.push_back(mute);
   const Plan plan = make_plan(contacts_of("collinear_spheres", 5), candidates, options_for(Law::reflection));
   EXPECT_EQ(judged(plan, plan.whole, "mute").certificate.failures, 5U);

@@ -109,9 +109,7 @@ TEST(Reduction, OfCoulombIsGivenOnlyIfTheLesserLawGivesAnAnswer) {
     }
     if (reduction(c, Law::coulomb, Law::rough)) {
       ++given[Law::rough];
-      const Outcome<double> rounded = c.nearest_truth(Law::rough);
-      const auto reported = map_outcome<long double>(rounded, [](double x) { return static_cast<long double>(x); });
-      EXPECT_GT(oracles::nearest_answer(c, answers, reported).digits, 10);
+      EXPECT_GT(oracles::nearest_answer(c, answers, reported(c.nearest_truth(Law::rough))).digits, 10);
     }
   }
   EXPECT_GT(given[Law::frictionless], 3);

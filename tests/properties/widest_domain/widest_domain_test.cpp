@@ -174,8 +174,7 @@ TEST(WidestDomain, SearchesTheEndsWithAStricterYardstickToo) {
   both.limits.digits = 3;
   const Subject subject = unit::subject_of("reflection-world-float");
   const WidestDomain widest = measured_widest_domain(subject, both);
-  WidestDomainOptions alone = options();
-  const WidestDomain strict = measured_widest_domain(subject, alone);
+  const WidestDomain strict = measured_widest_domain(subject, options());
   ASSERT_TRUE(widest.stricter);
   const auto moments = [&](const Ends& ends) { return range_of(ends, both.core, LimitedQuantity::moment_ratio).most; };
   EXPECT_EQ(moments(*widest.stricter), moments(strict.ends));
@@ -221,9 +220,8 @@ TEST(WidestDomain, KeepsTheSessionsOfAProgram) {
     ++starts;
     return open();
   };
-  WidestDomainOptions one_thread = options();
-  const WidestDomain of_program = measured_widest_domain(program, one_thread);
-  EXPECT_EQ(to_text(of_program.domain), to_text(measured_widest_domain(built_in, one_thread).domain));
+  const WidestDomain of_program = measured_widest_domain(program, options());
+  EXPECT_EQ(to_text(of_program.domain), to_text(measured_widest_domain(built_in, options()).domain));
   EXPECT_LE(starts, 12U);
 }
 
