@@ -124,16 +124,6 @@ TEST(Finding, HasTheDiagnosisOfTheGateOnce) {
   FAIL() << "fewer than two tests fail";
 }
 
-TEST(Finding, NamesBinary32InDoubles) {
-  const Subject narrow = subject("narrow", Law::frictionless, [](const impulse::Contact<double>& contact) {
-    return map_outcome<double>(impulse::frictionless(contact),
-                               [](double x) { return static_cast<double>(static_cast<float>(x)); });
-  });
-  const Finding finding = find(narrow, "restitution", "generic");
-  EXPECT_EQ(finding.status, Status::violated);
-  unit::expect_in(finding.text, {"answers fits binary32, but it claims binary64", "Look at: the claimed precision"});
-}
-
 TEST(Finding, IsNoneIfTheJudgeFails) {
   properties::Invariant broken = *properties::invariant_named("restitution");
   broken.about = properties::AboutOutcome{

@@ -3,6 +3,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <string>
 #include <string_view>
@@ -27,12 +28,8 @@ using properties::ChosenCase;
 using properties::Family;
 
 std::vector<const Family*> each_family() {
-  std::vector<const Family*> all;
-  for (const auto& kind : {properties::all_families(), properties::families_beyond_domain()}) {
-    for (const Family& family : kind) {
-      all.push_back(&family);
-    }
-  }
+  std::vector<const Family*> all = properties::pointers_to(properties::all_families());
+  std::ranges::copy(properties::pointers_to(properties::families_beyond_domain()), std::back_inserter(all));
   return all;
 }
 

@@ -16,6 +16,8 @@
 #include <carom/impulse/reflection.hpp>
 #include <carom/properties/kit/subject.hpp>
 
+#include "support/message_of.hpp"
+
 namespace carom::conformance {
 namespace {
 
@@ -30,32 +32,21 @@ Subject idle_subject(Law law) {
   return made;
 }
 
+/// The names of the invariants, or of the families.
+template <class Part>
+std::set<std::string_view> names_of(const std::vector<Statement>& all, Part Statement::*part) {
+  std::set<std::string_view> names;
+  for (const Statement& statement : all) {
+    names.insert((statement.*part)->name);
+  }
+  return names;
+}
+
 std::set<std::string_view> invariants_of(const std::vector<Statement>& all) {
-  std::set<std::string_view> names;
-  for (const Statement& statement : all) {
-    names.insert(statement.invariant->name);
-  }
-  return names;
+  return names_of(all, &Statement::invariant);
 }
 
-std::set<std::string_view> families_of(const std::vector<Statement>& all) {
-  std::set<std::string_view> names;
-  for (const Statement& statement : all) {
-    names.insert(statement.family->name);
-  }
-  return names;
-}
-
-class Given {
- public:
-  Given(const char* name, const char* text) : name_(name) { setenv(name, text, 1); }
-  ~Given() { unsetenv(name_); }
-  Given(const Given&) = delete;
-  Given& operator=(const Given&) = delete;
-
- private:
-  const char* name_;
-};
+std::set<std::string_view> families_of(const std::vector<Statement>& all) { return names_of(all, &Statement::family); }
 
 TEST(Statements, AreEveryInvariantClaimedInEveryFamily) {
   for (const Law law : all_laws) {
@@ -120,18 +111,15 @@ TEST(Statements, AreJudgedExactlyWhereThatIsAskedFor) {
   };
   EXPECT_FALSE(is_exact(false));
   EXPECT_TRUE(is_exact(true));
-  {
-    const Given given("CAROM_EXACT", "1");
-    EXPECT_TRUE(is_exact(false));
-  }
-  {
-    const Given given("CAROM_EXACT", "0");
-    EXPECT_FALSE(is_exact(true));
-  }
+  setenv("CAROM_EXACT", "1", 1);
+  EXPECT_TRUE(is_exact(false));
+  setenv("CAROM_EXACT", "0", 1);
+  EXPECT_FALSE(is_exact(true));
   for (const char* text : {"", "2", "yes"}) {
-    const Given given("CAROM_EXACT", text);
+    setenv("CAROM_EXACT", text, 1);
     EXPECT_THROW((void)statements(idle), std::invalid_argument) << text;
   }
+  unsetenv("CAROM_EXACT");
 }
 
 TEST(Statements, AreOfTheDomainThatIsChosenOrDeclared) {
@@ -152,13 +140,8 @@ TEST(Statements, AreOfTheDomainThatIsChosenOrDeclared) {
 
 TEST(Statements, RefuseWrongOptions) {
   const Subject idle = idle_callable(Law::any);
-  const auto message = [&](const Options& options) -> std::string {
-    try {
-      (void)statements(idle, options);
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
-    return {};
+  const auto message = [&](const Options& options) {
+    return unit::message_of<std::invalid_argument>([&] { return statements(idle, options); });
   };
   const std::vector<std::pair<Options, const char*>> wrong{
       {{.families = {"generics"}}, "Options::families: there is no family 'generics'"},
