@@ -87,12 +87,10 @@ bool is_unchanged(long double reported, double given, Precision precision) {
   return is(given) || (precision == Precision::binary32 && is(static_cast<float>(given)));
 }
 
-bool any_method(const Subject& /*method*/) { return true; }
-
-template <class Chosen>
-void expect_unchanged_by(const std::vector<Collision>& collisions, const Chosen& chosen) {
+/// Expects that each method leaves the velocities as they are, except for those with this word in their name.
+void expect_unchanged(const std::vector<Collision>& collisions, const std::string& except = "no such name") {
   for (const subjects::Method& method : subjects::methods()) {
-    if (!chosen(method.subject)) {
+    if (method.subject.name.find(except) != std::string::npos) {
       continue;
     }
     Session session = method.subject.open();
@@ -120,23 +118,20 @@ std::vector<Collision> cases_of(const char* family) {
 }
 
 TEST(Solvers, LeaveSeparatingAndInertContactsUnchangedBitForBit) {
-  expect_unchanged_by(cases_of("separating"), any_method);
-  expect_unchanged_by(cases_of("both_immovable"), any_method);
+  expect_unchanged(cases_of("separating"));
+  expect_unchanged(cases_of("both_immovable"));
 }
 
 /// Bodies of the family `resting` do not spin. With two components n0 and n1 of N, N·V is n0·(−n1 s) + n1·(n0 s), where
 /// s is a power of two. The products round alike and cancel. Methods with a basis normalise N first, so their products
 /// may differ.
-TEST(Solvers, LeaveRestingContactsUnchangedBitForBit) {
-  expect_unchanged_by(cases_of("resting"),
-                      [](const Subject& method) { return method.name.find("basis") == std::string::npos; });
-}
+TEST(Solvers, LeaveRestingContactsUnchangedBitForBit) { expect_unchanged(cases_of("resting"), "basis"); }
 
 TEST(Solvers, KeepTheSignOfZeroWhereNothingHappens) {
   Collision c;
   c.a.velocity = {-0.0, 0.0, -0.0};
   c.b.angular_velocity = {-0.0, -0.0, 0.0};
-  expect_unchanged_by({c}, any_method);
+  expect_unchanged({c});
 }
 
 /// The smallest example that gains energy (docs/findings/note.md).

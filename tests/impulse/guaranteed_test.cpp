@@ -61,10 +61,7 @@ TEST(Guaranteed, ChangesOnlyOutcomesThatApproach) {
   for (const auto& [family, one] : unit::valid_cases(20)) {
     const Outcome<double> outcome = outcome_of(plain, one.collision);
     const Outcome<double> mended = without_approach(one.collision, outcome);
-    bool same = true;
-    for (const OutcomeVector k : all_outcome_vectors) {
-      same = same && *vectors(mended)[k] == *vectors(outcome)[k];
-    }
+    const bool same = unit::same(mended, outcome);
     const bool penetrates = normal_velocity(one.collision, lifted(outcome)) < 0;
     const bool movable = !one.collision.a.immovable || !one.collision.b.immovable;
     EXPECT_EQ(!same, penetrates && movable) << family;

@@ -177,21 +177,17 @@ TEST(Reflection, EqualsFrictionlessForSpheres) {
 }
 
 template <class S>
-void expect_rough_to_be_frictionless(const Collision& collision, std::string_view family) {
+bool is_rough_as_frictionless(const Collision& collision) {
   const auto contact = make_contact<S>(collision);
-  const Outcome<S> with = rough<Ldlt>(contact);
-  const Outcome<S> without = frictionless(contact);
-  for (const OutcomeVector k : all_outcome_vectors) {
-    EXPECT_EQ(*vectors(with)[k], *vectors(without)[k]) << family << ' ' << name_of(k);
-  }
+  return same(rough<Ldlt>(contact), frictionless(contact));
 }
 
 TEST(Rough, WithoutFrictionHasTheBitsOfTheFrictionlessLaw) {
   for (const auto& [family, one] : unit::valid_cases(40)) {
     Collision c = one.collision;
     c.friction = 0;
-    expect_rough_to_be_frictionless<float>(c, family);
-    expect_rough_to_be_frictionless<double>(c, family);
+    EXPECT_TRUE(is_rough_as_frictionless<float>(c)) << family;
+    EXPECT_TRUE(is_rough_as_frictionless<double>(c)) << family;
   }
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <set>
 #include <stdexcept>
@@ -24,23 +26,15 @@ namespace carom::impulse {
 namespace {
 
 /// Cases of every family in turn, so that neighbours in a pack (SIMD vector) differ.
-std::vector<Collision> mixed_collisions(std::size_t count) {
-  const auto families = properties::all_families();
-  std::vector<Collision> collisions;
-  for (std::uint64_t i = 0; collisions.size() < count; ++i) {
-    const properties::Family& family = families[i % families.size()];
-    if (family.is_valid) {
-      collisions.push_back(properties::drawn_case(family, 20240607, i).collision);
-    }
-  }
-  return collisions;
-}
-
 template <class S>
 std::vector<Contact<S>> mixed_contacts(std::size_t count) {
+  const auto families = properties::all_families();
   std::vector<Contact<S>> contacts;
-  for (const Collision& collision : mixed_collisions(count)) {
-    contacts.push_back(make_contact<S>(collision));
+  for (std::uint64_t i = 0; contacts.size() < count; ++i) {
+    const properties::Family& family = families[i % families.size()];
+    if (family.is_valid) {
+      contacts.push_back(make_contact<S>(unit::case_of(family.name, i).collision));
+    }
   }
   return contacts;
 }
@@ -81,11 +75,7 @@ bool same_bits(const Outcome<S>& x, const Outcome<S>& y) {
 
 std::vector<InstructionSet> available_instruction_sets() {
   std::vector<InstructionSet> available;
-  for (const InstructionSet set : all_instruction_sets) {
-    if (is_available(set)) {
-      available.push_back(set);
-    }
-  }
+  std::ranges::copy_if(all_instruction_sets, std::back_inserter(available), is_available);
   return available;
 }
 
@@ -134,13 +124,12 @@ TYPED_TEST(Batch, GivesASphereTheSameBitsBesideAnyNeighbour) {
   for (const auto& [family, run] : {std::pair{"generic", std::size_t{1}}, std::pair{"generic", widest},
                                     std::pair{"physical", std::size_t{1}}, std::pair{"needle_tip", std::size_t{1}}}) {
     const auto general = contacts_of(family);  // alternate with the spheres in runs
-    ContactBatch<S> batch(2 * spheres.size());
     std::vector<Contact<S>> contacts;
-    for (std::size_t i = 0; i < batch.size(); ++i) {
+    for (std::size_t i = 0; i < 2 * spheres.size(); ++i) {
       const std::size_t k = i / (2 * run) * run + i % run;
       contacts.push_back(i / run % 2 == 0 ? spheres[k] : general[k]);
-      batch.set(i, contacts.back());
     }
+    const ContactBatch<S> batch = batch_of(contacts);
     for (const InstructionSet set : available_instruction_sets()) {
       for (const Law law : laws_with_truth) {
         OutcomeBatch<S> outcomes(batch.size());
