@@ -27,13 +27,9 @@ using properties::Trial;
 constexpr std::uint64_t seed = 1;
 
 std::vector<Subject> sound_subjects() {
-  std::vector<Subject> subjects;
-  for (const Subject& subject : subjects::built_in_subjects()) {
-    if (subject.expected_to_pass) {
-      subjects.push_back(subject);
-    }
-  }
-  return subjects;
+  std::vector<Subject> sound = subjects::built_in_subjects();
+  std::erase_if(sound, [](const Subject& subject) { return !subject.expected_to_pass; });
+  return sound;
 }
 
 struct Asked {
@@ -150,9 +146,7 @@ void whole_gate(benchmark::State& state, const std::vector<Subject>& subjects, u
   options.cases = 100;
   options.workers = tool::threads(jobs);
   options.relations_every = relations_every;
-  for (const properties::Family& family : properties::all_families()) {
-    options.families.push_back(&family);
-  }
+  options.families = properties::pointers_to(properties::all_families());
   std::uint64_t judgements = 0;
   for ([[maybe_unused]] const auto _ : state) {
     benchmark::DoNotOptimize(run_gate(subjects, options));

@@ -5,9 +5,7 @@
 int main() {
   carom::properties::GateOptions options;
   options.cases = 20;
-  for (const carom::properties::Family& family : carom::properties::all_families()) {
-    options.families.push_back(&family);
-  }
+  options.families = carom::properties::pointers_to(carom::properties::all_families());
   const auto subject = carom::subjects::subject_named("reflection-double");
   return subject && carom::properties::run_gate({*subject}, options).results[0].is_sound() ? 0 : 1;
 }

@@ -11,9 +11,7 @@ int main() {
   const auto identity = [](const carom::Collision& collision) { return carom::unchanged(collision); };
   carom::properties::GateOptions options;
   options.cases = 20;
-  for (const carom::properties::Family& family : carom::properties::all_families()) {
-    options.families.push_back(&family);
-  }
+  options.families = carom::properties::pointers_to(carom::properties::all_families());
   const auto report =
       carom::properties::run_gate({carom::conformance::subject("sound", carom::Law::frictionless, sound),
                                    carom::conformance::subject("identity", carom::Law::frictionless, identity)},

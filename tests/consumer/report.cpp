@@ -11,9 +11,7 @@ int main() {
   };
   carom::properties::GateOptions options;
   options.cases = 20;
-  for (const carom::properties::Family& family : carom::properties::all_families()) {
-    options.families.push_back(&family);
-  }
+  options.families = carom::properties::pointers_to(carom::properties::all_families());
   const auto found =
       carom::properties::run_gate({carom::conformance::subject("mine", carom::Law::frictionless, solver)}, options);
   const carom::report::Run run = carom::report::diagnosed({found, {}, {}, {}, {true}, {}});

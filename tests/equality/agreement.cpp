@@ -17,16 +17,8 @@ using properties::Judgement;
 using properties::Status;
 using properties::Verdict;
 
-std::string_view name_of(Status status) {
-  switch (status) {
-    case Status::holds:
-      return "holds";
-    case Status::violated:
-      return "violated";
-    case Status::skipped:
-      break;
-  }
-  return "skipped";
+std::string name_of(Status status) {
+  return status == Status::holds ? "holds" : status == Status::violated ? "violated" : "skipped";
 }
 
 struct Answers {
@@ -67,8 +59,7 @@ void compare(const Judgement& fast, const Judgement& exact, const oracles::Yards
     outcomes.holds += of_exact.status == Status::holds ? 1 : 0;
     outcomes.violated += of_exact.status == Status::violated ? 1 : 0;
     if (of_fast.status != of_exact.status || of_fast.is_undecided != of_exact.is_undecided) {
-      differs(name + ' ' + std::string(name_of(of_fast.status)) + ", exactly " + std::string(name_of(of_exact.status)) +
-              ": " + of_exact.detail);
+      differs(name + ' ' + name_of(of_fast.status) + ", exactly " + name_of(of_exact.status) + ": " + of_exact.detail);
     }
   }
   // If digits are asked for, the permitted error contains noise, too.

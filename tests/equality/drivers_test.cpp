@@ -16,6 +16,7 @@
 #include <carom/properties/three_properties.hpp>
 
 #include "hard_to_judge.hpp"
+#include "support/changed_subject.hpp"
 
 /// The gate, the kit, the three properties, plans and scenes give the verdicts of `judge_in_session`, by which a replay
 /// judges. The answers are planted near the limit (hard_to_judge.hpp).
@@ -33,17 +34,17 @@ using properties::Status;
 constexpr std::uint64_t seed_of_drivers = 20261128;
 constexpr std::uint64_t cases_of_drivers = 4;  // of each family, times its weight
 
-std::vector<const Family*> few_families() {
-  std::vector<const Family*> families;
-  for (const char* name : {"generic", "near_special", "grazing", "resting", "immovable_a", "slow", "on_the_cone"}) {
-    families.push_back(properties::family_named(name));
-  }
-  return families;
+properties::GateOptions options_of_drivers() {
+  properties::GateOptions options = unit::gate_options(
+      cases_of_drivers, {"generic", "near_special", "grazing", "resting", "immovable_a", "slow", "on_the_cone"});
+  options.seed = seed_of_drivers;
+  options.shrinks = false;
+  return options;
 }
 
 template <class Visit>
 void for_each_case(const Visit& visit) {
-  for (const Family* family : few_families()) {
+  for (const Family* family : options_of_drivers().families) {
     for (std::uint64_t index = 0; index < cases_of_drivers * static_cast<std::uint64_t>(family->weight); ++index) {
       visit(*family, properties::drawn_case(*family, seed_of_drivers, index));
     }
@@ -99,12 +100,7 @@ TEST_P(Drivers, TheGateCountsTheVerdictsOfReplays) {
         ++(status == Status::holds ? count.holds : status == Status::violated ? count.violated : count.skipped);
       }
     });
-    properties::GateOptions options;
-    options.seed = seed_of_drivers;
-    options.cases = cases_of_drivers;
-    options.families = few_families();
-    options.shrinks = false;
-    const properties::SubjectResult result = run_gate({subject}, options).results.at(0);
+    const properties::SubjectResult result = run_gate({subject}, options_of_drivers()).results.at(0);
     std::uint64_t violated = 0;
     for (const auto& [invariant, count] : expected) {
       const properties::Count found = result.count(*invariant);

@@ -16,6 +16,7 @@
 #include "hard_to_judge.hpp"
 #include "mutants/catalogue.hpp"
 #include "support/cases.hpp"
+#include "support/changed_subject.hpp"
 
 /// The filters change no verdict of rational arithmetic. The fuzz target `judge` compares other cases and answers.
 namespace carom::equality {
@@ -111,12 +112,8 @@ TEST(FilteredJudge, EqualsTheRationalJudgeOnBuiltInSubjectsAndMutants) {
 
 TEST(FilteredJudge, UsesFiltersUnlessTheyAreOff) {
   for (const bool filtered : {true, false}) {
-    properties::GateOptions options;
-    options.cases = 8;
+    properties::GateOptions options = unit::gate_options(8);
     options.limits.filtered = filtered;
-    for (const properties::Family& family : properties::all_families()) {
-      options.families.push_back(&family);
-    }
     const oracles::StageCounts before = oracles::decided_by_stage();
     (void)run_gate({*subjects::subject_named("frictionless-double"), *subjects::subject_named("reflection-float")},
                    options);

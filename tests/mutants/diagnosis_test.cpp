@@ -20,6 +20,7 @@
 
 #include "catalogue.hpp"
 #include "io/threads.hpp"
+#include "support/changed_subject.hpp"
 
 /// The gate's diagnosis of planted defects, for every row of the table in docs/reference/diagnoses.md.
 namespace carom::mutants {
@@ -94,13 +95,9 @@ bool is_named_in(const std::string& text, const KnownDefect& defect) {
 /// all cases in order.
 properties::GateReport judged(const std::vector<Subject>& subjects, std::uint64_t cases,
                               std::uint64_t relations_every) {
-  properties::GateOptions options;
-  options.cases = cases;
+  properties::GateOptions options = unit::gate_options(cases);
   options.shrinks = false;
   options.relations_every = relations_every;
-  for (const properties::Family& family : properties::all_families()) {
-    options.families.push_back(&family);
-  }
   properties::GateReport report = run_gate(subjects, options);
   report.options.workers = tool::threads(0);  // for the diagnosis
   return report;

@@ -175,8 +175,7 @@ class Solver {
       }
     }
     formed_.reset();
-    ReportedOutcome outcome =
-        map_outcome<long double>(answered(collision), [](double x) { return static_cast<long double>(x); });
+    ReportedOutcome outcome = reported(answered(collision));
     if (formed_) {
       outcome.collision_matrix = shown(*formed_).cast<long double>();
     }

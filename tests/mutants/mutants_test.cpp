@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <carom/collision/validate.hpp>
@@ -26,13 +27,7 @@ namespace {
 using properties::Status;
 using Rejecting = std::set<std::string_view>;
 
-std::string joined(const Rejecting& names) {
-  std::string text;
-  for (const std::string_view name : names) {
-    text.append(text.empty() ? "" : " ").append(name);
-  }
-  return text;
-}
+std::string joined(const Rejecting& names) { return fmt::format("{}", fmt::join(names, " ")); }
 
 /// A solver that the judge examines.
 struct Suspect {

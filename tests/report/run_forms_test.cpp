@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <span>
 #include <string>
 #include <vector>
 
@@ -7,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <carom/properties/gate/gate.hpp>
+#include <carom/properties/kit/subject.hpp>
 #include <carom/report/pages/pages.hpp>
 #include <carom/report/results/merged_run.hpp>
 #include <carom/report/results/run.hpp>
@@ -20,30 +20,12 @@ namespace {
 
 using nlohmann::json;
 
-Subject idle_subject() {
-  Subject subject;
-  subject.name = "idle";
-  subject.summary = "leaves everything as it is";
-  subject.law = Law::frictionless;
-  subject.open = [] {
-    return Session([](std::span<const Collision> collisions) {
-      std::vector<Answer> answers;
-      for (const Collision& c : collisions) {
-        answers.emplace_back(reported(unchanged(c)));
-      }
-      return answers;
-    });
-  };
-  return subject;
-}
-
 properties::GateReport judged_report() {
   properties::GateOptions options;
   options.cases = 30;
-  for (const char* name : {"generic", "separating"}) {
-    options.families.push_back(properties::family_named(name));
-  }
-  return properties::run_gate({idle_subject()}, options);
+  options.families = {properties::family_named("generic"), properties::family_named("separating")};
+  const auto idle = [](const Collision& collision) { return unchanged(collision); };
+  return properties::run_gate({conformance::subject("idle", Law::frictionless, idle)}, options);
 }
 
 report::Run run_with(const properties::GateReport& report, bool is_shard) {

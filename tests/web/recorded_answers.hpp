@@ -177,9 +177,7 @@ inline nlohmann::json verdicts_on(const Subject& subject, std::uint64_t cases) {
   properties::GateOptions options;
   options.cases = cases;
   options.relations_every = 1;
-  for (const properties::Family& family : properties::all_families()) {
-    options.families.push_back(&family);
-  }
+  options.families = properties::pointers_to(properties::all_families());
   const properties::SubjectResult result = properties::run_gate({subject}, options).results[0];
   nlohmann::json record = {{"subject", subject.name},
                            {"error", result.error},
