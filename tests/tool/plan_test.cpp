@@ -32,14 +32,6 @@ json crate(double x) {
       {"friction", 0.4}};
 }
 
-std::string lines_of(const std::vector<json>& records) {
-  std::string text;
-  for (const json& record : records) {
-    text += record.dump() + '\n';
-  }
-  return text;
-}
-
 const std::string example = std::string(CAROM_SOURCE_DIR) + "/docs/examples/contacts.jsonl";
 
 /// Plans without timings unless a test asks for them, so that no other test depends on a clock.
@@ -76,7 +68,8 @@ TEST(Plan, ListsTheFindingsOfTheLintAndLeavesOutContactsWithoutALaw) {
   out_of_range["restitution"] = 1.5;
   json impossible = crate(2);
   impossible["a"]["principal_inertia"] = {0.25, 0.25, 0.75};
-  const std::string file = directory.write("lines", lines_of({crate(0), wrong, out_of_range, impossible}));
+  const std::string file = directory.write(
+      "lines", crate(0).dump() + '\n' + wrong.dump() + '\n' + out_of_range.dump() + '\n' + impossible.dump() + '\n');
   const RunResult result = plan(file, {"--format", "json"});
   EXPECT_EQ(result.exit_status, 0) << result.errors;
   const json record = json::parse(result.output);

@@ -25,10 +25,14 @@ json cube_on_floor() {
     "point": [0, 0, 0], "normal": [0, 1, 0], "restitution": 1})");
 }
 
-TEST(Replay, ShowsTheExactOutcomeOfEachLaw) {
+/// Replays a file with this text.
+RunResult replay_of(const std::string& text, const std::vector<std::string>& more = {}) {
   const TemporaryDirectory directory;
-  const std::string file = directory.write("cube.json", cube_on_floor().dump());
-  const RunResult result = run_carom({"replay", file, "--format", "json"});
+  return run_carom({"replay", directory.write("file.json", text)}, more);
+}
+
+TEST(Replay, ShowsTheExactOutcomeOfEachLaw) {
+  const RunResult result = replay_of(cube_on_floor().dump(), {"--format", "json"});
   EXPECT_EQ(result.exit_status, 0) << result.errors;
   const json record = json::parse(result.output);
   // With r = (1/2, −1/2, 0) and J = I/2, the normal entry of the collision matrix is 1 + 1/2. So the impulse is 2/(3/2)
@@ -41,10 +45,9 @@ TEST(Replay, ShowsTheExactOutcomeOfEachLaw) {
 }
 
 TEST(Replay, JudgesASubjectInExactArithmeticAloneIfAskedAndSaysSo) {
-  const TemporaryDirectory directory;
-  const std::string file = directory.write("cube.json", cube_on_floor().dump());
-  const auto replay = [&](const std::vector<std::string>& more) {
-    return run_carom({"replay", file, "--subject", "frictionless-double"}, more).output;
+  const auto replay = [](std::vector<std::string> more) {
+    more.insert(more.end(), {"--subject", "frictionless-double"});
+    return replay_of(cube_on_floor().dump(), more).output;
   };
   unit::expect_in(replay({}), {"restitution            holds"});
   unit::expect_in(replay({"--exact"}), {"restitution            holds", "judged only in exact arithmetic"});
@@ -52,8 +55,8 @@ TEST(Replay, JudgesASubjectInExactArithmeticAloneIfAskedAndSaysSo) {
 }
 
 /// The laws whose exact outcomes a replay shows.
-std::string laws_shown(const std::string& file, const std::vector<std::string>& more) {
-  const std::string text = run_carom({"replay", file}, more).output;
+std::string laws_shown(const json& record, const std::vector<std::string>& more) {
+  const std::string text = replay_of(record.dump(), more).output;
   std::string shown;
   for (const std::string law : {"frictionless", "reflection", "sticking", "rough", "coulomb"}) {
     const std::string heading = '\n' + law + (law == "coulomb" ? ", answer 1 of 1" : ", exactly");
@@ -63,9 +66,8 @@ std::string laws_shown(const std::string& file, const std::vector<std::string>& 
 }
 
 TEST(Replay, ShowsTheClaimedLawOrAllLawsIfAskedOrIfNoneIsClaimed) {
-  const TemporaryDirectory directory;
-  const auto witness_of = [&](const json& subject) {
-    return directory.write("witness.json", json{{"collision", cube_on_floor()}, {"subject", subject}}.dump());
+  const auto witness_of = [](const json& subject) {
+    return json{{"collision", cube_on_floor()}, {"subject", subject}};
   };
   const std::string all = "frictionless reflection sticking rough coulomb ";
   EXPECT_EQ(laws_shown(witness_of({{"name", "frictionless-double"}}), {}), "frictionless ");
@@ -73,17 +75,15 @@ TEST(Replay, ShowsTheClaimedLawOrAllLawsIfAskedOrIfNoneIsClaimed) {
   EXPECT_EQ(laws_shown(witness_of({{"name", "exec:no-such"}, {"model", "rough"}}), {}), "rough ") << "not started";
   EXPECT_EQ(laws_shown(witness_of({{"name", "exec:no-such"}, {"model", "any"}}), {}), all);
   EXPECT_EQ(laws_shown(witness_of({{"name", "exec:no-such"}}), {}), all);
-  const std::string plain = directory.write("plain.json", cube_on_floor().dump());
-  EXPECT_EQ(laws_shown(plain, {}), all);
-  EXPECT_EQ(laws_shown(plain, {"--subject", "coulomb-double"}), "coulomb ");
+  EXPECT_EQ(laws_shown(cube_on_floor(), {}), all);
+  EXPECT_EQ(laws_shown(cube_on_floor(), {"--subject", "coulomb-double"}), "coulomb ");
 }
 
 TEST(Replay, ReadsArraysAndJsonLines) {
-  const TemporaryDirectory directory;
   const json wrapped{{"collision", cube_on_floor()}};
   for (const std::string& text :
        {json::array({cube_on_floor(), wrapped}).dump(2), cube_on_floor().dump() + "\n" + wrapped.dump() + "\n\n"}) {
-    const RunResult result = run_carom({"replay", directory.write("two", text), "--format", "json"});
+    const RunResult result = replay_of(text, {"--format", "json"});
     EXPECT_EQ(result.exit_status, 0) << result.errors;
     EXPECT_EQ(std::count(result.output.begin(), result.output.end(), '\n'), 2);
   }
@@ -91,7 +91,6 @@ TEST(Replay, ReadsArraysAndJsonLines) {
 
 TEST(Replay, FindsASoundSolverSoundAtTheEndsOfBinary64) {
   // A ball hits a floor. At every power of two, the frictionless answer is exact in binary64.
-  const TemporaryDirectory directory;
   std::string balls;
   for (const char* pointer : {"/a/mass", "/a/velocity/1", "/normal/1", "/a/orientation/0"}) {
     for (const double factor : {0x1p-500, 0x1p-1000, 0x1p+500, 0x1p+1000}) {
@@ -101,8 +100,7 @@ TEST(Replay, FindsASoundSolverSoundAtTheEndsOfBinary64) {
       balls += ball.dump() + '\n';
     }
   }
-  const RunResult result =
-      run_carom({"replay", directory.write("balls.jsonl", balls), "--subject", "frictionless-double"});
+  const RunResult result = replay_of(balls, {"--subject", "frictionless-double"});
   EXPECT_EQ(result.exit_status, 0) << result.output << result.errors;
 }
 
@@ -110,24 +108,21 @@ TEST(Replay, DecidesNoBackwardErrorIfTermsOverflowAndSaysSo) {
   // With this velocity, several terms overflow binary64, but the answer does not.
   json ball = cube_on_floor();
   ball["a"]["velocity"] = {0, -6e307, 0};
-  const TemporaryDirectory directory;
-  const std::string file = directory.write("ball.json", ball.dump());
-  const RunResult text = run_carom({"replay", file, "--subject", "frictionless-double"});
+  const RunResult text = replay_of(ball.dump(), {"--subject", "frictionless-double"});
   EXPECT_EQ(text.output.find("40.0 digits"), std::string::npos) << text.output;
   unit::expect_in(text.output, {"backward error not decided"});
-  const RunResult as_json = run_carom({"replay", file, "--subject", "frictionless-double", "--format", "json"});
+  const RunResult as_json = replay_of(ball.dump(), {"--subject", "frictionless-double", "--format", "json"});
   const json record = json::parse(as_json.output);
   EXPECT_TRUE(record.at("backward_error_ulps").is_null()) << record;
   EXPECT_EQ(record.at("verdicts").at("backward_error").at("status"), "skipped");
 }
 
 TEST(Replay, AcceptsAnInvalidCollisionIfItsWitnessIsAboutInvalidOnes) {
-  const TemporaryDirectory directory;
   json collision = cube_on_floor();
   collision["restitution"] = 2;
   const json witness{
       {"collision", collision}, {"invariant", "invalid_refused"}, {"subject", {{"name", "frictionless-double"}}}};
-  const RunResult result = run_carom({"replay", directory.write("witness.json", witness.dump())});
+  const RunResult result = replay_of(witness.dump());
   EXPECT_EQ(result.exit_status, 0) << result.errors;
   unit::expect_in(result.output, {"refused"});
 }
@@ -151,13 +146,12 @@ TEST(Replay, StartsNoProgramThatAWitnessNames) {
     unit::expect_in(record.at("not_judged").get<std::string>(), {"--subject"});
     EXPECT_FALSE(record.contains("verdicts"));
   }
-  (void)run_carom({"replay", directory.write("cube.json", cube_on_floor().dump()), "--subject", command});
+  (void)replay_of(cube_on_floor().dump(), {"--subject", command});
   EXPECT_TRUE(std::filesystem::exists(touched)) << "the same words from the user start it";
 }
 
 /// The squares of the last velocities overflow, so the relative error has no value.
 TEST(Replay, ShowsTheSpeedOfApproachIfTheNormalIsLongAndSaysIfNoDigitsAreKnown) {
-  const TemporaryDirectory directory;
   Collision collision;
   collision.a.position = {0, 1, 0};
   collision.b.position = {0, -1, 0};
@@ -172,19 +166,17 @@ TEST(Replay, ShowsTheSpeedOfApproachIfTheNormalIsLongAndSaysIfNoDigitsAreKnown) 
   huge["a"]["principal_inertia"] = {0.5, 0.4, 0.3};
   huge["normal"] = {0.1, 1, 0.7};
   lines.push_back(huge);
-  const RunResult result =
-      run_carom({"replay", directory.write("lines.json", lines.dump()), "--subject", "reflection-double"});
+  const RunResult result = replay_of(lines.dump(), {"--subject", "reflection-double"});
   EXPECT_EQ(result.exit_status, 0) << result.errors;
   unit::expect_in(result.output, {"  N·V⁻ = -3: colliding\n", "  N·V⁻ = -6: colliding, at 3 m/s along the normal\n",
                                   " ulps, no digits known: the exact change is zero or out of range"});
 }
 
 TEST(Replay, ShowsEveryAnswerOfTheLawCoulomb) {
-  const TemporaryDirectory directory;
   const Collision several = unit::case_with_three_answers();
-  const auto replay = [&](const Collision& collision, const std::vector<std::string>& more) {
-    const std::string file = directory.write("one.json", collision_to_json(collision).dump());
-    const RunResult result = run_carom({"replay", file, "--subject", "coulomb-double"}, more);
+  const auto replay = [](const Collision& collision, std::vector<std::string> more) {
+    more.insert(more.end(), {"--subject", "coulomb-double"});
+    const RunResult result = replay_of(collision_to_json(collision).dump(), more);
     EXPECT_EQ(result.exit_status, 0) << result.output << result.errors;
     return result.output;
   };

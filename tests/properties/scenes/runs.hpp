@@ -36,7 +36,8 @@ template <class Change>
 }
 
 struct WatchedRun {
-  WatchedRun(scene::Scene of, std::size_t most_events, const Alter& alter)
+  WatchedRun(
+      scene::Scene of, std::size_t most_events, const Alter& alter = [](scene::Event&) { return true; })
       : simulation(std::move(of)),
         first(simulation.state()),
         history(first),
@@ -64,8 +65,6 @@ struct WatchedRun {
     history.end_at(simulation.time());
     ledger.close(simulation.state());
   }
-  WatchedRun(scene::Scene of, std::size_t most_events)
-      : WatchedRun(std::move(of), most_events, [](scene::Event&) { return true; }) {}
 
   [[nodiscard]] properties::Validity validity() const {
     return properties::check_validity(simulation.scene(), history);
