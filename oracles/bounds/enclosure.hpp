@@ -182,7 +182,6 @@ class Enclosure {
   Enclosure& operator+=(const Enclosure& other) { return *this = *this + other; }
   Enclosure& operator-=(const Enclosure& other) { return *this = *this - other; }
   Enclosure& operator*=(const Enclosure& other) { return *this = *this * other; }
-  Enclosure& operator/=(const Enclosure& other) { return *this = *this / other; }
 
  private:
   struct Pair {

@@ -209,6 +209,17 @@ TEST(Accuracy, CountsUlpsAndDigits) {
   EXPECT_EQ(exact.digits(), 40);
 }
 
+/// The velocity changes by 2⁻⁹ m/s, and the outcome has an error of 2⁻²⁰ m/s.
+TEST(Accuracy, CountsDigitsOfASmallChange) {
+  Collision slow = falling_ball();
+  slow.a.velocity *= 0x1p-10;
+  ReportedOutcome outcome;
+  outcome.a.velocity = {0, 0x1p-10L + 0x1p-20L, 0};
+  const Accuracy result =
+      accuracy(ExactCase(slow), Law::frictionless, LiftedOutcome(outcome), yardstick_of(Precision::binary32));
+  EXPECT_EQ(result.relative_error, 0x1p-11);
+}
+
 /// The contact grazes and has two answers, and the outcome lies between them. The judge chooses the nearer answer. The
 /// choice must not depend on the errors known before, and so not on the order of judgements.
 TEST(Accuracy, IsOfTheNearerAnswerInAnyOrderOfQuestions) {

@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -176,6 +178,18 @@ TEST(Rough, IsFrictionlessWithoutFriction) {
 }
 
 /// With κ = 1 + e_t, F = (3/2, 6, 0). So the distance |μ N·F − ‖N × F‖| = |6/8 − 3/2| = 3/4.
+/// Only both signs together say that no share of friction reaches the cone.
+TEST(Rough, IsUndecidedIfOneOfTwoSignsIsNotKnown) {
+  const auto exact = map_numbers<Rational>(rough_ball(10), [](double x) { return Rational(x); });
+  using Signs = std::vector<std::optional<int>>;
+  for (const Signs& signs : {Signs{1, -1}, Signs{std::nullopt, -1}, Signs{1, std::nullopt}}) {
+    auto next = signs.begin();
+    const std::optional<bool> reaches =
+        reaches_cone<Rational>(exact, nullptr, [&](const Rational&) { return *next++; });
+    EXPECT_EQ(reaches.has_value(), signs[0].has_value() && signs[1].has_value());
+  }
+}
+
 TEST(ConeDistance, IsHowFarTheImpulseIsFromTheSurface) {
   const Collision c = rough_ball(0.125);
   EXPECT_NEAR(cone_distance(c).distance, 0.75, 0x1p-47);

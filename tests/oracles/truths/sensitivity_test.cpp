@@ -260,6 +260,36 @@ TEST(Sensitivity, IsNoneWhereTheDivisorOfFrictionCancels) {
   EXPECT_FALSE(enclosed_sensitivity(c, Law::rough, Branch::on_cone, true));
 }
 
+/// If the lever arm is zero, K is λI, so no rounding of K grows.
+TEST(Sensitivity, GrowsByNothingForACentralContactWithAWall) {
+  Collision c;
+  c.b.immovable = true;
+  EXPECT_EQ(growth_in_collision_matrix(c), 1);
+}
+
+/// Masses in another unit change no velocity. The length of the normal is free, and N·V⁻ grows with it.
+TEST(SecondOrderFromRest, DependsOnRestitutionAndNeitherOnUnitsOfMassNorOnTheLengthOfTheNormal) {
+  const Collision c = unit::plain_collision();
+  const Sensitivity scale = second_order_from_rest(c, 3);
+  Collision heavy = c;
+  for (Body* body : {&heavy.a, &heavy.b}) {
+    body->mass *= 8;
+    body->principal_inertia *= 8;
+  }
+  Collision long_normal = c;
+  long_normal.normal *= 4;
+  Collision elastic = c;
+  elastic.restitution = 1;
+  Collision inelastic = c;
+  inelastic.restitution = 0;
+  for (const OutcomeVector k : all_outcome_vectors) {
+    EXPECT_GT(scale[k], 0);
+    EXPECT_EQ(second_order_from_rest(heavy, 3)[k], scale[k]);
+    EXPECT_EQ(second_order_from_rest(long_normal, 4 * 3)[k], scale[k]);
+    EXPECT_EQ(second_order_from_rest(elastic, 3)[k], 2 * second_order_from_rest(inelastic, 3)[k]);
+  }
+}
+
 /// A change of units multiplies masses by 2⁶⁰⁰ and velocities by 2³⁰⁰.
 TEST(Sensitivity, HasNoUnits) {
   const ExactCase plain(unit::plain_collision());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <cmath>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -22,6 +23,13 @@ TEST(Finite, HoldsForOutcomesOfFiniteNumbersAlone) {
   EXPECT_EQ(status_of("finite", valid, NotFinite{}), Status::violated);
   EXPECT_EQ(status_of("finite", valid, Refused{"no"}), Status::violated);
   EXPECT_EQ(status_of("finite", valid, Failed{"died"}), Status::violated);
+}
+
+TEST(Finite, SaysWhyThereIsNoAnswer) {
+  const auto& finite = std::get<AboutAnswer>(invariant_named("finite")->about);
+  for (const ExactAnswer& answer : {ExactAnswer(Refused{"no mass"}), ExactAnswer(Failed{"no mass"})}) {
+    EXPECT_NE(finite.check(Collision(), answer, Law::any).detail.find("no mass"), std::string::npos);
+  }
 }
 
 TEST(Lift, KeepsHugeOutcomesThatAreFinite) {

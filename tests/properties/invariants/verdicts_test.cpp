@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string_view>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -155,6 +156,20 @@ TEST(Invariants, AreEachOfOneAnswerOfRelatedOnesOrOfASession) {
     EXPECT_EQ(kinds, 1) << invariant.name;
     EXPECT_EQ(invariant.is_of_invalid(), invariant.name == "invalid_refused") << invariant.name;
   }
+}
+
+/// A subject that claims one of these alone shows that it solves collisions. The others hold for unchanged velocities
+/// of many collisions, too.
+TEST(Invariants, ThatSpeakOfCollidingContactsAreSix) {
+  std::vector<std::string_view> names;
+  for (const Invariant& invariant : all_invariants()) {
+    const auto* const about = std::get_if<AboutOutcome>(&invariant.about);
+    if (about != nullptr && about->is_of_colliding) {
+      names.push_back(invariant.name);
+    }
+  }
+  EXPECT_EQ(names, (std::vector<std::string_view>{"backward_error", "linear_momentum", "angular_momentum",
+                                                  "restitution", "non_penetration", "push"}));
 }
 
 TEST(Invariants, AreRankedAsCausesFromOneWithoutAGap) {
