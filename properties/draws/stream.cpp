@@ -22,17 +22,8 @@ constexpr std::array<double, 31> powers_of_ten{1e0,  1e1,  1e2,  1e3,  1e4,  1e5
 }  // namespace
 
 std::string_view name_of(Adjustment adjustment) {
-  switch (adjustment) {
-    case Adjustment::moments_enlarged:
-      return "moments_enlarged";
-    case Adjustment::moved_to_origin:
-      return "moved_to_origin";
-    case Adjustment::reversed:
-      return "reversed";
-    case Adjustment::drawn_again:
-      return "drawn_again";
-  }
-  return "";
+  constexpr PerAdjustment<std::string_view> names{"moments_enlarged", "moved_to_origin", "reversed", "drawn_again"};
+  return names[adjustment];
 }
 
 std::uint64_t Stream::bits() {

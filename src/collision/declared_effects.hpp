@@ -29,21 +29,9 @@ static_assert(counts_from_zero_to(all_declared_effects, DeclaredEffect::max_angu
 using DeclaredEffects = EnumArray<DeclaredEffect, double, all_declared_effects.size()>;
 
 [[nodiscard]] constexpr std::string_view name_of(DeclaredEffect effect) {
-  switch (effect) {
-    case DeclaredEffect::restitution_threshold:
-      return "restitution_threshold";
-    case DeclaredEffect::slop:
-      return "slop";
-    case DeclaredEffect::linear_damping:
-      return "linear_damping";
-    case DeclaredEffect::angular_damping:
-      return "angular_damping";
-    case DeclaredEffect::max_speed:
-      return "max_speed";
-    case DeclaredEffect::max_angular_velocity:
-      break;
-  }
-  return "max_angular_velocity";
+  constexpr EnumArray<DeclaredEffect, std::string_view, all_declared_effects.size()> names{
+      "restitution_threshold", "slop", "linear_damping", "angular_damping", "max_speed", "max_angular_velocity"};
+  return names[effect];
 }
 
 /// None if no effect has this name.

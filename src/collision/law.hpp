@@ -35,21 +35,8 @@ inline constexpr std::array laws_with_truth{Law::frictionless, Law::reflection, 
 }
 
 [[nodiscard]] constexpr std::string_view name_of(Law law) {
-  switch (law) {
-    case Law::frictionless:
-      return "frictionless";
-    case Law::reflection:
-      return "reflection";
-    case Law::sticking:
-      return "sticking";
-    case Law::rough:
-      return "rough";
-    case Law::coulomb:
-      return "coulomb";
-    case Law::any:
-      break;
-  }
-  return "any";
+  constexpr PerLaw<std::string_view> names{"frictionless", "reflection", "sticking", "rough", "coulomb", "any"};
+  return names[law];
 }
 
 [[nodiscard]] constexpr std::optional<Law> law_named(std::string_view name) {

@@ -28,19 +28,13 @@ inline constexpr std::array all_outcome_vectors{OutcomeVector::velocity_of_a, Ou
                                                 OutcomeVector::velocity_of_b, OutcomeVector::angular_velocity_of_b};
 static_assert(counts_from_zero_to(all_outcome_vectors, OutcomeVector::angular_velocity_of_b));
 
+template <class T>
+using PerVector = EnumArray<OutcomeVector, T, all_outcome_vectors.size()>;
+
 /// The name of the vector in the line protocol.
 [[nodiscard]] constexpr std::string_view name_of(OutcomeVector vector) {
-  switch (vector) {
-    case OutcomeVector::velocity_of_a:
-      return "a.velocity";
-    case OutcomeVector::angular_velocity_of_a:
-      return "a.angular_velocity";
-    case OutcomeVector::velocity_of_b:
-      return "b.velocity";
-    case OutcomeVector::angular_velocity_of_b:
-      break;
-  }
-  return "b.angular_velocity";
+  constexpr PerVector<std::string_view> names{"a.velocity", "a.angular_velocity", "b.velocity", "b.angular_velocity"};
+  return names[vector];
 }
 
 /// The velocity and the angular velocity of A or of B.
@@ -48,9 +42,6 @@ static_assert(counts_from_zero_to(all_outcome_vectors, OutcomeVector::angular_ve
   return a ? std::array{OutcomeVector::velocity_of_a, OutcomeVector::angular_velocity_of_a}
            : std::array{OutcomeVector::velocity_of_b, OutcomeVector::angular_velocity_of_b};
 }
-
-template <class T>
-using PerVector = EnumArray<OutcomeVector, T, all_outcome_vectors.size()>;
 
 template <class S>
 [[nodiscard]] PerVector<Vector3<S>*> vectors(Outcome<S>& outcome) {

@@ -39,23 +39,6 @@ double rounded_once(const std::string& text, long double wide) {
   return error == std::errc() ? number : static_cast<double>(wide);
 }
 
-struct AsBinary64 {
-  double operator()(const std::string& text, long double wide) const {
-    const double number = rounded_once(text, wide);
-    if (!std::isfinite(number)) {
-      throw FormatError("the number '" + text + "' overflows binary64");
-    }
-    return number;
-  }
-};
-
-struct AsReported {
-  Precision precision;
-  long double operator()(const std::string& text, long double wide) const {
-    return precision == Precision::extended ? wide : static_cast<long double>(rounded_once(text, wide));
-  }
-};
-
 /// Builds a Json value from the events of the parser. Throws FormatError as parse_json does. `number` reads a number
 /// that is not an integer.
 template <class Json, class Number>
@@ -145,6 +128,9 @@ Json built(std::string_view text, Number number) {
   return builder.take();
 }
 
+/// Whether the coefficient is +0, the value of an omitted field.
+bool is_default(double coefficient) { return coefficient == 0 && !std::signbit(coefficient); }
+
 json body_to_json(const Body& body) {
   json result = json::object();
   if (body.immovable) {
@@ -186,10 +172,20 @@ Body body_from_json(const json& value, const std::string& place) {
 
 }  // namespace
 
-json parse_json(std::string_view text) { return built<json>(text, AsBinary64()); }
+json parse_json(std::string_view text) {
+  return built<json>(text, [](const std::string& digits, long double wide) {
+    const double number = rounded_once(digits, wide);
+    if (!std::isfinite(number)) {
+      throw FormatError("the number '" + digits + "' overflows binary64");
+    }
+    return number;
+  });
+}
 
 WideJson parse_reply(std::string_view text, Precision precision) {
-  return built<WideJson>(text, AsReported{precision});
+  return built<WideJson>(text, [precision](const std::string& digits, long double wide) {
+    return precision == Precision::extended ? wide : static_cast<long double>(rounded_once(digits, wide));
+  });
 }
 
 json number_to_json(double number) {
@@ -207,13 +203,6 @@ double number_from_json(const json& value, const std::string& place) {
 }
 
 json vector_to_json(const Vector3<double>& vector) { return numbers_to_json(vector); }
-
-namespace {
-
-/// Whether the coefficient is +0, the value of an omitted field.
-bool is_default(double coefficient) { return coefficient == 0 && !std::signbit(coefficient); }
-
-}  // namespace
 
 json collision_to_json(const Collision& collision) {
   json result = json::object();

@@ -115,11 +115,9 @@ template <class S>
 
 namespace detail {
 
-/// The index of the first number of each body in a contact, and in an outcome.
+/// The index of the first number of each body in a contact.
 inline constexpr std::size_t first_number_of_a = 0;
 inline constexpr std::size_t first_number_of_b = 22;
-inline constexpr std::size_t first_outcome_of_a = 0;
-inline constexpr std::size_t first_outcome_of_b = 6;
 
 /// The body whose numbers are read(first), read(first + 1), ….
 template <class S, class Inertia, class Read>
@@ -158,12 +156,6 @@ void write_contact_body(const Write& write, std::size_t first, const ContactBody
   write_vector(write, first + 19, body.angular_velocity);
 }
 
-template <class S, class Write>
-void write_body_velocity(const BodyVelocity<S>& body, std::size_t first, const Write& write) {
-  write_vector(write, first, body.velocity);
-  write_vector(write, first + 3, body.angular_velocity);
-}
-
 }  // namespace detail
 
 /// The contact whose numbers are read(0), read(1), ….
@@ -198,8 +190,10 @@ template <class S, class Read>
 /// Calls write(k, number) for each number of an outcome.
 template <class S, class Write>
 void write_outcome(const Outcome<S>& outcome, const Write& write) {
-  detail::write_body_velocity(outcome.a, detail::first_outcome_of_a, write);
-  detail::write_body_velocity(outcome.b, detail::first_outcome_of_b, write);
+  detail::write_vector(write, 0, outcome.a.velocity);
+  detail::write_vector(write, 3, outcome.a.angular_velocity);
+  detail::write_vector(write, 6, outcome.b.velocity);
+  detail::write_vector(write, 9, outcome.b.angular_velocity);
 }
 
 /// Pointers to the beginnings of the arrays, in the order of for_each_array. Units of different instruction sets share

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include <carom/collision/enum_array.hpp>
 #include <carom/collision/law.hpp>
 #include <carom/impulse/batch/contact_arrays.hpp>
 #include <carom/impulse/batch/contact_batch.hpp>
@@ -25,15 +26,9 @@ inline constexpr std::array<InstructionSet, 3> all_instruction_sets{InstructionS
                                                                     InstructionSet::avx512};
 
 [[nodiscard]] constexpr std::string_view name_of(InstructionSet set) {
-  switch (set) {
-    case InstructionSet::avx2:
-      return "avx2";
-    case InstructionSet::avx512:
-      return "avx512";
-    case InstructionSet::baseline:
-      break;
-  }
-  return "baseline";
+  constexpr EnumArray<InstructionSet, std::string_view, all_instruction_sets.size()> names{"baseline", "avx2",
+                                                                                           "avx512"};
+  return names[set];
 }
 
 /// Whether this machine has the instruction set and the library is compiled for it.

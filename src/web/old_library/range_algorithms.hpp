@@ -40,17 +40,6 @@ void reverse(R&& range) {
   std::reverse(std::begin(range), std::end(range));
 }
 
-template <class R, class Compare = equal_to, class Projection = identity>
-auto unique(R&& range, Compare compare = {}, Projection projection = {}) {
-  struct Rest {
-    decltype(std::begin(range)) first, last;
-    auto begin() const { return first; }
-    auto end() const { return last; }
-  };
-  return Rest{std::unique(std::begin(range), std::end(range), old_library::on_projected(compare, projection)),
-              std::end(range)};
-}
-
 template <class R, class T, class Projection = identity>
 auto find(R&& range, const T& value, Projection projection = {}) {
   return std::find_if(std::begin(range), std::end(range),
