@@ -8,10 +8,6 @@
 /// Groups of methods that are compiled apart from methods.cpp.
 namespace carom::subjects {
 
-/// Reflection by the pivoting decompositions of Eigen.
-[[nodiscard]] std::vector<Method> pivoting_float_methods();
-[[nodiscard]] std::vector<Method> pivoting_double_methods();
-
 /// Methods that solve in float and refine once in double.
 [[nodiscard]] std::vector<Method> refined_methods();
 

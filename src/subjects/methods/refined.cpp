@@ -20,7 +20,7 @@ Method guaranteed_method(Law law) {
   impulse::with_law(law, [&](const auto& solver) {
     method = method_of<double>(
         {std::string(name_of(law)) + "-guaranteed", description_in_words(law) + "; the exact N·V⁺ is never negative",
-         law, law != Law::frictionless},
+         law, law != Law::frictionless, MethodForm::guaranteed},
         [](const Collision& collision) {
           return Posed{collision, impulse::make_contact<double>(collision)};
         },
@@ -35,7 +35,6 @@ Method guaranteed_method(Law law) {
           return impulse::guaranteed(posed.collision, posed.contact, seen_solver);
         });
   });
-  method.form = MethodForm::guaranteed;
   return method;
 }
 
@@ -52,15 +51,14 @@ std::vector<Method> refined_methods() {
       solver_method<double>({"frictionless-float-refined",
                              "frictionless law in float with one step of refinement in double; 13 digits, but more "
                              "than 32 ulps of binary64",
-                             Law::frictionless, false},
+                             Law::frictionless, false, MethodForm::refined},
                             frictionless),
       solver_method<double>({"reflection-float-refined",
                              "basis-free reflection with LDLᵀ in float and one step of refinement in double; 13 "
                              "digits, but more than 32 ulps of binary64",
-                             Law::reflection},
+                             Law::reflection, true, MethodForm::refined},
                             reflection)};
   for (Method& method : methods) {
-    method.form = MethodForm::refined;
     method.subject.name.resize(method.subject.name.rfind('-'));
     // The error is about (c cond(K) 2⁻²⁴)² (refined.hpp): about a hundred ulps of binary64, far below one ulp of
     // binary32.

@@ -189,11 +189,6 @@ class ChildProcess::State {
     read_errors();
   }
 
-  ~State() = default;
-
-  State(const State&) = delete;
-  State& operator=(const State&) = delete;
-
   void exchange(const std::string& text, std::size_t count, const std::function<void(std::string_view)>& on_line) {
     write(text);
     deadline_ = Clock::now() + limits_.timeout;
