@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <utility>
@@ -73,17 +74,12 @@ int side_of_plane(const Vector3<double>& a, const Vector3<double>& b, const Vect
 
 namespace {
 
-bool comes_before(const Vector3<double>& left, const Vector3<double>& right) {
-  return std::lexicographical_compare(left.begin(), left.end(), right.begin(), right.end());
-}
-
 Polygon in_order(const Points& points) {
   Polygon order(points.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    order[i] = i;
-  }
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t i, std::size_t j) { return comes_before(points[i], points[j]); });
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+    return std::lexicographical_compare(points[i].begin(), points[i].end(), points[j].begin(), points[j].end());
+  });
   return order;
 }
 

@@ -130,14 +130,7 @@ Features features_at(const PlacedPolyhedron& body, const Vector& point, double w
 }
 
 Features all_features(const PlacedPolyhedron& body) {
-  Features features;
-  for (const auto& face : body.shape.faces) {
-    features.normals.push_back(face_normal(body, face));
-  }
-  for (const auto& edge : body.shape.edges) {
-    features.edges.push_back(along(body, edge).normalized());
-  }
-  return features;
+  return features_at(body, body.points.front(), std::numeric_limits<double>::infinity());
 }
 
 /// Tries every direction that the features of A and B suggest: each face normal, and each cross product of an edge of A

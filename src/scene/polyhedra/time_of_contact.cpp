@@ -106,14 +106,8 @@ double time_open(const GapBound& bound, double least, double limit) {
 /// B's points. Only points of A within `band` [m] of A's lowest point count, and points of B within `band` of B's
 /// highest.
 double opening_speed(const GapBound& bound, double band) {
-  double lowest = infinity;
-  for (const MovingPoint& point : bound.a) {
-    lowest = std::min(lowest, point.height);
-  }
-  double highest = -infinity;
-  for (const MovingPoint& point : bound.b) {
-    highest = std::max(highest, point.height);
-  }
+  const double lowest = std::ranges::min_element(bound.a, {}, &MovingPoint::height)->height;
+  const double highest = std::ranges::max_element(bound.b, {}, &MovingPoint::height)->height;
   double slowest = infinity;
   for (const MovingPoint& point : bound.a) {
     slowest = point.height <= lowest + band ? std::min(slowest, point.speed) : slowest;
@@ -230,15 +224,8 @@ std::optional<Vector> turning_with_edges(const Moving& a, const Moving& b, const
 
 /// Sets `lost` so that the bound begins with the certified gap.
 GapBound from_certified(GapBound bound, double certified) {
-  bound.lost = 0;
-  double lowest = bound.a.front().height;
-  for (const MovingPoint& point : bound.a) {
-    lowest = std::min(lowest, point.height);
-  }
-  double highest = bound.b.front().height;
-  for (const MovingPoint& point : bound.b) {
-    highest = std::max(highest, point.height);
-  }
+  const double lowest = std::ranges::min_element(bound.a, {}, &MovingPoint::height)->height;
+  const double highest = std::ranges::max_element(bound.b, {}, &MovingPoint::height)->height;
   bound.lost = (lowest - highest) - certified;
   return bound;
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <cmath>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <variant>
@@ -84,13 +83,11 @@ Placement placement_of(const RigidBody& body) {
 
 Found contact_defect(const Scene& scene, const std::vector<RigidBody>& bodies, std::size_t i) {
   const auto defect = [&](const std::string& other, const Separation& separation) {
-    std::ostringstream text;
-    text << description_of(scene, i) << " may overlap " << other << ": " << separation.gap
-         << " m is the computed gap, with a rounding error of up to " << separation.gap - separation.certified
-         << " m; move one of them";
     const bool is_ball = is_sphere(scene, i);
     return SceneDefect{is_ball ? Of::sphere : Of::polyhedron, is_ball ? i : i - scene.spheres.size(), 0, "",
-                       text.str()};
+                       text_of(description_of(scene, i), " may overlap ", other, ": ", separation.gap,
+                               " m is the computed gap, with a rounding error of up to ",
+                               separation.gap - separation.certified, " m; move one of them")};
   };
   const Placement placement = placement_of(bodies[i]);
   for (std::size_t k = 0; k < scene.planes.size(); ++k) {
