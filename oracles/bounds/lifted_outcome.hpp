@@ -177,13 +177,9 @@ class LiftedOutcome {
   }
 
   static bool is_moderate(const Outcome<long double>& reported) {
-    bool moderate = true;
-    for (const Vector3<long double>* part : vectors(reported)) {
-      for (int i = 0; i < 3; ++i) {
-        moderate = moderate && std::abs((*part)[i]) <= largest_moderate_outcome;
-      }
-    }
-    return moderate;
+    return std::ranges::all_of(vectors(reported), [](const Vector3<long double>* part) {
+      return (part->array().abs() <= largest_moderate_outcome).all();
+    });
   }
 
   std::optional<Outcome<long double>> reported_;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <functional>
 #include <ostream>
-#include <sstream>
 #include <stdexcept>
 
 #include <CGAL/Sqrt_extension.h>
@@ -77,19 +76,13 @@ double to_double(const Radical& number) { return to_double(approximately(number)
 
 double nearest_double(const Radical& number) { return nearest_double(approximately(number)); }
 
-std::ostream& operator<<(std::ostream& out, const Radical& number) {
-  std::ostringstream text;
-  text << number.rational_part();
-  if (!number.is_rational()) {
-    text << " + " << number.coefficient() << " √(" << number.under_the_root() << ')';
-  }
-  return out << text.str();
-}
+std::ostream& operator<<(std::ostream& out, const Radical& number) { return out << to_text(number); }
 
 std::string to_text(const Radical& number) {
-  std::ostringstream text;
-  text << number;
-  return text.str();
+  const std::string rational = to_text(number.rational_part());
+  return number.is_rational()
+             ? rational
+             : rational + " + " + to_text(number.coefficient()) + " √(" + to_text(number.under_the_root()) + ')';
 }
 
 }  // namespace carom::oracles

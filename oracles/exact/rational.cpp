@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -105,13 +106,7 @@ Rational sqrt(const Rational& number) {
 }
 
 std::ostream& operator<<(std::ostream& out, const Rational& number) {
-  const CGAL::Gmpq& value = Rational::Number::of(number);
-  std::ostringstream text;  // one field, for any width
-  text << value.numerator();
-  if (value.denominator() != 1) {
-    text << '/' << value.denominator();
-  }
-  return out << text.str();
+  return out << to_text(number);  // one field, for any width
 }
 
 Rational lift(long double number) {
@@ -150,19 +145,17 @@ double nearest_double(const Rational& number) {
 }
 
 std::string to_text(const Rational& number) {
+  const CGAL::Gmpq& value = Rational::Number::of(number);
   std::ostringstream text;
-  text << number;
+  text << value.numerator();
+  if (value.denominator() != 1) {
+    text << '/' << value.denominator();
+  }
   return text.str();
 }
 
 bool is_finite(const Outcome<long double>& outcome) {
-  bool finite = true;
-  for (const auto* vector : vectors(outcome)) {
-    for (int i = 0; i < 3; ++i) {
-      finite = finite && std::isfinite((*vector)[i]);
-    }
-  }
-  return finite;
+  return std::ranges::all_of(vectors(outcome), [](const auto* vector) { return vector->allFinite(); });
 }
 
 }  // namespace carom::oracles

@@ -136,6 +136,11 @@ std::optional<Accuracy> accuracy_by(const ErrorVectors<T>& errors, const Sensiti
   return result;
 }
 
+double digits_by(double relative_error) {
+  constexpr double exact = 40;
+  return relative_error > 0 ? std::min(exact, -std::log10(relative_error)) : exact;
+}
+
 }  // namespace
 
 double Accuracy::backward_error(double unit_roundoff) const {
@@ -147,15 +152,6 @@ double Accuracy::backward_error(double unit_roundoff) const {
   }
   return worst;
 }
-
-namespace {
-
-double digits_by(double relative_error) {
-  constexpr double exact = 40;
-  return relative_error > 0 ? std::min(exact, -std::log10(relative_error)) : exact;
-}
-
-}  // namespace
 
 double Accuracy::digits() const { return digits_by(relative_error); }
 
@@ -214,9 +210,7 @@ Accuracy accuracy_as(const ExactCase& exact_case, Law law, ContactState as, cons
                                                            : exact_case.sensitivity_as(law, as, yardstick.allowance());
   for (const double sum : sensitivity) {
     if (!yardstick.allowed(sum)) {
-      Accuracy undecided;
-      undecided.is_decided = false;
-      return undecided;
+      return {.is_decided = false};
     }
   }
   if (may_use_bounds) {
@@ -247,9 +241,7 @@ Accuracy accuracy(const ExactCase& exact_case, Law law, const LiftedOutcome& out
                   double known) {
   const ContactState approach = exact_case.state();
   if (exact_case.is_open(law, yardstick.allowance())) {
-    Accuracy undecided;
-    undecided.is_decided = false;
-    return undecided;
+    return {.is_decided = false};
   }
   if (!exact_case.has_two_answers(law, yardstick.allowance())) {
     return accuracy_as(exact_case, law, approach, outcome, yardstick, known);

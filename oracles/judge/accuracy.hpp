@@ -17,8 +17,9 @@ struct Accuracy {
   bool is_decided = true;     // false if the sensitivity, or the allowance times it, leaves the range of numbers; no
                               // other member then has a meaning
   PerVector<bool> allowed{true, true, true, true};  // whether the error is within the yardstick
-  std::optional<bool> has_digits;  // relative_error ≤ 10^−digits, decided exactly; no value without digits to compare
-  bool is_of_truth = true;         // false if the outcome passes by the other of two answers
+  /// Whether relative_error ≤ 10^−digits, decided exactly. No value without digits to compare.
+  std::optional<bool> has_digits = {};
+  bool is_of_truth = true;  // false if the outcome passes by the other of two answers
   double relative_error = 0;  // ‖Δ − Δ_exact‖ / ‖Δ_exact‖ in the kinetic-energy norm, with Δ the change of the
                               // velocities; infinite if Δ_exact = 0 and Δ ≠ 0
 

@@ -184,27 +184,22 @@ double part_by_curvature(const equation::ImpulseBound& bound, const ExactCase& e
 
 /// N × F and N × V⁺ have errors of α times the sizes of the terms from which they are computed. If the slopes vanish,
 /// the product of N × F and N × V⁺ has the product of these errors.
-double curvature_of_friction_and_slip(bool read_off_a, const ExactCase& exact_case, const LiftedOutcome& outcome,
-                                      double allowance) {
+template <class OneEquation>
+requires std::is_same_v<OneEquation, equation::FrictionAlongSlip> ||
+    std::is_same_v<OneEquation, equation::FrictionAgainstSlip>
+double part_by_curvature(const OneEquation& of, const ExactCase& exact_case, const LiftedOutcome& outcome,
+                         double allowance) {
   const Collision& c = exact_case.collision();
   const PerVector<double> norms = outcome.norms();
   const auto size = [&](OutcomeVector k) { return norms[k] + exact_case.norms_before()[k]; };
   const double impulse =
-      read_off_a ? c.a.mass * size(OutcomeVector::velocity_of_a) : c.b.mass * size(OutcomeVector::velocity_of_b);
+      of.read_off_a ? c.a.mass * size(OutcomeVector::velocity_of_a) : c.b.mass * size(OutcomeVector::velocity_of_b);
   const auto at_point = [&](const Body& body, OutcomeVector velocity, OutcomeVector spin) {
     return size(velocity) + norm_of(Vector3<double>(c.point - body.position)) * size(spin);
   };
   const double velocity = at_point(c.a, OutcomeVector::velocity_of_a, OutcomeVector::angular_velocity_of_a) +
                           at_point(c.b, OutcomeVector::velocity_of_b, OutcomeVector::angular_velocity_of_b);
   return allowance * impulse * velocity * norm_of(c.normal) * norm_of(c.normal);
-}
-double part_by_curvature(const equation::FrictionAlongSlip& along, const ExactCase& exact_case,
-                         const LiftedOutcome& outcome, double allowance) {
-  return curvature_of_friction_and_slip(along.read_off_a, exact_case, outcome, allowance);
-}
-double part_by_curvature(const equation::FrictionAgainstSlip& against, const ExactCase& exact_case,
-                         const LiftedOutcome& outcome, double allowance) {
-  return curvature_of_friction_and_slip(against.read_off_a, exact_case, outcome, allowance);
 }
 
 /// V⁺ − V⁻ = C F for the collision matrix C that a subject reports.
@@ -291,12 +286,6 @@ EquationCheck violation(const Sides<T, N>& sides, const Components<T>& missed, d
   return comparison;
 }
 
-EquationCheck undecided() {
-  EquationCheck comparison;
-  comparison.is_decided = false;
-  return comparison;
-}
-
 /// An equation at an outcome, and the residual that rounding may cause. The residual is computed at first use, because
 /// a part of it decides most comparisons.
 template <class OneEquation>
@@ -334,7 +323,7 @@ class Compared {
     }
     const std::optional<double> bound = allowed();
     if (!bound) {
-      return undecided();
+      return {.is_decided = false};
     }
     return norm_at_most(missed, *bound) ? EquationCheck{} : violation(sides, missed, *bound);
   }
@@ -398,7 +387,7 @@ EquationCheck compare_change_by(const LiftedMatrix& shown, const ExactCase& exac
   CAROM_EXPECTS(shown.is_finite());
   const ByShownMatrix equation{shown, reads_impulse_off_a(exact_case.collision())};
   if (yardstick.allowance() > 0 && !has_part_by_matrix(equation, exact_case, outcome, yardstick.allowance())) {
-    return undecided();
+    return {.is_decided = false};
   }
   // Products of moderate numbers stay in the range of binary64.
   const bool filtered = yardstick.filtered() && shown.is_moderate();

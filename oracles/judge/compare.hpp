@@ -23,8 +23,8 @@ struct EquationCheck {
   // The members below are set if the equation does not hold.
   double residual = 0;  // ‖left − right‖, or the amount by which the inequality fails
   double allowed = 0;   // the residual that rounding may cause
-  std::vector<double> left;
-  std::vector<double> right;
+  std::vector<double> left = {};
+  std::vector<double> right = {};
 };
 
 /// Decides exactly whether an equation holds at an outcome: the residual is at most yardstick.allowance() times the

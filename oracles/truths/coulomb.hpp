@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <vector>
 
 #include <carom/oracles/exact/rational.hpp>
@@ -16,17 +18,8 @@ enum class AnswerKind {
 };
 
 [[nodiscard]] constexpr const char* name_of(AnswerKind kind) {
-  switch (kind) {
-    case AnswerKind::sticks:
-      return "sticks";
-    case AnswerKind::frictionless:
-      return "frictionless";
-    case AnswerKind::slips:
-      return "slips";
-    case AnswerKind::untouched:
-      break;
-  }
-  return "untouched";
+  constexpr std::array names{"untouched", "sticks", "frictionless", "slips"};
+  return names[static_cast<std::size_t>(kind)];
 }
 
 struct CoulombAnswer {

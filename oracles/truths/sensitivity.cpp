@@ -204,10 +204,6 @@ double enclosed_norm(const Derivative<Enclosure, Rows>& jacobian, const std::vec
   });
 }
 
-}  // namespace
-
-namespace {
-
 constexpr double thousandth = 0x1p-10;
 
 /// The error of a sensitivity is less than 2⁹ roundings of the arithmetic, times `growth_of_roundings`. Up to this
