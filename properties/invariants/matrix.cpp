@@ -17,15 +17,20 @@ using oracles::less_multiple_of_identity;
 using oracles::LiftedMatrix;
 using oracles::Rational;
 
-Verdict bound_missed(const char* what, const Matrix3<Rational>& matrix, const Rational& bound) {
-  Verdict verdict{.status = Status::violated, .detail = what};
+/// The entries of a matrix row by row, for print.
+std::vector<double> entries(const Matrix3<Rational>& matrix) {
+  std::vector<double> rounded;
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 3; ++column) {
-      verdict.left.push_back(oracles::to_double(matrix(row, column)));
-      verdict.right.push_back(row == column ? oracles::to_double(bound) : 0);
+      rounded.push_back(oracles::to_double(matrix(row, column)));
     }
   }
-  return verdict;
+  return rounded;
+}
+
+Verdict bound_missed(const char* what, const Matrix3<Rational>& matrix, const Rational& bound) {
+  const double b = oracles::to_double(bound);
+  return {.status = Status::violated, .detail = what, .left = entries(matrix), .right = {b, 0, 0, 0, b, 0, 0, 0, b}};
 }
 
 /// The sensitivity of the collision matrix C: the largest change ‖ΔC‖_F (Frobenius norm) by permitted inputs, divided
@@ -155,18 +160,12 @@ Verdict check_exact(const Evidence& e, const LiftedMatrix& shown) {
   if (!allowed) {
     return beyond_range();
   }
-  Verdict verdict{
-      .status = Status::violated,
-      .detail = "C and K",
-      .residual = oracles::root_of_squares(9, [&](std::size_t i) { return oracles::to_double(missed.data()[i]); }),
-      .allowed = *allowed};
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) {
-      verdict.left.push_back(oracles::to_double(shown.exact()(row, column)));
-      verdict.right.push_back(oracles::to_double(exact(row, column)));
-    }
-  }
-  return verdict;
+  return {.status = Status::violated,
+          .detail = "C and K",
+          .residual = oracles::root_of_squares(9, [&](std::size_t i) { return oracles::to_double(missed.data()[i]); }),
+          .allowed = *allowed,
+          .left = entries(shown.exact()),
+          .right = entries(exact)};
 }
 
 Verdict check_matrix_used(const Evidence& e, const LiftedMatrix& shown) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -21,7 +22,11 @@ using oracles::Rational;
 
 bool collides(const Evidence& e) { return e.exact_case.state() == ContactState::colliding; }
 
-bool is_inert(const Evidence& e) { return e.exact_case.state() == ContactState::inert; }
+/// Applies `check` to contacts with a movable body.
+template <Verdict (*check)(const Evidence&)>
+Verdict if_movable(const Evidence& e) {
+  return e.exact_case.state() == ContactState::inert ? does_not_apply("both bodies are immovable") : check(e);
+}
 
 Verdict holds(const Evidence& e, EquationForm form, const char* what, const oracles::Equation& equation) {
   return verdict_of(compare(equation, form, e.exact_case, e.outcome, e.yardstick), what);
@@ -75,16 +80,10 @@ Verdict check_restitution(const Evidence& e) {
 }
 
 Verdict check_non_penetration(const Evidence& e) {
-  if (is_inert(e)) {
-    return does_not_apply("both bodies are immovable");
-  }
   return holds(e, EquationForm::at_least, "N·V⁺ and 0", equation::NonPenetration{});
 }
 
 Verdict check_parting_speed(const Evidence& e) {
-  if (is_inert(e)) {
-    return does_not_apply("both bodies are immovable");
-  }
   const auto by_sign = [&](bool is_colliding) {
     return holds(e, EquationForm::at_most, "N·V⁺ and |N·V⁻|", equation::PartingSpeed{is_colliding});
   };
@@ -95,21 +94,12 @@ Verdict check_parting_speed(const Evidence& e) {
 }
 
 const char* sides_of(oracles::ImpulseBoundOf bound) {
-  switch (bound) {
-    case oracles::ImpulseBoundOf::approach:
-      return "λ² ‖F‖² ‖N‖² and (1 + ε)² (N·V⁻)²";
-    case oracles::ImpulseBoundOf::velocity_by_restitution:
-      return "λ² ‖F‖² and (1 + ε)² ‖V⁻‖²";
-    case oracles::ImpulseBoundOf::velocity_by_tangential_restitution:
-      break;
-  }
-  return "λ² ‖F‖² and (1 + e_t)² ‖V⁻‖²";
+  constexpr std::array sides{"λ² ‖F‖² ‖N‖² and (1 + ε)² (N·V⁻)²", "λ² ‖F‖² and (1 + ε)² ‖V⁻‖²",
+                             "λ² ‖F‖² and (1 + e_t)² ‖V⁻‖²"};
+  return sides[static_cast<std::size_t>(bound)];
 }
 
 Verdict check_impulse_bound(const Evidence& e) {
-  if (is_inert(e)) {
-    return does_not_apply("both bodies are immovable");
-  }
   const Collision& c = e.exact_case.collision();
   const oracles::ImpulseBoundOf bound = oracles::impulse_bound_of(e.law, c);
   return holds(e, EquationForm::at_most, sides_of(bound),
@@ -118,8 +108,9 @@ Verdict check_impulse_bound(const Evidence& e) {
 
 /// The verdict if `accuracy` is not decided. At a contact with several answers, what these answers share decides.
 Verdict check_undecided(const Evidence& e) {
-  return e.exact_case.is_open(e.law, e.allowance()) ? both(check_parting_speed(e), check_impulse_bound(e))
-                                                    : beyond_range();
+  return e.exact_case.is_open(e.law, e.allowance())
+             ? both(if_movable<check_parting_speed>(e), if_movable<check_impulse_bound>(e))
+             : beyond_range();
 }
 
 Verdict check_backward_error(const Evidence& e) {
@@ -157,9 +148,6 @@ Verdict check_backward_error(const Evidence& e) {
 }
 
 Verdict check_push(const Evidence& e) {
-  if (is_inert(e)) {
-    return does_not_apply("both bodies are immovable");
-  }
   Verdict verdict = holds(e, EquationForm::at_least, "N·F and 0",
                           equation::Push{oracles::reads_impulse_off_a(e.exact_case.collision())});
   // At a grazing contact, the rounding of the inputs decides the sign of N·V⁻, which the residual of `push` does not
@@ -175,19 +163,23 @@ bool may_act_at_once(const Evidence& e) {
   return determines_outcome(e.law) ? has_two_answers(e, e.exact_case) : e.exact_case.is_grazing(e.allowance());
 }
 
-Verdict untouched_bodies(const Evidence& e) {
-  if (!determines_outcome(e.law)) {
-    return both(untouched_body(e, true), untouched_body(e, false));
-  }
-  if (is_surely_untouched(e.exact_case, e.outcome, e.yardstick, all_outcome_vectors)) {
+Verdict vectors_untouched(const Evidence& e, std::span<const OutcomeVector> which) {
+  if (is_surely_untouched(e.exact_case, e.outcome, e.yardstick, which)) {
     return {};
   }
   const oracles::Sensitivity sensitivity = e.exact_case.sensitivity_with_noise(e.law, e.yardstick);
   Verdict worst;
-  for (const OutcomeVector k : all_outcome_vectors) {
+  for (const OutcomeVector k : which) {
     worst = both(std::move(worst), vector_untouched(e, k, sensitivity));
   }
   return worst;
+}
+
+Verdict untouched_bodies(const Evidence& e) {
+  if (!determines_outcome(e.law)) {
+    return both(untouched_body(e, true), untouched_body(e, false));
+  }
+  return vectors_untouched(e, all_outcome_vectors);
 }
 
 Verdict check_separating_untouched(const Evidence& e) {
@@ -197,7 +189,7 @@ Verdict check_separating_untouched(const Evidence& e) {
   Verdict untouched = untouched_bodies(e);
   // An outcome may be that of either side. Both sides share the bound of the impulse. `backward_error`, `sticks` and
   // `slip_opposed` judge the rest.
-  return untouched.status == Status::violated && may_act_at_once(e) ? check_impulse_bound(e) : untouched;
+  return untouched.status == Status::violated && may_act_at_once(e) ? if_movable<check_impulse_bound>(e) : untouched;
 }
 
 Verdict check_immovable_untouched(const Evidence& e) {
@@ -211,17 +203,11 @@ Verdict check_immovable_untouched(const Evidence& e) {
 }
 
 Verdict check_frictionless_direction(const Evidence& e) {
-  if (is_inert(e)) {
-    return does_not_apply("both bodies are immovable");
-  }
   return holds(e, EquationForm::equal, "N × F and 0",
                equation::FrictionlessDirection{oracles::reads_impulse_off_a(e.exact_case.collision())});
 }
 
 Verdict check_reflection_plane(const Evidence& e) {
-  if (is_inert(e)) {
-    return does_not_apply("both bodies are immovable");
-  }
   return holds(e, EquationForm::equal, "N × V⁺ and N × V⁻", equation::ReflectionPlane{});
 }
 
@@ -235,18 +221,12 @@ Verdict check_sticks(const Evidence& e) {
 }
 
 Verdict check_friction_cone(const Evidence& e) {
-  if (is_inert(e)) {
-    return does_not_apply("both bodies are immovable");
-  }
   return both(check_push(e), holds(e, EquationForm::at_most, "‖N × F‖² and (μ N·F)²",
                                    equation::FrictionCone{oracles::reads_impulse_off_a(e.exact_case.collision())}));
 }
 
 /// Bodies that the impulse leaves alone satisfy the statement, so it applies to contacts that do not collide, too.
 Verdict check_slip_opposed(const Evidence& e) {
-  if (is_inert(e)) {
-    return does_not_apply("both bodies are immovable");
-  }
   Verdict sticks = holds(e, EquationForm::equal, "N × V⁺ and 0", equation::Sticks{});
   if (sticks.status != Status::violated) {  // it holds, or cannot be decided
     return sticks;
@@ -259,9 +239,6 @@ Verdict check_slip_opposed(const Evidence& e) {
 }
 
 Verdict check_energy(const Evidence& e) {
-  if (is_inert(e)) {
-    return does_not_apply("both bodies are immovable");
-  }
   return holds(e, EquationForm::at_most, "E⁺ − E⁻ and the work of the wall", equation::Energy{});
 }
 
@@ -299,20 +276,20 @@ std::vector<Invariant> outcome_invariants() {
                 14},
       Invariant{"non_penetration", "After the impulse, the bodies do not approach.", R"(N \cdot V^+ \ge 0)",
                 "note §1, after eq. 4", "contacts with a movable body", every_law(),
-                AboutOutcome{check_non_penetration, true},
+                AboutOutcome{if_movable<check_non_penetration>, true},
                 Proof{ProvedOf::its_laws,
                       {{"non_penetration_of_every_law", "every_law.v"}, {"non_penetration", "laws_of_impulse.v"}}},
                 15},
       Invariant{"parting_speed", "The bodies part no faster than they met.", R"(N \cdot V^+ \le |N \cdot V^-|)",
                 "restitution with 0 ≤ ε ≤ 1, or an outcome without an impulse; failure case 45",
-                "contacts with a movable body", every_law(), AboutOutcome{check_parting_speed},
+                "contacts with a movable body", every_law(), AboutOutcome{if_movable<check_parting_speed>},
                 Proof{ProvedOf::every_impulse, {{"parts_no_faster_than_they_met", "every_law.v"}}}, 17},
       Invariant{
           "impulse_bound",
           "The normal velocity or the velocity before the impulse bounds the impulse; bodies at rest stay at rest.",
           R"(\lambda \lVert F \rVert \le (1 + \varepsilon)\, |N \cdot V^-| / \lVert N \rVert \ \text{(frictionless, reflection)},\quad \lambda \lVert F \rVert \le (1 + \varepsilon) \lVert V^- \rVert \ \text{(sticking, coulomb)},\quad \lambda \lVert F \rVert \le (1 + \max(\varepsilon, e_t)) \lVert V^- \rVert \ \text{(rough, any)},\quad \lambda = 1/m_A + 1/m_B)",
           "each law's demand on V⁺, with λI ⪯ C; failure case 45", "contacts with a movable body", every_law(),
-          AboutOutcome{check_impulse_bound},
+          AboutOutcome{if_movable<check_impulse_bound>},
           Proof{ProvedOf::every_impulse,
                 {{"impulse_bound_of_frictionless", "impulse_bound.v"},
                  {"impulse_bound_of_reflection", "impulse_bound.v"},
@@ -326,7 +303,7 @@ std::vector<Invariant> outcome_invariants() {
       Invariant{"push", "The impulse pushes the bodies apart and never pulls them together.", R"(N \cdot F \ge 0)",
                 "note eq. 18, with C positive definite", "contacts with a movable body",
                 std::vector{Law::frictionless, Law::reflection, Law::rough, Law::coulomb},
-                AboutOutcome{check_push, true},
+                AboutOutcome{if_movable<check_push>, true},
                 Proof{ProvedOf::its_laws,
                       {{"push_of_frictionless", "laws_of_impulse.v"},
                        {"push_of_reflection", "laws_of_impulse.v"},
@@ -347,7 +324,7 @@ std::vector<Invariant> outcome_invariants() {
                 "note eq. 10",
                 "contacts with a movable body",
                 {Law::frictionless},
-                AboutOutcome{check_frictionless_direction},
+                AboutOutcome{if_movable<check_frictionless_direction>},
                 Proof{ProvedOf::its_laws, {{"frictionless_direction", "laws_of_impulse.v"}}},
                 9},
       Invariant{"reflection_plane",
@@ -356,7 +333,7 @@ std::vector<Invariant> outcome_invariants() {
                 "note eq. 20, 21",
                 "contacts with a movable body",
                 {Law::reflection},
-                AboutOutcome{check_reflection_plane},
+                AboutOutcome{if_movable<check_reflection_plane>},
                 Proof{ProvedOf::its_laws, {{"reflection_plane", "laws_of_impulse.v"}}},
                 10},
       Invariant{"sticks",
@@ -374,7 +351,7 @@ std::vector<Invariant> outcome_invariants() {
                 "Coulomb friction; A. Chatterjee, A. Ruina, J. Appl. Mech. 65 (1998)",
                 "contacts with a movable body",
                 {Law::rough, Law::coulomb},
-                AboutOutcome{check_friction_cone},
+                AboutOutcome{if_movable<check_friction_cone>},
                 Proof{ProvedOf::its_laws, {{"friction_cone", "friction.v"}}},
                 12},
       Invariant{
@@ -385,7 +362,7 @@ std::vector<Invariant> outcome_invariants() {
           "Coulomb friction; docs: the laws",
           "contacts with a movable body",
           {Law::coulomb},
-          AboutOutcome{check_slip_opposed},
+          AboutOutcome{if_movable<check_slip_opposed>},
           Proof{},
           13},
       Invariant{"energy",
@@ -395,7 +372,7 @@ std::vector<Invariant> outcome_invariants() {
                 "≤ 2. Reflection and sticking can create energy, so they do not claim this invariant",
                 "contacts with a movable body",
                 {Law::frictionless, Law::rough},
-                AboutOutcome{check_energy},
+                AboutOutcome{if_movable<check_energy>},
                 Proof{ProvedOf::its_laws,
                       {{"energy_of_frictionless", "energy.v"},
                        {"energy_of_rough_law", "friction.v"},
@@ -405,8 +382,6 @@ std::vector<Invariant> outcome_invariants() {
 
 namespace {
 
-constexpr std::array spins{OutcomeVector::angular_velocity_of_a, OutcomeVector::angular_velocity_of_b};
-
 Verdict check_collinear_spin(const Evidence& e) {
   if (e.exact_case.state() != oracles::ContactState::colliding) {
     return does_not_apply("the contact is not colliding");
@@ -414,15 +389,8 @@ Verdict check_collinear_spin(const Evidence& e) {
   if (!e.exact_case.is_collinear()) {
     return does_not_apply("a lever arm is not along the normal");
   }
-  if (is_surely_untouched(e.exact_case, e.outcome, e.yardstick, spins)) {
-    return {};
-  }
-  const oracles::Sensitivity sensitivity = e.exact_case.sensitivity_with_noise(e.law, e.yardstick);
-  Verdict worst;
-  for (const OutcomeVector k : spins) {
-    worst = both(std::move(worst), vector_untouched(e, k, sensitivity));
-  }
-  return worst;
+  constexpr std::array spins{OutcomeVector::angular_velocity_of_a, OutcomeVector::angular_velocity_of_b};
+  return vectors_untouched(e, spins);
 }
 
 }  // namespace

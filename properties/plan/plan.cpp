@@ -25,9 +25,7 @@ struct ClassTally {
   ClassTally& operator+=(const ClassTally& other) {
     colliding += other.colliding;
     for (std::size_t i = 0; i < laws.size(); ++i) {
-      for (const Reduction reason : all_reductions) {
-        laws[i].by_reason[reason] += other.laws[i].by_reason[reason];
-      }
+      laws[i].by_reason += other.laws[i].by_reason;
     }
     for (std::size_t i = 0; i < certificates.size(); ++i) {
       certificates[i] += other.certificates[i];
