@@ -9,13 +9,6 @@ namespace {
 
 using V = Vector3<double>;
 
-bool are_movable(const Collision& c) { return !c.a.immovable && !c.b.immovable; }
-
-void make_both_movable(Stream& stream, Collision& c) {
-  make_movable(stream, c, c.a);
-  make_movable(stream, c, c.b);
-}
-
 /// Gives B the moments of A. Scales B's lever arm by a power of two near the ratio of B's new size to its old size.
 void take_moments(Collision& c) {
   const double size = radius_of_gyration(c.b);
@@ -33,6 +26,16 @@ void relate(Stream& stream, V& x, V& y, double sign, const V& otherwise) {
     leads = otherwise;
   }
   follows = leads * sign;
+}
+
+/// Both bodies have the vector, equal or opposite, and not zero.
+Feature both_have(const char* name, const char* statement, const char* why, V Body::*vector, double sign) {
+  return pair_relation(
+      name, statement, why,
+      [=](const Collision& c) { return c.a.*vector == c.b.*vector * sign && !is_zero(c.a.*vector); },
+      [=](Stream& stream, Collision& c) {
+        relate(stream, c.a.*vector, c.b.*vector, sign, V{1, -0.5, 0.25});
+      });
 }
 
 /// One of the two lever arms, mostly the shorter. If it is zero, a short vector along the normal.
@@ -176,35 +179,17 @@ std::vector<Feature> of_both_bodies() {
             make_both_movable(stream, c);
             c.b.orientation = negated(c.a.orientation);
           }),
-      pair_relation(
-          "velocities_equal", "both velocities are equal and not zero",
-          "v_A − v_B vanishes: the bodies approach by spin alone",
-          [](const Collision& c) { return c.a.velocity == c.b.velocity && !is_zero(c.a.velocity); },
-          [](Stream& stream, Collision& c) {
-            relate(stream, c.a.velocity, c.b.velocity, 1, V{1, -0.5, 0.25});
-          }),
+      both_have("velocities_equal", "both velocities are equal and not zero",
+                "v_A − v_B vanishes: the bodies approach by spin alone", &Body::velocity, 1),
       pair_relation(
           "velocities_opposite", "v_A = −v_B ≠ 0", "identical bodies that meet: their momenta cancel",
           [](const Collision& c) { return c.a.velocity == negated(c.b.velocity) && !is_zero(c.a.velocity); },
           [](Stream& stream, Collision& c) {
             relate(stream, c.a.velocity, c.b.velocity, -1, V(negated(c.normal) / size_of(c.normal)));
           }),
-      pair_relation(
-          "spins_equal", "both angular velocities are equal and not zero", "w_A − w_B vanishes",
-          [](const Collision& c) {
-            return c.a.angular_velocity == c.b.angular_velocity && !is_zero(c.a.angular_velocity);
-          },
-          [](Stream& stream, Collision& c) {
-            relate(stream, c.a.angular_velocity, c.b.angular_velocity, 1, V{1, -0.5, 0.25});
-          }),
-      pair_relation(
-          "spins_opposite", "w_A = −w_B ≠ 0", "gears; w_A + w_B vanishes",
-          [](const Collision& c) {
-            return c.a.angular_velocity == negated(c.b.angular_velocity) && !is_zero(c.a.angular_velocity);
-          },
-          [](Stream& stream, Collision& c) {
-            relate(stream, c.a.angular_velocity, c.b.angular_velocity, -1, V{1, -0.5, 0.25});
-          }),
+      both_have("spins_equal", "both angular velocities are equal and not zero", "w_A − w_B vanishes",
+                &Body::angular_velocity, 1),
+      both_have("spins_opposite", "w_A = −w_B ≠ 0", "gears; w_A + w_B vanishes", &Body::angular_velocity, -1),
       pair_relation(
           "lever_arms_opposite", "r_A = −r_B ≠ 0", "identical bodies; sums of lever arms cancel",
           [](const Collision& c) {
@@ -236,13 +221,7 @@ std::vector<Feature> of_both_bodies() {
           }),
       pair_relation(
           "point_at_origin", "the contact is at the origin", "P may be missing in a formula",
-          [](const Collision& c) { return is_zero(c.point); },
-          [](Stream&, Collision& c) {
-            for (Body* b : {&c.a, &c.b}) {
-              b->position = negated(lever_arm(c, *b));
-            }
-            c.point.setZero();
-          }),
+          [](const Collision& c) { return is_zero(c.point); }, [](Stream&, Collision& c) { move_point_to_origin(c); }),
       pair_relation("whole_numbers", "every number is an integer",
                     "parsers that read integers; results without rounding errors", is_whole, make_whole),
       pair_relation("planar", "the whole collision lies in one plane z = const",

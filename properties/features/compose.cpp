@@ -41,41 +41,28 @@ const Features& ratios_and_relations() {
 }
 
 /// The beginnings of the names of two groups of features. A feature of one group seldom occurs with a feature of the
-/// other unless both are chosen.
+/// other unless both are chosen. "?" stands for A, and then for B.
 struct Beginnings {
   std::string_view first;
   std::string_view second;
 };
 constexpr Beginnings seldom_together[]{{"whole_numbers", "approach_1e-"},
                                        {"whole_numbers", "normal_near_"},
-                                       {"whole_numbers", "a.size_1e-"},
-                                       {"whole_numbers", "b.size_1e-"},
+                                       {"whole_numbers", "?.size_1e-"},
                                        {"whole_numbers", "near_head_on"},
-                                       {"whole_numbers", "a.orientation_"},
-                                       {"whole_numbers", "b.orientation_"},
-                                       {"lever_arms_opposite", "a.lever_arm_1e"},
-                                       {"lever_arms_opposite", "b.lever_arm_1e"},
+                                       {"whole_numbers", "?.orientation_"},
+                                       {"lever_arms_opposite", "?.lever_arm_1e"},
                                        {"grazing", "approach_1e"},
-                                       {"approach_1e", "a.speed_1e"},
-                                       {"approach_1e", "b.speed_1e"},
-                                       {"approach_1e", "a.lever_arm_1e"},
-                                       {"approach_1e", "b.lever_arm_1e"},
-                                       {"a.rolling", "velocities_"},
-                                       {"b.rolling", "velocities_"},
-                                       {"a.rolling", "momenta_"},
-                                       {"b.rolling", "momenta_"},
-                                       {"a.rolling", "approach_along_axis"},
-                                       {"b.rolling", "approach_along_axis"},
-                                       {"a.rolling", "whole_numbers"},
-                                       {"b.rolling", "whole_numbers"},
-                                       {"a.spin_equals_velocity", "head_on"},
-                                       {"b.spin_equals_velocity", "head_on"},
-                                       {"a.moments_one", "momenta_opposite"},
-                                       {"b.moments_one", "momenta_opposite"},
-                                       {"a.moments_one", "whole_numbers"},
-                                       {"b.moments_one", "whole_numbers"},
-                                       {"centres_coincide", "a.lever_arm_1e"},
-                                       {"centres_coincide", "b.lever_arm_1e"},
+                                       {"approach_1e", "?.speed_1e"},
+                                       {"approach_1e", "?.lever_arm_1e"},
+                                       {"?.rolling", "velocities_"},
+                                       {"?.rolling", "momenta_"},
+                                       {"?.rolling", "approach_along_axis"},
+                                       {"?.rolling", "whole_numbers"},
+                                       {"?.spin_equals_velocity", "head_on"},
+                                       {"?.moments_one", "momenta_opposite"},
+                                       {"?.moments_one", "whole_numbers"},
+                                       {"centres_coincide", "?.lever_arm_1e"},
                                        {"whole_numbers", "momenta_"},
                                        {"whole_numbers", "velocities_"},
                                        {"whole_numbers", "lever_arms_opposite"},
@@ -88,22 +75,18 @@ constexpr Beginnings seldom_together[]{{"whole_numbers", "approach_1e-"},
                                        {"central", "velocities_"},
                                        {"planar", "normal_near_"},
                                        {"planar", "approach_1e"},
-                                       {"distance_1e", "a.lever_arm_1e"},
-                                       {"distance_1e", "b.lever_arm_1e"},
-                                       {"a.moments_one", "a.mass_"},
-                                       {"b.moments_one", "b.mass_"},
-                                       {"bodies_alike", "a.moment_ratio_1e"},
-                                       {"bodies_alike", "b.moment_ratio_1e"},
-                                       {"whole_numbers", "a.moment_ratio_1e"},
-                                       {"whole_numbers", "b.moment_ratio_1e"},
-                                       {"a.lever_arm_1e", "a.moment_ratio_1e"},
-                                       {"b.lever_arm_1e", "b.moment_ratio_1e"}};
+                                       {"distance_1e", "?.lever_arm_1e"},
+                                       {"?.moments_one", "?.mass_"},
+                                       {"bodies_alike", "?.moment_ratio_1e"},
+                                       {"whole_numbers", "?.moment_ratio_1e"},
+                                       {"?.lever_arm_1e", "?.moment_ratio_1e"}};
 
 /// The features whose names begin with this text. Throws std::logic_error if there is none.
-Features features_beginning(std::string_view beginning) {
+Features features_beginning(std::string beginning, char body) {
+  std::replace(beginning.begin(), beginning.end(), '?', body);
   Features features = features_if([&](const Feature& feature) { return feature.name.starts_with(beginning); });
   if (features.empty()) {
-    throw std::logic_error("no feature has a name that begins with \"" + std::string(beginning) + '"');
+    throw std::logic_error("no feature has a name that begins with \"" + beginning + '"');
   }
   return features;
 }
@@ -116,8 +99,12 @@ struct SeldomPair {
 const std::vector<SeldomPair>& seldom_pairs() {
   static const std::vector<SeldomPair> pairs = [] {
     std::vector<SeldomPair> resolved;
-    for (const Beginnings& names : seldom_together) {
-      resolved.push_back({features_beginning(names.first), features_beginning(names.second)});
+    for (const auto& [first, second] : seldom_together) {
+      const bool is_of_each_body = first.starts_with('?') || second.starts_with('?');
+      for (const char body : std::string_view(is_of_each_body ? "ab" : "a")) {
+        resolved.push_back(
+            {features_beginning(std::string(first), body), features_beginning(std::string(second), body)});
+      }
     }
     return resolved;
   }();

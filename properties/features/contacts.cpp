@@ -188,8 +188,6 @@ std::vector<Feature> of_coefficients() {
 
 namespace {
 
-using V = Vector3<double>;
-
 /// The normal speed v_n and the tangential speed v_t, times ‖N‖: |N·V⁻| and ‖N × V⁻‖.
 struct Parts {
   double normal;
@@ -321,12 +319,11 @@ std::vector<Feature> of_approach() {
       pair_relation(
           "momenta_opposite", "m_A v_A = −m_B v_B ≠ 0", "in the frame of the centre of mass, sums of momenta vanish",
           [](const Collision& c) {
-            return !c.a.immovable && !c.b.immovable && !is_zero(c.a.velocity) &&
+            return are_movable(c) && !is_zero(c.a.velocity) &&
                    V(c.a.velocity * c.a.mass) == V(c.b.velocity * -c.b.mass);
           },
           [](Stream& stream, Collision& c) {
-            make_movable(stream, c, c.a);
-            make_movable(stream, c, c.b);
+            make_both_movable(stream, c);
             // The masses become powers of two, so their quotient is exact.
             for (Body* b : {&c.a, &c.b}) {
               int exponent = 0;

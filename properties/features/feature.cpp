@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <array>
+#include <cstddef>
 #include <iterator>
 #include <utility>
 
@@ -15,9 +17,9 @@ Feature special_value(std::string name, std::string statement, std::string why,
       std::move(make)};
 }
 
-Feature pair_relation(const char* name, const char* statement, const char* why, bool (*is_present)(const Collision&),
-                      void (*make)(Stream&, Collision&)) {
-  return {name, FeatureKind::relation, statement, why, {}, 0, is_present, make};
+Feature pair_relation(const char* name, const char* statement, const char* why,
+                      std::function<bool(const Collision&)> is_present, std::function<void(Stream&, Collision&)> make) {
+  return {name, FeatureKind::relation, statement, why, {}, 0, std::move(is_present), std::move(make)};
 }
 
 std::vector<Feature> for_both(const std::vector<BodyFeature>& features) {
@@ -66,17 +68,8 @@ std::vector<Feature> catalogue() {
 }  // namespace
 
 std::string_view name_of(FeatureKind kind) {
-  switch (kind) {
-    case FeatureKind::special_value:
-      return "special value";
-    case FeatureKind::relation:
-      return "relation";
-    case FeatureKind::near:
-      return "near";
-    case FeatureKind::magnitude:
-      break;
-  }
-  return "magnitude";
+  constexpr std::array<std::string_view, 4> names{"special value", "relation", "near", "magnitude"};
+  return names[static_cast<std::size_t>(kind)];
 }
 
 std::span<const Feature> all_features() {

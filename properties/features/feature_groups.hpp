@@ -28,7 +28,8 @@ namespace carom::properties::features {
 
 /// A relation between the bodies, or between both bodies and the contact.
 [[nodiscard]] Feature pair_relation(const char* name, const char* statement, const char* why,
-                                    bool (*is_present)(const Collision&), void (*make)(Stream&, Collision&));
+                                    std::function<bool(const Collision&)> is_present,
+                                    std::function<void(Stream&, Collision&)> make);
 
 /// A feature of one body, listed for A and for B.
 struct BodyFeature {
@@ -59,9 +60,13 @@ struct Near {
   const char* statement = nullptr;  // if `of` is nullptr
 };
 
-[[nodiscard]] std::vector<Near> near_bodies();     // orientations, masses, moments
-[[nodiscard]] std::vector<Near> near_vectors();    // directions, components and lengths
-[[nodiscard]] std::vector<Near> near_relations();  // zero vectors, and fields that nearly agree
+[[nodiscard]] std::vector<Near> near_orientations();
+[[nodiscard]] std::vector<Near> near_inertia();    // masses and moments
+[[nodiscard]] std::vector<Near> near_vectors();    // directions, components and lengths, except for normals
+[[nodiscard]] std::vector<Near> near_normals();    // also the normal against V⁻
+[[nodiscard]] std::vector<Near> near_zeros();      // vectors that are nearly zero
+[[nodiscard]] std::vector<Near> near_pairs();      // fields of A and B that nearly agree
+[[nodiscard]] std::vector<Near> near_relations();  // other fields that nearly agree
 
 /// The near features of these features.
 [[nodiscard]] std::vector<Feature> near_features(std::span<const Feature> exact);

@@ -168,4 +168,9 @@ void make_movable(Stream& stream, const Collision& collision, Body& body) {
   body.orientation = stream.quaternion();
 }
 
+void make_both_movable(Stream& stream, Collision& collision) {
+  make_movable(stream, collision, collision.a);
+  make_movable(stream, collision, collision.b);
+}
+
 }  // namespace carom::properties::features

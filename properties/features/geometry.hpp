@@ -80,7 +80,12 @@ void move_point_to_origin(Collision& collision);
 /// Turns the spin along the lever arm, unless one of them is zero.
 void spin_along_lever_arm(const Collision& collision, Body& body);
 
+[[nodiscard]] inline bool are_movable(const Collision& collision) {
+  return !collision.a.immovable && !collision.b.immovable;
+}
+
 /// Replaces an immovable body by a movable one, about as large as its lever arm is long.
 void make_movable(Stream& stream, const Collision& collision, Body& body);
+void make_both_movable(Stream& stream, Collision& collision);
 
 }  // namespace carom::properties::features

@@ -130,7 +130,7 @@ std::vector<Quantity> of_body(const std::string& letter, Body Collision::*body) 
        [=](Stream& stream, Collision& c, double value) {
          Body& b = c.*body;
          make_movable(stream, c, b);
-         const bool are_alike = c.a.principal_inertia == c.b.principal_inertia && !c.a.immovable && !c.b.immovable;
+         const bool are_alike = c.a.principal_inertia == c.b.principal_inertia && are_movable(c);
          set_moment_ratio(b.principal_inertia, value);
          if (are_alike) {
            c.a.principal_inertia = c.b.principal_inertia = V(b.principal_inertia);
@@ -162,8 +162,7 @@ std::vector<Quantity> quantities() {
   all.push_back({"mass_ratio", "the larger mass over the smaller", "mass ratios beyond 100 (failure case 32)", 0, 9,
                  [](const Collision& c) { return c.a.immovable || c.b.immovable ? 0 : ratio_of(c.a.mass, c.b.mass); },
                  [](Stream& stream, Collision& c, double value) {
-                   make_movable(stream, c, c.a);
-                   make_movable(stream, c, c.b);
+                   make_both_movable(stream, c);
                    Body& changed = stream.chance(2) ? c.a : c.b;
                    const Body& other = &changed == &c.a ? c.b : c.a;
                    set_mass(changed, other.mass > 1 ? other.mass / value : other.mass * value);
@@ -172,8 +171,7 @@ std::vector<Quantity> quantities() {
   all.push_back({"size_ratio", "the larger radius of gyration over the smaller", "a marble on the earth", 0, 9,
                  [](const Collision& c) { return ratio_of(radius_of_gyration(c.a), radius_of_gyration(c.b)); },
                  [](Stream& stream, Collision& c, double value) {
-                   make_movable(stream, c, c.a);
-                   make_movable(stream, c, c.b);
+                   make_both_movable(stream, c);
                    if (stream.chance(2) && set_size_ratio_by_masses(c, value)) {
                      return;
                    }

@@ -159,8 +159,6 @@ std::vector<Feature> of_velocities() {
 
 namespace {
 
-using V = Vector3<double>;
-
 /// Turns the lever arm along this direction and keeps about its length. Does nothing if the direction is zero.
 void turn_along(Collision& c, Body& b, const V& direction) {
   if (!is_zero(direction)) {

@@ -90,7 +90,8 @@ std::vector<Feature> near_features(std::span<const Feature> exact) {
     return found == exact.end() ? nullptr : &*found;
   };
   std::vector<Feature> all;
-  for (const auto group : {near_bodies, near_vectors, near_relations, near_coefficients}) {
+  for (const auto group : {near_orientations, near_inertia, near_vectors, near_normals, near_zeros, near_pairs,
+                           near_relations, near_coefficients}) {
     for (const Near& near : group()) {
       if (near.of == nullptr) {
         all.push_back(feature_of(near, nullptr, ""));

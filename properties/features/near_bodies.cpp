@@ -48,6 +48,25 @@ void move_quaternion(Stream& stream, Q& q, double distance) {
   q += some_quaternion(stream) * (distance * length_of(q));
 }
 
+/// `distance_of` gets the moments of a movable body.
+Near of_moments(const char* of, double (*distance_of)(const V&), void (*move)(Stream&, V&, double)) {
+  return {of, [=](const Collision&, const Body& b) { return b.immovable ? 0 : distance_of(b.principal_inertia); },
+          [=](Stream& stream, Collision&, Body& b, double distance) { move(stream, b.principal_inertia, distance); }};
+}
+
+/// The least relative difference of two moments.
+double distance_from_equal_pair(const V& moments) {
+  double nearest = 1;
+  for (int i = 0; i < 3; ++i) {
+    const double x = moments[i];
+    const double y = moments[(i + 1) % 3];
+    nearest = std::min(nearest, std::abs(x - y) / std::max(x, y));
+  }
+  return nearest;
+}
+
+}  // namespace
+
 std::vector<Near> near_orientations() {
   return {
       of_quaternion(
@@ -97,23 +116,6 @@ std::vector<Near> near_orientations() {
   };
 }
 
-/// `distance_of` gets the moments of a movable body.
-Near of_moments(const char* of, double (*distance_of)(const V&), void (*move)(Stream&, V&, double)) {
-  return {of, [=](const Collision&, const Body& b) { return b.immovable ? 0 : distance_of(b.principal_inertia); },
-          [=](Stream& stream, Collision&, Body& b, double distance) { move(stream, b.principal_inertia, distance); }};
-}
-
-/// The least relative difference of two moments.
-double distance_from_equal_pair(const V& moments) {
-  double nearest = 1;
-  for (int i = 0; i < 3; ++i) {
-    const double x = moments[i];
-    const double y = moments[(i + 1) % 3];
-    nearest = std::min(nearest, std::abs(x - y) / std::max(x, y));
-  }
-  return nearest;
-}
-
 std::vector<Near> near_inertia() {
   return {
       {"mass_one", [](const Collision&, const Body& b) { return b.immovable ? 0 : std::abs(b.mass - 1); },
@@ -126,8 +128,7 @@ std::vector<Near> near_inertia() {
          return c.a.immovable || c.b.immovable ? 0 : std::min(c.a.mass, c.b.mass) / std::max(c.a.mass, c.b.mass);
        },
        [](Stream& stream, Collision& c, Body&, double distance) {
-         make_movable(stream, c, c.a);
-         make_movable(stream, c, c.b);
+         make_both_movable(stream, c);
          Body& heavy = stream.chance(2) ? c.a : c.b;
          Body& light = &heavy == &c.a ? c.b : c.a;
          constexpr double most = largest_mass / 4;
@@ -162,16 +163,6 @@ std::vector<Near> near_inertia() {
           "flat", [](const V& moments) { return (sum(moments) - 2 * greatest(moments)) / greatest(moments); },
           [](Stream&, V& moments, double distance) { moments[place_of_least(negated(moments))] *= 1 - distance; }),
   };
-}
-
-}  // namespace
-
-std::vector<Near> near_bodies() {
-  std::vector<Near> all = near_orientations();
-  for (Near& near : near_inertia()) {
-    all.push_back(std::move(near));
-  }
-  return all;
 }
 
 }  // namespace carom::properties::features

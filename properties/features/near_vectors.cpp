@@ -113,6 +113,8 @@ Near ties(const char* of, VectorOf u) {
           }};
 }
 
+}  // namespace
+
 std::vector<Near> near_normals() {
   Near on_axis = along_axis(nullptr, normal);
   on_axis.name = "near_normal_along_axis";
@@ -154,10 +156,8 @@ std::vector<Near> near_normals() {
   };
 }
 
-}  // namespace
-
 std::vector<Near> near_vectors() {
-  std::vector<Near> all{
+  return {
       along_axis("lever_arm_along_axis", arm),
       in_plane("lever_arm_in_plane", arm),
       along("lever_arm_along_normal", arm, normal),
@@ -174,10 +174,6 @@ std::vector<Near> near_vectors() {
       along("spin_along_lever_arm", spin, arm),
       along("spin_along_velocity", spin, velocity),
   };
-  for (Near& near : near_normals()) {
-    all.push_back(std::move(near));
-  }
-  return all;
 }
 
 }  // namespace carom::properties::features

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -17,7 +16,7 @@ namespace {
 
 using V = Vector3<double>;
 
-double arm(const Collision& c, const Body& b) { return length(c.point - b.position); }
+double arm(const Collision& c, const Body& b) { return length(features::lever_arm(c, b)); }
 
 double approach_speed(const Collision& c) { return std::abs(dot(c.normal, relative_velocity(c))) / length(c.normal); }
 double slip_speed(const Collision& c) { return length(cross(c.normal, relative_velocity(c))) / length(c.normal); }
@@ -52,50 +51,43 @@ double angle(const Body& b) {
   return b.immovable ? 0 : 2 * std::atan2(length(b.orientation.tail<3>()), std::abs(b.orientation[0]));
 }
 
-const std::array quantities{
-    ComparedQuantity{"the smaller mass [kg]", [](const Collision& c) { return lesser(c, mass); }},
-    ComparedQuantity{"the larger mass [kg]", [](const Collision& c) { return greater(c, mass); }},
-    ComparedQuantity{
-        "the larger mass over the smaller",
-        [](const Collision& c) { return c.a.immovable || c.b.immovable ? 0 : greater(c, mass) / lesser(c, mass); }},
-    ComparedQuantity{"the least moment of inertia [kg m²]", [](const Collision& c) { return lesser(c, least_moment); }},
-    ComparedQuantity{"the greatest moment of inertia [kg m²]",
-                     [](const Collision& c) { return greater(c, greatest_moment); }},
-    ComparedQuantity{"the smaller product of a body's three moments [kg³ m⁶]",
-                     [](const Collision& c) { return lesser(c, product_of_moments); }},
-    ComparedQuantity{ratio_of_moments, [](const Collision& c) { return greater(c, moment_ratio); }},
-    ComparedQuantity{"the shorter lever arm [m]",
-                     [](const Collision& c) { return lesser(c, [&](const Body& b) { return arm(c, b); }); }},
-    ComparedQuantity{"the longer lever arm [m]",
-                     [](const Collision& c) { return greater(c, [&](const Body& b) { return arm(c, b); }); }},
-    ComparedQuantity{"the smallest nonzero speed [m/s]", [](const Collision& c) { return lesser(c, speed); }},
-    ComparedQuantity{"the larger speed [m/s]", [](const Collision& c) { return greater(c, speed); }},
-    ComparedQuantity{"the smallest nonzero spin [rad/s]", [](const Collision& c) { return lesser(c, spin); }},
-    ComparedQuantity{"the larger spin [rad/s]", [](const Collision& c) { return greater(c, spin); }},
-    ComparedQuantity{"the speed of approach |N·V⁻|/‖N‖ [m/s]", approach_speed},
-    ComparedQuantity{"the slip ‖N × V⁻‖/‖N‖ [m/s]", slip_speed},
-    ComparedQuantity{"the slip over the speed of approach",
-                     [](const Collision& c) { return slip_speed(c) / approach_speed(c); }},
-    ComparedQuantity{"the length of the normal", [](const Collision& c) { return length(c.normal); }},
-    ComparedQuantity{"the angle between the normal and the nearest axis [rad]",
-                     [](const Collision& c) {
-                       V rest = c.normal;
-                       const int largest = place_of_least(negated(V(c.normal.cwiseAbs())));
-                       rest[largest] = 0;
-                       return std::atan2(length(rest), std::abs(c.normal[largest]));
-                     }},
-    ComparedQuantity{"the length of the shorter quaternion",
-                     [](const Collision& c) { return lesser(c, quaternion_length); }},
-    ComparedQuantity{"the length of the longer quaternion",
-                     [](const Collision& c) { return greater(c, quaternion_length); }},
-    ComparedQuantity{"the smallest nonzero angle of rotation [rad]",
-                     [](const Collision& c) { return lesser(c, angle); }},
-    ComparedQuantity{"the distance of the contact from the origin [m]",
-                     [](const Collision& c) { return length(c.point); }},
-    ComparedQuantity{"the restitution", [](const Collision& c) { return c.restitution; }},
-    ComparedQuantity{"the friction", [](const Collision& c) { return c.friction; }},
-    ComparedQuantity{"mass times speed of approach, of the lighter body [N s]",
-                     [](const Collision& c) { return lesser(c, mass) * approach_speed(c); }},
+const std::vector<ComparedQuantity> quantities{
+    {"the smaller mass [kg]", [](const Collision& c) { return lesser(c, mass); }},
+    {"the larger mass [kg]", [](const Collision& c) { return greater(c, mass); }},
+    {"the larger mass over the smaller",
+     [](const Collision& c) { return c.a.immovable || c.b.immovable ? 0 : greater(c, mass) / lesser(c, mass); }},
+    {"the least moment of inertia [kg m²]", [](const Collision& c) { return lesser(c, least_moment); }},
+    {"the greatest moment of inertia [kg m²]", [](const Collision& c) { return greater(c, greatest_moment); }},
+    {"the smaller product of a body's three moments [kg³ m⁶]",
+     [](const Collision& c) { return lesser(c, product_of_moments); }},
+    {ratio_of_moments, [](const Collision& c) { return greater(c, moment_ratio); }},
+    {"the shorter lever arm [m]",
+     [](const Collision& c) { return lesser(c, [&](const Body& b) { return arm(c, b); }); }},
+    {"the longer lever arm [m]",
+     [](const Collision& c) { return greater(c, [&](const Body& b) { return arm(c, b); }); }},
+    {"the smallest nonzero speed [m/s]", [](const Collision& c) { return lesser(c, speed); }},
+    {"the larger speed [m/s]", [](const Collision& c) { return greater(c, speed); }},
+    {"the smallest nonzero spin [rad/s]", [](const Collision& c) { return lesser(c, spin); }},
+    {"the larger spin [rad/s]", [](const Collision& c) { return greater(c, spin); }},
+    {"the speed of approach |N·V⁻|/‖N‖ [m/s]", approach_speed},
+    {"the slip ‖N × V⁻‖/‖N‖ [m/s]", slip_speed},
+    {"the slip over the speed of approach", [](const Collision& c) { return slip_speed(c) / approach_speed(c); }},
+    {"the length of the normal", [](const Collision& c) { return length(c.normal); }},
+    {"the angle between the normal and the nearest axis [rad]",
+     [](const Collision& c) {
+       V rest = c.normal;
+       const int largest = place_of_least(negated(V(c.normal.cwiseAbs())));
+       rest[largest] = 0;
+       return std::atan2(length(rest), std::abs(c.normal[largest]));
+     }},
+    {"the length of the shorter quaternion", [](const Collision& c) { return lesser(c, quaternion_length); }},
+    {"the length of the longer quaternion", [](const Collision& c) { return greater(c, quaternion_length); }},
+    {"the smallest nonzero angle of rotation [rad]", [](const Collision& c) { return lesser(c, angle); }},
+    {"the distance of the contact from the origin [m]", [](const Collision& c) { return length(c.point); }},
+    {"the restitution", [](const Collision& c) { return c.restitution; }},
+    {"the friction", [](const Collision& c) { return c.friction; }},
+    {"mass times speed of approach, of the lighter body [N s]",
+     [](const Collision& c) { return lesser(c, mass) * approach_speed(c); }},
 };
 
 }  // namespace
