@@ -32,7 +32,7 @@ using properties::NamedVerdict;
 using properties::Status;
 
 constexpr std::uint64_t seed_of_drivers = 20261128;
-constexpr std::uint64_t cases_of_drivers = 4;  // of each family, times its weight
+constexpr std::uint64_t cases_of_drivers = 2;  // of each family, times its weight
 
 properties::GateOptions options_of_drivers() {
   properties::GateOptions options = unit::gate_options(

@@ -76,9 +76,13 @@ TEST(FilteredJudge, EqualsTheRationalJudgeOnNumbersOfFewDigits) {
 
 /// Both verdicts, holds and violated, must occur near the limit.
 TEST(FilteredJudge, EqualsTheRationalJudgeNearTheLimit) {
-  std::vector<Examined> examined = planting_in({Precision::binary32, Precision::binary64, Precision::extended});
+  constexpr int full = 10;
+  const bool is_sampled = unit::effort(full) < full;
+  std::vector<Examined> examined = is_sampled
+                                       ? planting_in({Precision::binary64})
+                                       : planting_in({Precision::binary32, Precision::binary64, Precision::extended});
   Agreement agreement;
-  compare_on_families(examined, unit::effort(10), properties::no_relations, agreement);
+  compare_on_families(examined, is_sampled ? 0 : full, properties::no_relations, agreement);
   compare_on_families(examined, 1, {}, agreement);
   EXPECT_EQ(agreement.differences, "");
   for (const char* name : {"backward_error", "linear_momentum", "angular_momentum", "restitution", "reflection_plane",
