@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <string_view>
 #include <vector>
@@ -16,8 +17,8 @@ namespace carom::properties {
 enum class Cause {
   impacts,        // impacts of two bodies, by the law
   plane_impacts,  // impacts with planes, by the law
-  slow_contacts,  // bodies are sent apart at the least speed that the simulation follows
-  sliding,        // friction on level planes
+  slow_contacts,  // the run itself sends bodies apart at the least speed that it follows
+  sliding,        // friction on planes
   rolling,        // rolling resistance
   spinning,       // resistance to spin about a plane's normal
   rounding,       // rounding of the stored states
@@ -51,6 +52,9 @@ struct Energies {
 /// of the phase, never from the difference of two energies. For an impact of a polyhedron, the energy is F·V⁻ + ½ F·K
 /// F, with F the outcome's impulse on A. The ledger books the rest of each change as rounding. All numbers are long
 /// double, so the ledger's own rounding is 2⁻¹¹ of the rounding of a state to double.
+///
+/// Each entry of rounding has its own bound, from the numbers of its event or arc (ledger.cpp). The ledger closes if
+/// each entry is within its bound, however many events there are.
 class Ledger {
  public:
   /// The scene that the state refers to must outlive the ledger.
@@ -70,10 +74,17 @@ class Ledger {
   [[nodiscard]] Energies present() const;
   /// The reference for rounding [J]: the greatest kinetic energy so far, plus Σ m |g·x| of the initial positions.
   [[nodiscard]] long double scale() const { return scale_; }
-  /// The rounding of the energy relative to the scale, and its limit for the precision of the scene's impulses.
-  [[nodiscard]] double relative_rounding() const;
-  [[nodiscard]] double rounding_limit() const;
-  [[nodiscard]] bool is_closed() const { return relative_rounding() <= rounding_limit(); }
+  /// The energy that the run itself added, by slow contacts, relative to the scale at the beginning.
+  [[nodiscard]] double added() const {
+    const long double energy = energy_[Cause::slow_contacts].sum();
+    return energy > 0 ? static_cast<double>(energy / first_scale_) : 0;
+  }
+  /// The rounding of the energy, and the sum of the bounds of all entries, both relative to the scale.
+  [[nodiscard]] double relative_rounding() const { return relative(std::abs(energy(Cause::rounding))); }
+  [[nodiscard]] double rounding_limit() const { return relative(bounds_.sum()); }
+  /// The greatest |rounding| of an entry, in units of its bound; infinite if the rounding is not a number.
+  [[nodiscard]] double worst_rounding() const { return worst_rounding_; }
+  [[nodiscard]] bool is_closed() const { return worst_rounding_ <= 1; }
   /// Momentum [N s]: initial, and by cause. Planes act by impacts, and by their reaction on bodies that lie on them.
   [[nodiscard]] Vector3<long double> initial_momentum() const { return initial_momentum_; }
   [[nodiscard]] Vector3<long double> gravity_impulse() const { return sum_of(gravity_impulse_); }
@@ -101,23 +112,30 @@ class Ledger {
   [[nodiscard]] static Vector3<long double> sum_of(const Momentum& momentum);
   static void add(Momentum& account, const Vector3<long double>& amount);
   void follow(const scene::Arc& arc, double end, std::size_t body, const Spin& at_end);
-  void round_energy(long double amount);
+  [[nodiscard]] double relative(long double energy) const {
+    return scale_ > 0 ? static_cast<double>(energy / scale_) : 0;
+  }
+  /// Books rounding [J] with its bound [J].
+  void round_energy(long double amount, long double bound);
   /// The work that sends the bodies of a slow contact apart along the normal, beyond the law's outcome [J].
   [[nodiscard]] long double work_of_sending_apart(const scene::Event& event) const;
   /// `work_of_sending_apart` of spheres, from the speeds along the normal [J].
   [[nodiscard]] long double work_of_raised_speed(const scene::Event& event) const;
   [[nodiscard]] Vector3<long double> spin_momentum(std::size_t body, const Spin& spin) const;
   [[nodiscard]] Energies energies_of(const scene::Arc& arc, double time, std::size_t body, const Spin& spin) const;
+  /// m Σ |g_k| (|x_k| + |v_k| s + |a_k| s²/2), the size of the terms of the potential energy on an arc [J].
+  [[nodiscard]] long double size_of_heights(const scene::Arc& arc, long double span, std::size_t body) const;
 
   const scene::Scene* scene_;
   Vector3<long double> gravity_;
   std::vector<BookedBody> bodies_;
-  std::vector<scene::Level> levels_;  // one for each plane; gravity 0 if the plane is not level
   Energies initial_;
   Account translation_, rotation_, potential_;
   EnumArray<Cause, Account, all_causes.size()> energy_;
-  Account gravity_work_, rounding_, angular_rounding_;
+  Account gravity_work_, rounding_, bounds_, angular_rounding_;
+  double worst_rounding_ = 0;
   long double scale_ = 0;
+  long double first_scale_ = 0;
   long double heights_ = 0;
   long double angular_scale_ = 0;
   Vector3<long double> initial_momentum_;

@@ -70,7 +70,8 @@ Real known(Real gap) { return std::isfinite(gap) ? gap : -std::numeric_limits<Re
 
 class PolyhedraChecker {
  public:
-  PolyhedraChecker(const scene::Scene& scene, const History& history) : scene_(scene), history_(history) {
+  PolyhedraChecker(const scene::Scene& scene, const History& history, const Stops& stops)
+      : scene_(scene), history_(history), stops_(stops) {
     for (std::size_t i = 0; i < body_count(scene); ++i) {
       const bool is_ball = is_sphere(scene, i);
       const auto body = [&]() -> scene::RigidBody {
@@ -142,7 +143,7 @@ class PolyhedraChecker {
 
   void check_joints(std::size_t body) {
     BodyTrack& track = tracks_[body];
-    for (std::size_t k = 1; k < track.arcs().size(); ++k) {
+    for (std::size_t k = 1; k < track.arcs().size() && goes_on(); ++k) {
       ++found_.joints;
       const scene::Path& path = track.arcs()[k].path;
       const scene::Path& before = track.arcs()[k - 1].path;
@@ -357,9 +358,14 @@ class PolyhedraChecker {
     });
   }
 
+  [[nodiscard]] bool goes_on() {
+    found_.is_complete = found_.is_complete && !stops_();
+    return found_.is_complete;
+  }
+
   template <class Halve>
   void settle(Real lowest, Real radius, int halvings, const Halve& halve) {
-    if (lowest >= 0) {
+    if (lowest >= 0 || !goes_on()) {
       return;
     }
     if (lowest >= -allowed_unseen * radius || halvings == most_halvings) {
@@ -374,7 +380,7 @@ class PolyhedraChecker {
     const std::vector<Arc>& of_k = tracks_[k].arcs();
     std::size_t arc_i = 0;
     std::size_t arc_k = 0;
-    for (double begin = history_.begin();;) {
+    for (double begin = history_.begin(); goes_on();) {
       const double end = std::min(end_of(i, arc_i), end_of(k, arc_k));
       if (begin < end && may_meet(of_i[arc_i].path, of_k[arc_k].path, begin, end)) {
         const Look first = look(i, arc_i, k, arc_k, begin);
@@ -419,7 +425,7 @@ class PolyhedraChecker {
   void check_plane(std::size_t body, std::size_t plane) {
     const Ground& ground = grounds_[plane];
     const std::vector<Arc>& arcs = tracks_[body].arcs();
-    for (std::size_t arc = 0; arc < arcs.size(); ++arc) {
+    for (std::size_t arc = 0; arc < arcs.size() && goes_on(); ++arc) {
       const double begin = std::max(history_.begin(), arcs[arc].path.start);
       const double end = end_of(body, arc);
       if (begin < end) {
@@ -467,6 +473,7 @@ class PolyhedraChecker {
 
   const scene::Scene& scene_;
   const History& history_;
+  const Stops& stops_;
   std::vector<BodyTrack> tracks_;
   std::vector<Ground> grounds_;
   Validity found_;
@@ -474,9 +481,9 @@ class PolyhedraChecker {
 
 }  // namespace
 
-Validity check_polyhedra(const scene::Scene& scene, const History& history) {
+Validity check_polyhedra(const scene::Scene& scene, const History& history, const Stops& stops) {
   CAROM_EXPECTS(!scene.polyhedra.empty());
-  return PolyhedraChecker(scene, history).check();
+  return PolyhedraChecker(scene, history, stops).check();
 }
 
 }  // namespace carom::properties

@@ -22,6 +22,9 @@ using scene::Path;
 
 constexpr std::size_t most_shown = 100;
 
+/// An arc through more cells than this is checked against all others.
+constexpr long double most_cells = 10'000;
+
 /// A part of an arc that stays within a few cells of a grid.
 struct Piece {
   std::uint32_t sphere;
@@ -203,7 +206,8 @@ bool is_far_above(const scene::Plane& plane, const Path& path, double begin, dou
 
 class Checker {
  public:
-  Checker(const scene::Scene& scene, const History& history) : scene_(scene), history_(history) {
+  Checker(const scene::Scene& scene, const History& history, const Stops& stops)
+      : scene_(scene), history_(history), stops_(stops) {
     double radius = 0;
     for (const scene::Sphere& sphere : scene.spheres) {
       radius = std::max(radius, sphere.radius);
@@ -215,6 +219,7 @@ class Checker {
     for (std::size_t sphere = 0; sphere < history_.arcs().size(); ++sphere) {
       follow(static_cast<std::uint32_t>(sphere), history_.arcs()[sphere]);
     }
+    check_far_arcs();
     check_pairs();
     return std::move(found_);
   }
@@ -228,7 +233,7 @@ class Checker {
   }
 
   void follow(std::uint32_t sphere, const std::vector<Arc>& arcs) {
-    for (std::size_t k = 0; k < arcs.size(); ++k) {
+    for (std::size_t k = 0; k < arcs.size() && goes_on(); ++k) {
       const double begin = std::max(arcs[k].path.start, history_.begin());
       const double end = k + 1 < arcs.size() ? arcs[k + 1].path.start : history_.end();
       if (arcs[k].path.radius != scene_.spheres[sphere].radius) {
@@ -270,14 +275,18 @@ class Checker {
     }
   }
 
-  /// Cuts an arc into pieces that travel at most one cell.
+  /// Cuts an arc into pieces that travel at most one cell. An arc that travels through too many cells stays whole.
   void cut(std::uint32_t sphere, const Path& path, double begin, double end) {
     long double travel = 0;
     const long double span = static_cast<long double>(end) - begin;
     for (int axis = 0; axis < 3; ++axis) {
       travel = std::max(travel, std::max(std::abs(speed(path, axis, begin)), std::abs(speed(path, axis, end))) * span);
     }
-    const auto count = static_cast<std::size_t>(std::min(1e6L, std::ceil(travel / cell_) + 1));
+    if (!(travel < most_cells * cell_)) {
+      far_.push_back({sphere, &path, begin, end, {}, {}});
+      return;
+    }
+    const auto count = static_cast<std::size_t>(std::ceil(travel / cell_) + 1);
     double from = begin;
     for (std::size_t k = 1; k <= count; ++k) {
       const double to =
@@ -302,6 +311,23 @@ class Checker {
     pieces_.push_back(piece);
   }
 
+  /// Checks each arc that travels far against everything.
+  void check_far_arcs() {
+    for (std::size_t k = 0; k < far_.size(); ++k) {
+      for (std::size_t other = 0; other < pieces_.size() + k && goes_on(); ++other) {
+        const Piece& piece = other < k ? far_[other] : pieces_[other - k];
+        if (piece.sphere != far_[k].sphere && piece.begin <= far_[k].end && far_[k].begin <= piece.end) {
+          check_pair(far_[k], piece);
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] bool goes_on() {
+    found_.is_complete = found_.is_complete && !stops_();
+    return found_.is_complete;
+  }
+
   void check_pairs() {
     struct Hash {
       std::size_t operator()(const std::array<std::int64_t, 3>& cell) const {
@@ -310,7 +336,7 @@ class Checker {
     };
     std::unordered_map<std::array<std::int64_t, 3>, std::vector<std::uint32_t>, Hash> cells;
     std::sort(pieces_.begin(), pieces_.end(), [](const Piece& x, const Piece& y) { return x.begin < y.begin; });
-    for (std::uint32_t k = 0; k < pieces_.size(); ++k) {
+    for (std::uint32_t k = 0; k < pieces_.size() && goes_on(); ++k) {
       const Piece& piece = pieces_[k];
       for (auto x = piece.least[0]; x <= piece.greatest[0]; ++x) {
         for (auto y = piece.least[1]; y <= piece.greatest[1]; ++y) {
@@ -356,8 +382,10 @@ class Checker {
 
   const scene::Scene& scene_;
   const History& history_;
+  const Stops& stops_;
   double cell_ = 1;
   std::vector<Piece> pieces_;
+  std::vector<Piece> far_;
   Validity found_;
 };
 
@@ -376,10 +404,11 @@ void Validity::add(const Validity& other) {
   joints += other.joints;
   largest_jump = std::max(largest_jump, other.largest_jump);
   unseen = std::max(unseen, other.unseen);
+  is_complete = is_complete && other.is_complete;
 }
 
-Validity check_validity(const scene::Scene& scene, const History& history) {
-  return scene.polyhedra.empty() ? Checker(scene, history).check() : check_polyhedra(scene, history);
+Validity check_validity(const scene::Scene& scene, const History& history, const Stops& stops) {
+  return scene.polyhedra.empty() ? Checker(scene, history, stops).check() : check_polyhedra(scene, history, stops);
 }
 
 }  // namespace carom::properties

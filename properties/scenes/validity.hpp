@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,9 @@ struct Invalidity {
   std::string what;  // in words
 };
 
+/// Whether a check is to end early.
+using Stops = std::function<bool()>;
+
 struct Validity {
   std::vector<Invalidity> invalid;  // the first hundred
   std::size_t count = 0;            // the number of all violations
@@ -27,6 +31,7 @@ struct Validity {
   std::size_t joints = 0;           // checked joints between successive arcs
   double largest_jump = 0;          // of a stored position at a joint, by rounding [m]
   double unseen = 0;                // for polyhedra: the check may miss an overlap up to this depth [m]
+  bool is_complete = true;          // whether the check came to its end; if not, the counts are those of a part
 
   void add(const Validity& other);
 };
@@ -35,7 +40,9 @@ struct Validity {
 /// during the history. Arcs are exact polynomials of time. A bound or exact arithmetic decides |x_A − x_B| ≥ R_A + R_B
 /// for spheres that come near each other. Successive arcs must join: exactly in time, and in position within 8 ulps of
 /// the largest coordinate. `check_polyhedra` checks scenes with polyhedra.
-[[nodiscard]] Validity check_validity(const scene::Scene& scene, const History& history);
+/// The check ends early if `stops` returns true.
+[[nodiscard]] Validity check_validity(
+    const scene::Scene& scene, const History& history, const Stops& stops = [] { return false; });
 
 /// Checks whether the bodies of a scene with polyhedra overlap, or leave a plane's side, during the history. The check
 /// shares nothing with the simulation's event loop. It tests every axis of the separating axis theorem.
@@ -48,6 +55,6 @@ struct Validity {
 /// Successive arcs must join: exactly in time, in position within the rounding of a parabola, and in orientation within
 /// 2⁻³⁸ rad. If a velocity changes at a joint, a plane or another body must touch the body. Precondition:
 /// `scene.polyhedra` is not empty.
-[[nodiscard]] Validity check_polyhedra(const scene::Scene& scene, const History& history);
+[[nodiscard]] Validity check_polyhedra(const scene::Scene& scene, const History& history, const Stops& stops);
 
 }  // namespace carom::properties

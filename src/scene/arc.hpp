@@ -16,9 +16,9 @@ inline constexpr double never = std::numeric_limits<double>::infinity();
 /// The kind of motion of a sphere between two of its events (event.hpp).
 enum class Phase : std::uint8_t {
   flying,   // under gravity alone
-  sliding,  // on a level plane, with its lowest point slipping
-  rolling,  // on a level plane, without slip
-  resting,  // on a level plane; it may still spin about the normal
+  sliding,  // on a plane, with slip at the contact point
+  rolling,  // on a plane, without slip
+  resting,  // on a plane; it may still spin about the normal
 };
 
 [[nodiscard]] constexpr std::string_view name_of(Phase phase) {
@@ -49,8 +49,9 @@ struct Path {
   double acceleration_size = 0;           // ‖a‖₁
 };
 
-/// The motion that becomes 0 at the end of an arc; `none` if only an impact ends the arc.
-enum class Ending : std::uint8_t { none, slip, roll, spin };
+/// The motion that becomes 0 at the end of an arc. `turn`: friction gets a new direction. `none`: only an impact ends
+/// the arc.
+enum class Ending : std::uint8_t { none, slip, roll, spin, turn };
 
 /// The rotation of a sphere, and the plane that supports it.
 struct Turning {

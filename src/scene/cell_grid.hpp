@@ -211,8 +211,8 @@ class CellGrid {
 };
 
 /// An empty grid for the spheres on these paths. The cells are as wide as the largest sphere, or wider if there would
-/// be too many cells.
-[[nodiscard]] inline CellGrid grid_around(const std::vector<Path>& paths) {
+/// be too many cells. They are at least of the given width.
+[[nodiscard]] inline CellGrid grid_around(const std::vector<Path>& paths, double least_width = 0) {
   if (paths.empty()) {
     return {};
   }
@@ -226,7 +226,7 @@ class CellGrid {
   }
   const Vector3<double> extent = (greatest - least).array() + 2 * radius;
   const double share = std::cbrt(extent.prod() / static_cast<double>(paths.size()));
-  const double width = std::max(2 * radius * (1 + 0x1p-16), 0.75 * share);
+  const double width = std::max({2 * radius * (1 + 0x1p-16), 0.75 * share, least_width});
   CellGrid::Cell cells{};
   for (int axis = 0; axis < 3; ++axis) {
     cells[static_cast<std::size_t>(axis)] = static_cast<std::int64_t>(std::min(extent[axis] / width, 1048576.0)) + 2;

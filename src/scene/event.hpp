@@ -10,7 +10,6 @@
 #include <carom/collision/collision.hpp>
 #include <carom/collision/outcome.hpp>
 #include <carom/scene/arc.hpp>
-#include <carom/scene/level_motion.hpp>
 #include <carom/scene/prediction.hpp>
 #include <carom/scene/scene.hpp>
 
@@ -25,8 +24,8 @@ class SceneError : public std::runtime_error {
 enum class EventKind : std::uint8_t {
   impact,        // of two bodies
   plane_impact,  // of a body and a plane
-  capture,       // a sphere stays on a level plane
-  phase,         // slipping, rolling or spinning has ended
+  capture,       // a sphere stays on a plane
+  phase,         // slipping, rolling or spinning has ended, or friction has turned
   renewal,       // a polyhedron has turned so far that its state is stored again
 };
 
@@ -66,7 +65,7 @@ struct Event {
   Collision collision;       // only for impacts and captures; the origin is the contact point
   Outcome<double> outcome;   // by the law; the stored velocities are in `Change::after`
   /// Whether the approach is slower than `least_speed` (scene.hpp) and the body cannot rest. If so, ε is 1 in
-  /// `collision`, and the bodies part at `least_speed`.
+  /// `collision`, and the bodies part at least at the least speed for ε = 1.
   bool was_slow = false;
 };
 
@@ -99,9 +98,8 @@ struct BodyState {
 /// The state of a run at its beginning or end.
 struct SceneState {
   const Scene* scene = nullptr;
-  double time = 0;                           // [s]
-  std::vector<BodyState> bodies;             // spheres first
-  std::vector<std::optional<Level>> levels;  // for each plane, how spheres rest on it; nothing if they cannot
+  double time = 0;                // [s]
+  std::vector<BodyState> bodies;  // spheres first
 };
 
 }  // namespace carom::scene

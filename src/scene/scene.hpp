@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <sstream>
@@ -13,13 +14,13 @@
 
 namespace carom::scene {
 
-/// The properties of the contact of two materials.
+/// The properties of the contact of two materials. p is the part of gravity that presses a sphere onto a plane [m/s²].
 struct MaterialPair {
   double restitution = 1;             // ε in [0, 1]
   double friction = 0;                // μ ≥ 0, for impacts and for a sphere that slides on a plane
   double tangential_restitution = 0;  // e_t in [-1, 1]; only the law `rough` reads it
-  double rolling_resistance = 0;      // μ_r ≥ 0: slows a sphere that rolls on a plane by μ_r g [m/s²]
-  double spinning_resistance = 0;     // μ_s ≥ 0: slows the spin about a plane's normal by (5/2) μ_s g/R [rad/s²]
+  double rolling_resistance = 0;      // μ_r ≥ 0: slows a sphere that rolls on a plane by μ_r p [m/s²]
+  double spinning_resistance = 0;     // μ_s ≥ 0: slows the spin about a plane's normal by (5/2) μ_s p/R [rad/s²]
 };
 
 /// The properties of every pair of `count` materials, in either order.
@@ -70,23 +71,35 @@ struct Plane {
   Vector3<double> point{0, 0, 0};   // a point of the plane [m]
 };
 
-/// The default of the capture height h. A sphere of radius R that would rise at most h R after its impact on a level
-/// plane stays on the plane. On another sphere or on a slope, an approach slower than √(2 g h R) becomes an elastic
-/// impact (ε = 1), and the sphere leaves at √(2 g h R).
+/// The default of the capture height h. A sphere of radius R that would rise at most h R after its impact on a plane
+/// stays on the plane, if gravity presses it onto the plane. On another body, an approach slower than √(2 g h R)
+/// becomes an elastic impact (ε = 1), after which the bodies part at least at √(2 g f h R) (see `least_speed`).
 inline constexpr double default_capture_height = 1e-6;
+
+/// Bodies that touch can overlap by the rounding of their coordinates.
+struct MovedApart {
+  std::size_t bodies = 0;  // that were moved until they do not overlap
+  double farthest = 0;     // [m]
+
+  void add(double distance) {
+    ++bodies;
+    farthest = std::max(farthest, distance);
+  }
+};
 
 struct Scene {
   std::string title;
   Law law = Law::frictionless;                // not `any`
   Precision precision = Precision::binary64;  // of the impulses; the state is stored in binary64
   double duration = 1;                        // ≥ 0 [s]
-  Vector3<double> gravity{0, 0, 0};           // [m/s²]; along an axis of the world, or none
+  Vector3<double> gravity{0, 0, 0};           // [m/s²]
   double capture_height = default_capture_height;
   std::vector<std::string> materials;
   MaterialPairs pairs;
   std::vector<Sphere> spheres;
   std::vector<Polyhedron> polyhedra;
   std::vector<Plane> planes;
+  MovedApart moved_apart;  // since the file was read
 };
 
 /// Body indices count the spheres first, then the polyhedra.
@@ -111,9 +124,9 @@ struct Scene {
   return kind_and_number(scene, body) + " (" + name + ')';
 }
 
-/// A capture or a rebound at the least speed (below) changes the energy by up to m g h R, with the scene's capture
-/// height h in radii R. If ε = 1, the energy must stay constant, so this factor reduces h. With the default h, the
-/// change is at most 10⁻¹² m g R. `carom scene` permits as much for rounding: 10⁻¹² of the energy.
+/// A capture changes the energy by up to m g h R, with the scene's capture height h in radii R. If ε = 1, the energy
+/// must stay constant, so this factor reduces h. A slow contact adds up to f m g h R with this factor f, whatever ε is.
+/// With the default h, these changes are at most 10⁻¹² m g R.
 inline constexpr double elastic_capture_share = 1e-6;
 
 /// The least speed of a rebound that the simulation follows, √(2 a f h R) [m/s]. The factor f is
@@ -122,6 +135,9 @@ inline constexpr double elastic_capture_share = 1e-6;
   const double height = scene.capture_height * radius * (restitution < 1 ? 1 : elastic_capture_share);
   return std::sqrt(2 * acceleration * height);
 }
+
+/// Whether a law has tangential impulses. If so, planes have friction, too.
+[[nodiscard]] constexpr bool has_friction(Law law) { return law != Law::frictionless && law != Law::reflection; }
 
 /// The parts in one text. Numbers have six digits.
 template <class... Parts>

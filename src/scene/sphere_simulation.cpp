@@ -15,21 +15,8 @@ namespace {
 /// The limit of impacts at one instant. Observed sequences that end by themselves need fewer.
 constexpr unsigned long long most_at_one_instant = 100'000;
 
-/// The number of cell crossings between two checks for a stop request.
-constexpr unsigned long long crossings_between_looks = 4096;
-
-std::optional<Level> level_of(const Plane& plane, const Vector3<double>& gravity) {
-  for (int axis = 0; axis < 3; ++axis) {
-    const bool is_along_axis = plane.normal[(axis + 1) % 3] == 0 && plane.normal[(axis + 2) % 3] == 0 &&
-                               gravity[(axis + 1) % 3] == 0 && gravity[(axis + 2) % 3] == 0;
-    if (is_along_axis && plane.normal[axis] * gravity[axis] < 0) {
-      return Level{axis, plane.normal[axis] > 0 ? 1.0 : -1.0, std::abs(gravity[axis])};
-    }
-  }
-  return std::nullopt;
-}
-
-bool has_friction(Law law) { return law != Law::frictionless && law != Law::reflection; }
+/// Cells become wider after this number of crossings of each sphere without an event.
+constexpr std::size_t crossings_for_wider_cells = 64;
 
 }  // namespace
 
@@ -42,7 +29,7 @@ SphereSimulation::SphereSimulation(Scene scene) : scene_(std::move(scene)), sphe
   agenda_.resize(count);
   neighbours_.resize(count);
   for (const Plane& plane : scene_.planes) {
-    levels_.push_back(level_of(plane, scene_.gravity));
+    supports_.push_back(support_of(plane.normal, scene_.gravity));
   }
   for (const SphereType& type : spheres_.types()) {
     for (const Plane& plane : scene_.planes) {
@@ -55,6 +42,7 @@ SphereSimulation::SphereSimulation(Scene scene) : scene_(std::move(scene)), sphe
   }
   grid_ = grid_around(paths);
   queue_ = EventQueue(count);
+  slow_contacts_ = SlowContacts(count);
   for (Index i = 0; i < count; ++i) {
     grid_.put(i, paths[i].position);
     find_planes_in_reach(i);
@@ -76,7 +64,7 @@ std::size_t SphereSimulation::bytes_per_sphere() const {
 }
 
 SceneState SphereSimulation::state() const {
-  SceneState state{&scene_, now_, {}, levels_};
+  SceneState state{&scene_, now_, {}};
   state.bodies.reserve(size());
   for (std::size_t sphere = 0; sphere < size(); ++sphere) {
     BodyState body;
@@ -100,10 +88,30 @@ void SphereSimulation::leave_cell(Index sphere) {
   find_planes_in_reach(sphere);
   ++counts_.crossings;
   plan(sphere);
+  if (++crossings_without_event_ > crossings_for_wider_cells * (size() + 16)) {
+    widen_cells();
+  }
+}
+
+void SphereSimulation::widen_cells() {
+  crossings_without_event_ = 0;
+  std::vector<Path> paths;
+  for (std::size_t i = 0; i < size(); ++i) {
+    paths.push_back(spheres_.path(i));
+    paths[i].position = position_at(paths[i], now_);
+  }
+  grid_ = grid_around(paths, 4 * grid_.width());
+  for (Index i = 0; i < size(); ++i) {
+    grid_.put(i, paths[i].position);
+    find_planes_in_reach(i);
+  }
+  for (Index i = 0; i < size(); ++i) {
+    plan(i);
+  }
 }
 
 std::optional<SphereSimulation::Index> SphereSimulation::next_sphere() {
-  for (;;) {
+  while (!patience_.is_over(now_)) {
     const Index first = queue_.first();
     if (agenda_.empty() || queue_.time_of(first) > scene_.duration || queue_.time_of(first) == never) {
       return std::nullopt;
@@ -111,9 +119,6 @@ std::optional<SphereSimulation::Index> SphereSimulation::next_sphere() {
     const Agenda planned = agenda_[first];
     if (planned.kind == Kind::crossing) {
       leave_cell(first);
-      if (counts_.crossings % crossings_between_looks == 0 && stop_.stop_requested()) {
-        return std::nullopt;
-      }
       continue;
     }
     if (is_stale(planned)) {
@@ -154,18 +159,21 @@ std::optional<SphereSimulation::Index> SphereSimulation::next_sphere() {
       return chosen;
     }
   }
+  return std::nullopt;
 }
 
 const Event* SphereSimulation::advance() {
+  slow_contacts_.require_no_rest(scene_, event_);
   const std::optional<Index> next = next_sphere();
   if (!next) {
-    now_ = stop_.stop_requested() ? now_ : scene_.duration;
+    now_ = patience_.stop().stop_requested() ? now_ : scene_.duration;
     return nullptr;
   }
   const Planned planned = agenda_[*next].planned();
   const double time = std::max(now_, planned.when.earliest);
   at_this_instant_ = time == event_.time && counts_.events > 0 ? at_this_instant_ + 1 : 1;
   now_ = time;
+  crossings_without_event_ = 0;
   event_.time = time;
   event_.has_impulse = false;
   event_.was_slow = false;
@@ -249,9 +257,10 @@ void SphereSimulation::strike(Index a, Index b) {
   const StruckSphere struck_b = struck_sphere(b, moved_b.path.position, event_.b->before);
   MaterialPair pair = scene_.pairs.of(spheres_.type(a).material, spheres_.type(b).material);
   const Vector3<double> normal = (struck_a.position - struck_b.position).normalized();
-  const double slow =
-      least_speed(scene_, scene_.gravity.norm(), std::min(struck_a.radius, struck_b.radius), pair.restitution);
+  const double radius = std::min(struck_a.radius, struck_b.radius);
+  const double slow = least_speed(scene_, scene_.gravity.norm(), radius, pair.restitution);
   event_.was_slow = -normal.dot(struck_a.velocity - struck_b.velocity) < slow;
+  slow_contacts_.record(event_, event_.was_slow, 2 * slow / scene_.gravity.norm());
   if (event_.was_slow) {
     pair.restitution = 1;
   }
@@ -261,12 +270,18 @@ void SphereSimulation::strike(Index a, Index b) {
   Outcome<double> stored = event_.outcome;
   if (event_.was_slow) {
     ++counts_.slow;
-    const double missing = std::max(0.0, slow - normal.dot(stored.a.velocity - stored.b.velocity));
+    const double least = least_speed(scene_, scene_.gravity.norm(), radius, 1);
+    const double missing = std::max(0.0, least - normal.dot(stored.a.velocity - stored.b.velocity));
     const double impulse = missing / (1 / mass(a) + 1 / mass(b));
     stored.a.velocity += (impulse / mass(a)) * normal;
     stored.b.velocity -= (impulse / mass(b)) * normal;
   }
-  keep_apart(struck_a.position, struck_b.position, stored.a.velocity, stored.b.velocity);
+  // A change of the lighter sphere changes the energy less.
+  if (mass(a) <= mass(b)) {
+    keep_apart(struck_a.position, struck_b.position, stored.a.velocity, stored.b.velocity);
+  } else {
+    keep_apart(struck_b.position, struck_a.position, stored.b.velocity, stored.a.velocity);
+  }
   if (!event_.was_slow) {
     event_.outcome = stored;
   }
@@ -288,16 +303,18 @@ void SphereSimulation::strike_plane(Index sphere, Index plane) {
   const StruckSphere struck_one = struck_sphere(sphere, moved.path.position, event_.a.before);
   MaterialPair pair = scene_.pairs.of(spheres_.type(sphere).material, scene_.planes[plane].material);
   const double approach = -normal.dot(struck_one.velocity) / normal.norm();
-  const double slow = least_speed(scene_, scene_.gravity.norm(), struck_one.radius, pair.restitution);
-  const std::optional<Level>& level = levels_[plane];
-  const bool stays = level && pair.restitution * approach <= slow;
-  event_.was_slow = !level && approach < slow;
+  const std::optional<Support>& support = supports_[plane];
+  const double pressing = support ? support->pressing : scene_.gravity.norm();
+  const double slow = least_speed(scene_, pressing, struck_one.radius, pair.restitution);
+  const bool stays = support && pair.restitution * approach <= slow;
+  event_.was_slow = !support && approach < slow;
   if (stays) {
     pair.restitution = 0;
     event_.kind = EventKind::capture;
   } else if (event_.was_slow) {
     pair.restitution = 1;
   }
+  slow_contacts_.record(event_, stays || event_.was_slow, 2 * slow / pressing);
   event_.collision = collision_with_plane(struck_one, normal, pair);
   event_.has_impulse = approach > 0;
   event_.outcome =
@@ -305,14 +322,15 @@ void SphereSimulation::strike_plane(Index sphere, Index plane) {
   BodyVelocity<double> stored = event_.outcome.a;
   if (event_.was_slow) {
     ++counts_.slow;
-    const double missing = std::max(0.0, slow - normal.dot(stored.velocity) / normal.norm());
+    const double least = least_speed(scene_, pressing, struck_one.radius, 1);
+    const double missing = std::max(0.0, least - normal.dot(stored.velocity) / normal.norm());
     stored.velocity += normal * (missing / normal.norm());
   }
   if (stays) {
     ++counts_.captures;
     const MaterialPair& own = scene_.pairs.of(spheres_.type(sphere).material, scene_.planes[plane].material);
-    set_arc(sphere, level_arc(*level, plane, own, has_friction(scene_.law), struck_one.radius, now_,
-                              moved.path.position, stored.velocity, stored.angular_velocity));
+    set_arc(sphere, supported_arc(*support, plane, own, has_friction(scene_.law), struck_one.radius, now_,
+                                  moved.path.position, stored.velocity, stored.angular_velocity));
   } else {
     ++counts_.plane_impacts;
     keep_apart(normal, stored.velocity);
@@ -331,9 +349,9 @@ void SphereSimulation::end_phase(Index sphere) {
   const std::uint32_t plane = spheres_.plane(sphere);
   event_.plane = plane;
   const MaterialPair& pair = scene_.pairs.of(spheres_.type(sphere).material, scene_.planes[plane].material);
-  const Arc moved = moved_on(sphere, Vector3<double>::Zero());
+  const Arc moved = moved_on(sphere, scene_.planes[plane].normal);
   set_arc(sphere,
-          after_end(*levels_[plane], pair, has_friction(scene_.law), event_.a.before, now_, moved.path.position));
+          after_end(*supports_[plane], pair, has_friction(scene_.law), event_.a.before, now_, moved.path.position));
   place_and_plan(sphere);
   event_.a.after = arc(sphere);
   ++counts_.phases;

@@ -13,10 +13,11 @@
 #include <carom/scene/event.hpp>
 #include <carom/scene/event_queue.hpp>
 #include <carom/scene/impact.hpp>
-#include <carom/scene/level_motion.hpp>
+#include <carom/scene/patience.hpp>
 #include <carom/scene/prediction.hpp>
 #include <carom/scene/scene.hpp>
 #include <carom/scene/sphere_store.hpp>
+#include <carom/scene/supported_motion.hpp>
 
 namespace carom::scene {
 
@@ -34,12 +35,13 @@ class SphereSimulation {
   explicit SphereSimulation(Scene scene);
 
   /// The next event; null after the scene's duration. The pointer is valid until the next call. Throws SceneError if
-  /// impacts at one instant do not end, a sphere is too far from the origin for the grid, or no position within 3 ulps
-  /// is free of overlap.
+  /// the run cannot go on: a sphere would have to rest on another body, impacts at one instant do not end, or no
+  /// position within 3 ulps is free of overlap. It also throws if a sphere is too far from the origin for the grid, or
+  /// if nothing advances for ten seconds. After an error, the last event remains in effect.
   [[nodiscard]] const Event* advance();
 
   /// Makes `advance` end early and return null once a stop is requested.
-  void stop_on(std::stop_token stop) { stop_ = std::move(stop); }
+  void stop_on(std::stop_token stop) { patience_.stop_on(std::move(stop)); }
 
   [[nodiscard]] const Scene& scene() const { return scene_; }
   [[nodiscard]] double time() const { return now_; }
@@ -48,7 +50,6 @@ class SphereSimulation {
   [[nodiscard]] Arc arc(std::size_t sphere) const { return spheres_.arc(sphere); }
   [[nodiscard]] double mass(std::size_t sphere) const { return spheres_.type(sphere).mass; }
   [[nodiscard]] double moment(std::size_t sphere) const { return spheres_.type(sphere).moment; }
-  [[nodiscard]] const std::optional<Level>& level(std::size_t plane) const { return levels_[plane]; }
   [[nodiscard]] std::size_t bytes_per_sphere() const;
   [[nodiscard]] SceneState state() const;
 
@@ -89,6 +90,8 @@ class SphereSimulation {
   [[nodiscard]] ExactTime exact_time(Index sphere, const Planned& planned) const;
   [[nodiscard]] bool comes_before(Index left, Index right);
   void leave_cell(Index sphere);
+  /// Makes the cells wider, because spheres cross many cells and nothing happens.
+  void widen_cells();
   void find_planes_in_reach(Index sphere);
   /// Calls use(k) for each plane k that the sphere can touch before it leaves its cell.
   template <class Use>
@@ -110,18 +113,20 @@ class SphereSimulation {
   void begin_change(Change& change, Index sphere) const;
 
   Scene scene_;
-  std::stop_token stop_;
+  Patience patience_;
   double now_ = 0;
   SphereStore spheres_;
   std::vector<Agenda> agenda_;
-  std::vector<Reach> reaches_;     // entry i · planes + k: sphere type i and plane k
-  std::vector<Index> neighbours_;  // of the sphere that is being planned
-  std::vector<std::optional<Level>> levels_;
+  std::vector<Reach> reaches_;                    // entry i · planes + k: sphere type i and plane k
+  std::vector<Index> neighbours_;                 // of the sphere that is being planned
+  std::vector<std::optional<Support>> supports_;  // one for each plane
   CellGrid grid_;
   EventQueue queue_;
   Event event_;
   Counts counts_;
   unsigned long long at_this_instant_ = 0;
+  std::size_t crossings_without_event_ = 0;
+  SlowContacts slow_contacts_;
 };
 
 }  // namespace carom::scene

@@ -114,7 +114,7 @@ bool SphereSimulation::plan_or_doubt(Index sphere) {
   Planned best{{path.end, path.end}, path.end < never ? Kind::phase : Kind::none, 0};
   bool is_clear = true;
   const PathState here = state_at(path, now_);
-  if (!(here.position.cwiseAbs().maxCoeff() < most_cells_away * grid_.width())) {
+  if (!(here.position.cwiseAbs().maxCoeff() < most_cells_away * grid_.width()) || !here.velocity.allFinite()) {
     throw SceneError("at t = " + std::to_string(now_) + " sphere " + std::to_string(sphere) + " (" +
                      scene_.spheres[sphere].name +
                      ") is too far from the origin for the grid; end the run earlier, or use a shorter duration");

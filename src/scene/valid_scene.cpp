@@ -38,8 +38,8 @@ Found scene_defect(const Scene& scene) {
   if (const double g = scene.gravity.cwiseAbs().maxCoeff(); g > 0 && g < least_gravity) {
     return defect("gravity", "expected 0 or at least 1e-200 m/s^2, so that its effect does not underflow");
   }
-  if ((scene.gravity.array() != 0).count() > 1) {
-    return defect("gravity", "expected gravity along one world axis, so that two of its three numbers are 0");
+  if (!is_moderate(scene, 0, scene.gravity.stableNorm() * std::max(1.0, scene.duration))) {
+    return defect("gravity", of_moderate_motion);
   }
   if (!(scene.capture_height > 0 && std::isfinite(scene.capture_height))) {
     return defect("capture_height", "expected a finite number greater than 0");
@@ -121,6 +121,12 @@ Found sphere_defect(const Scene& scene, std::size_t i) {
                                 range.greatest, ", not ", value));
     }
   }
+  if (!is_moderate(scene, mass, sphere.velocity.stableNorm())) {
+    return defect("velocity", of_moderate_motion);
+  }
+  if (!is_moderate(scene, mass, sphere.angular_velocity.stableNorm() * sphere.radius)) {
+    return defect("angular_velocity", of_moderate_motion);
+  }
   return std::nullopt;
 }
 
@@ -149,35 +155,67 @@ bool is_far_above(const Sphere& sphere, const Plane& plane) {
   return height > 0x1p-40 * size;
 }
 
-Found overlap_defect(const Scene& scene) {
-  std::vector<Path> paths(scene.spheres.size());
-  for (std::size_t i = 0; i < paths.size(); ++i) {
-    paths[i].position = scene.spheres[i].position;
-    paths[i].radius = scene.spheres[i].radius;
-    measure(paths[i]);
+/// The spheres at the beginning, put into a grid one after the other.
+class PlacedSpheres {
+ public:
+  explicit PlacedSpheres(const Scene& scene) : scene_(scene), paths_(scene.spheres.size()) {
+    for (std::size_t i = 0; i < paths_.size(); ++i) {
+      paths_[i].position = scene.spheres[i].position;
+      paths_[i].radius = scene.spheres[i].radius;
+      measure(paths_[i]);
+    }
+    grid_ = grid_around(paths_);
   }
-  CellGrid grid = grid_around(paths);
-  unsigned long long undecided = 0;
-  for (CellGrid::Index i = 0; i < paths.size(); ++i) {
-    const Sphere& sphere = scene.spheres[i];
-    for (std::size_t k = 0; k < scene.planes.size(); ++k) {
-      const Plane& plane = scene.planes[k];
+
+  void put(CellGrid::Index i) { grid_.put(i, paths_[i].position); }
+  void move(CellGrid::Index i, const Vector3<double>& position) {
+    paths_[i].position = position;
+    measure(paths_[i]);
+  }
+
+  /// The first plane that a sphere overlaps.
+  [[nodiscard]] std::optional<std::size_t> plane_in(CellGrid::Index i) {
+    for (std::size_t k = 0; k < scene_.planes.size(); ++k) {
+      const Plane& plane = scene_.planes[k];
+      Sphere sphere;
+      sphere.radius = paths_[i].radius;
+      sphere.position = paths_[i].position;
       if (!is_far_above(sphere, plane) &&
-          overlap(paths[i], {plane.normal, reach_of(plane.normal, plane.point, sphere.radius)}, 0, undecided)) {
-        return SceneDefect{Of::sphere, i, 0, "",
-                           text_of(description_of(scene, i), " overlaps plane ", k, " (", plane.name,
-                                   "), or is behind it; move one of them")};
+          overlap(paths_[i], {plane.normal, reach_of(plane.normal, plane.point, sphere.radius)}, 0, undecided_)) {
+        return k;
       }
     }
-    // The grid holds only spheres with a lower index.
-    grid.put(i, sphere.position);
-    std::optional<CellGrid::Index> partner;
-    grid.for_neighbours(i, [&](CellGrid::Index j) {
-      if (!partner && overlap(paths[i], paths[j], 0, undecided)) {
+    return std::nullopt;
+  }
+  /// A sphere in the grid that a sphere overlaps. Precondition: the sphere is in the grid, too.
+  [[nodiscard]] std::optional<std::size_t> sphere_in(CellGrid::Index i) {
+    std::optional<std::size_t> partner;
+    grid_.for_neighbours(i, [&](CellGrid::Index j) {
+      if (!partner && overlap(paths_[i], paths_[j], 0, undecided_)) {
         partner = j;
       }
     });
-    if (partner) {
+    return partner;
+  }
+  [[nodiscard]] const Path& path(std::size_t i) const { return paths_[i]; }
+
+ private:
+  const Scene& scene_;
+  std::vector<Path> paths_;
+  CellGrid grid_;
+  unsigned long long undecided_ = 0;
+};
+
+Found overlap_defect(const Scene& scene) {
+  PlacedSpheres placed(scene);
+  for (CellGrid::Index i = 0; i < scene.spheres.size(); ++i) {
+    if (const auto plane = placed.plane_in(i)) {
+      return SceneDefect{Of::sphere, i, 0, "",
+                         text_of(description_of(scene, i), " overlaps plane ", *plane, " (", scene.planes[*plane].name,
+                                 "), or is behind it; move one of them")};
+    }
+    placed.put(i);
+    if (const auto partner = placed.sphere_in(i)) {
       return SceneDefect{Of::sphere, i, 0, "",
                          description_of(scene, i) + " overlaps " + description_of(scene, *partner)};
     }
@@ -198,6 +236,50 @@ std::optional<SceneDefect> first_defect(const Scene& scene) {
 
 bool has_valid_fields(const Scene& scene) {
   return !scene_defect(scene) && !pair_defect(scene) && !plane_defect(scene) && !spheres_defect(scene);
+}
+
+bool is_moderate(const Scene& scene, double mass, double speed) {
+  constexpr double farthest_way = 0x1p100;
+  constexpr double greatest_energy = 0x1p1000;
+  return speed * std::max(1.0, scene.duration) <= farthest_way && mass * speed * speed <= greatest_energy;
+}
+
+void move_apart(Scene& scene) {
+  constexpr int most_moves = 32;
+  PlacedSpheres placed(scene);
+  for (CellGrid::Index i = 0; i < scene.spheres.size(); ++i) {
+    placed.put(i);
+    const double moved_before = scene.moved_apart.farthest;
+    const Path& path = placed.path(i);
+    for (int tries = 1; tries <= most_moves; ++tries) {
+      Vector3<double> away;
+      double depth = 0;
+      double size = path.position_size + path.radius;
+      if (const auto k = placed.plane_in(i)) {
+        const Plane& plane = scene.planes[*k];
+        away = plane.normal.normalized();
+        depth = path.radius - away.dot(path.position - plane.point);
+        size += plane.point.cwiseAbs().sum();
+      } else if (const auto j = placed.sphere_in(i)) {
+        const Path& other = placed.path(*j);
+        away = (path.position - other.position).normalized();
+        depth = path.radius + other.radius - (path.position - other.position).norm();
+        size += other.position_size + other.radius;
+      } else {
+        break;
+      }
+      // A coordinate or a radius that was read is wrong by at most its unit roundoff. The operations add a few more.
+      // A sphere that was moved before may be nearer by its way.
+      if (!(depth <= 4 * roundoff * size + moved_before)) {
+        break;
+      }
+      placed.move(i, path.position + (std::max(0.0, depth) + tries * roundoff * size) * away);
+    }
+    if (path.position != scene.spheres[i].position) {
+      scene.moved_apart.add((path.position - scene.spheres[i].position).norm());
+      scene.spheres[i].position = path.position;
+    }
+  }
 }
 
 std::string describe(const SceneDefect& defect) {

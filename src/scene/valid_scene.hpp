@@ -21,10 +21,20 @@ struct SceneDefect {
 };
 
 /// The first defect of a scene except for its polyhedra (valid_polyhedra.hpp); nothing if the scene is valid. Valid
-/// numbers are finite and in their ranges. Masses and moments are in the range of the scene's precision. Gravity is
-/// along an axis of the world. No two bodies overlap (decided exactly); they may touch. The run time is proportional to
+/// numbers are finite and in their ranges. Masses and moments are in the range of the scene's precision. No two
+/// bodies overlap (decided exactly); they may touch. The run time is proportional to
 /// the number of spheres if their sizes are similar.
 [[nodiscard]] std::optional<SceneDefect> first_defect(const Scene& scene);
+
+/// Moves spheres apart from planes and from spheres before them, if the overlap is only rounding of coordinates and
+/// radii. Spheres of the radius 0.1 at 0.1 and 0.3 are an example. Precondition: has_valid_fields.
+void move_apart(Scene& scene);
+
+/// Whether a body moves within the duration by at most 2¹⁰⁰ m, with an energy of at most 2¹⁰⁰⁰ J, if its greatest speed
+/// is `speed` [m/s]. Such numbers do not overflow in any formula, and exact arithmetic is fast.
+[[nodiscard]] bool is_moderate(const Scene& scene, double mass, double speed);
+inline constexpr const char* of_moderate_motion =
+    "expected a motion of at most 2^100 m within the duration, with an energy of at most 2^1000 J";
 
 /// Whether the scene has no defect, except that bodies may overlap.
 [[nodiscard]] bool has_valid_fields(const Scene& scene);

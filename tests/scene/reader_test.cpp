@@ -131,10 +131,30 @@ TEST(SceneJson, NamesTheBodyThatIsWrong) {
   EXPECT_TRUE(
       error_of(within).starts_with("/polyhedra/1: polyhedron 1 (polyhedron 1) may overlap polyhedron 0 (box): -"))
       << error_of(within);
+  json overlapping = small_scene();
+  overlapping["lattices"][0]["spacing"][0] = 0.999;
+  EXPECT_TRUE(error_of(overlapping).starts_with("/lattices/0: sphere 2 (row 1) overlaps sphere 1 (row 0)"))
+      << error_of(overlapping);
+}
+
+TEST(SceneJson, MovesBodiesApartThatTouchWithinRounding) {
   json touching = small_scene();
   touching["lattices"][0]["spacing"][0] = 1;
-  EXPECT_TRUE(error_of(touching).starts_with("/lattices/0: sphere 2 (row 1) may overlap sphere 1 (row 0): 0 m is"))
-      << error_of(touching);
+  touching["polyhedra"] = json::array();
+  EXPECT_EQ(scene_from_json(touching).moved_apart.bodies, 0U) << "spheres may touch";
+  touching["lattices"][0]["spacing"][0] = 0.9999999999999999;
+  EXPECT_EQ(scene_from_json(touching).moved_apart.bodies, 2U);
+  touching["polyhedra"] = small_scene()["polyhedra"];
+  touching["polyhedra"][1] = touching["polyhedra"][0];
+  for (int k = 0; k < 2; ++k) {
+    touching["polyhedra"][static_cast<std::size_t>(k)]["orientation"] = {1, 0, 0, 0};
+    touching["polyhedra"][static_cast<std::size_t>(k)]["position"] = {2, -2.5, k == 0 ? 0.0 : 1.0};
+  }
+  const Scene scene = scene_from_json(touching);
+  EXPECT_EQ(scene.moved_apart.bodies, 4U);
+  EXPECT_GT(scene.polyhedra[0].position.z(), 0);
+  EXPECT_GT(scene.polyhedra[1].position.z(), 1 + scene.polyhedra[0].position.z());
+  EXPECT_LE(scene.moved_apart.farthest, 1e-12);
 }
 
 TEST(SceneJson, WritesPolyhedraAsTheyWereGiven) {

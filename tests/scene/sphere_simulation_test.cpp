@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -136,6 +137,75 @@ TEST(SphereSimulation, PassesTheBlowOnThroughACradle) {
     EXPECT_EQ(events[k].a.after.path.velocity, Vector(0, 0, 0));
     EXPECT_EQ(events[k].b->after.path.velocity, Vector(1, 0, 0));
   }
+}
+
+std::string end_of(const Scene& scene) {
+  SphereSimulation simulation(scene);
+  try {
+    while (simulation.advance() != nullptr) {
+    }
+  } catch (const SceneError& error) {
+    return error.what();
+  }
+  return "duration";
+}
+
+TEST(SphereSimulation, EndsWhereASphereWouldRestOnAnotherBody) {
+  for (const double restitution : {0.0, 0.5, 0.8, 0.95}) {
+    Scene scene = unit::empty_scene(Law::rough, with_restitution(restitution), 100);
+    scene.gravity = {0, 0, -9.81};
+    unit::add_plane(scene, {0, 0, 1}, {0, 0, 0});
+    unit::add_sphere(scene, 0.2, {0, 0, 0.2}, {0, 0, 0});
+    unit::add_sphere(scene, 0.2, {0, 0, 0.7}, {0, 0, 0});
+    EXPECT_NE(end_of(scene).find("sphere 0 (ball 0) and sphere 1 (ball 1) would have to rest on each other"),
+              std::string::npos)
+        << restitution << ' ' << end_of(scene);
+    // A groove, in which a sphere rolls from one side to the other.
+    scene.spheres.pop_back();
+    scene.planes.clear();
+    unit::add_plane(scene, {1, 0, 1}, {0, 0, -1});
+    unit::add_plane(scene, {-1, 0, 1}, {0, 0, -1});
+    EXPECT_NE(end_of(scene).find("would have to rest on each other"), std::string::npos) << end_of(scene);
+    // A sphere that stays on a plane, or rolls against a wall, rests on nothing else.
+    scene.planes.clear();
+    scene.spheres[0].velocity = {1, 0, 0};
+    unit::add_plane(scene, {1, 2, 3}, {0, 0, -1});
+    EXPECT_EQ(end_of(scene), "duration");
+  }
+}
+
+TEST(Patience, EndsIfNothingAdvancesOrAStopIsRequested) {
+  const auto look = [](Patience& patience, double step) {
+    for (int k = 0; k < 2000; ++k) {
+      if (patience.is_over(1 + k * step)) {
+        return true;
+      }
+    }
+    return false;
+  };
+  Patience still(Patience::Clock::duration::zero());
+  EXPECT_THROW((void)look(still, 0x1p-52), SceneError);
+  Patience advancing(Patience::Clock::duration::zero());
+  EXPECT_FALSE(look(advancing, 0x1p-30));
+  std::stop_source source;
+  advancing.stop_on(source.get_token());
+  source.request_stop();
+  EXPECT_TRUE(look(advancing, 1));
+}
+
+TEST(SphereSimulation, FollowsASphereThatFliesFar) {
+  Scene scene = unit::empty_scene(Law::frictionless, elastic, 1e9);
+  unit::add_sphere(scene, 0.5, {0, 0, 0}, {1e5, 0, 0});
+  unit::add_sphere(scene, 0.5, {0, 2, 0}, {0, 0, 0});
+  unit::add_sphere(scene, 0.5, {2e8, 0.25, 0}, {0, 0, 0});
+  SphereSimulation simulation(scene);
+  const Event* const event = simulation.advance();
+  ASSERT_NE(event, nullptr);
+  EXPECT_EQ(event->b->body, 2U);
+  EXPECT_NEAR(event->time, 2e3, 1e-4);
+  EXPECT_EQ(simulation.advance(), nullptr);
+  EXPECT_EQ(simulation.time(), 1e9);
+  EXPECT_LT(simulation.counts().crossings, 100'000U);
 }
 
 TEST(SphereSimulation, CountsATieAndTakesTheLowerSpheresFirst) {

@@ -265,6 +265,10 @@ class SceneReader {
     read_polyhedra();
     root_.reject_others();
     materials_.check_all_listed();
+    // Spheres among polyhedra must be apart by more.
+    if (has_valid_fields(scene_)) {
+      scene_.polyhedra.empty() ? move_apart(scene_) : move_bodies_apart(scene_);
+    }
     if (const std::optional<SceneDefect> defect = first_defect(scene_)) {
       reject(*defect);
     }

@@ -77,6 +77,7 @@ PolyhedronSimulation::PolyhedronSimulation(Scene scene) : scene_(std::move(scene
       reaches_.push_back({plane.normal, reach_of(plane.normal, plane.point, bodies_[i].path().radius)});
     }
   }
+  slow_contacts_ = SlowContacts(count);
   pairs_.resize(count * (count - 1) / 2);
   predictions_.resize(pairs_.size());
   plane_predictions_.resize(reaches_.size());
@@ -91,7 +92,7 @@ PolyhedronSimulation::PolyhedronSimulation(Scene scene) : scene_(std::move(scene
 }
 
 SceneState PolyhedronSimulation::state() const {
-  SceneState state{&scene_, now_, {}, std::vector<std::optional<Level>>(scene_.planes.size())};
+  SceneState state{&scene_, now_, {}};
   for (std::size_t i = 0; i < size(); ++i) {
     TumblingBody moving = bodies_[i];
     moving.know_beyond(now_);
@@ -147,7 +148,7 @@ PolyhedronSimulation::Prediction PolyhedronSimulation::predict_from(double begin
     case ContactStatus::undecided:
       break;
   }
-  if (found.time > begin) {
+  if (found.time > begin || patience_.stop().stop_requested()) {
     return {found.time, false};
   }
   const double gap = found.separation.gap;
@@ -183,7 +184,8 @@ PolyhedronSimulation::Prediction PolyhedronSimulation::predict(std::size_t a, st
   }
   const Where where{Kind::bodies, a, b};
   return predict_from(begin, std::min(bodies_[a].known_until(), bodies_[b].known_until()), where, [&](double horizon) {
-    return time_of_contact(*pair, bodies_[a].motion(), bodies_[b].motion(), begin, horizon, tolerance_of(where));
+    return time_of_contact(*pair, bodies_[a].motion(), bodies_[b].motion(), begin, horizon, tolerance_of(where),
+                           patience_.stop());
   });
 }
 
@@ -198,7 +200,7 @@ PolyhedronSimulation::Prediction PolyhedronSimulation::predict_plane(std::size_t
   const Where where{Kind::plane, body, plane};
   return predict_from(begin, bodies_[body].known_until(), where, [&](double horizon) {
     return time_of_contact(bodies_[body].body().shape, bodies_[body].motion(), grounds_[plane], begin, horizon,
-                           tolerance_of(where));
+                           tolerance_of(where), patience_.stop());
   });
 }
 
@@ -243,6 +245,7 @@ void PolyhedronSimulation::look_again(const Where& where) {
 }
 
 const Event* PolyhedronSimulation::advance() {
+  slow_contacts_.require_no_rest(scene_, event_);
   // This search is not part of the previous event. So the previous event remains in effect even if the search fails.
   for (const std::size_t body : changed_) {
     look_around(body);
@@ -250,7 +253,7 @@ const Event* PolyhedronSimulation::advance() {
   changed_.clear();
   for (;;) {
     const auto [where, prediction] = next();
-    if (stop_.stop_requested()) {
+    if (patience_.is_over(now_)) {
       return nullptr;
     }
     if (prediction.time > scene_.duration) {
@@ -361,7 +364,7 @@ Collision PolyhedronSimulation::fastest_approach(const Where& where) const {
   return do_all_approach ? collision_at(where, normal, patch.point) : fastest;
 }
 
-double PolyhedronSimulation::least_speed_of(const Where& where, double restitution) const {
+PolyhedronSimulation::LeastSpeed PolyhedronSimulation::least_speed_of(const Where& where, double restitution) const {
   double radius = bodies_[where.first].body().radius();
   double acceleration = scene_.gravity.norm();
   double speeds = 0;
@@ -379,7 +382,9 @@ double PolyhedronSimulation::least_speed_of(const Where& where, double restituti
   }
   // A hop that stays within the tolerance would at once be a contact again.
   const double out_of_touch = std::sqrt(2 * acceleration * flatness_in_tolerances * tolerance_of(where));
-  return std::max({least_speed(scene_, acceleration, radius, restitution), out_of_touch, least_speed_share * speeds});
+  const double floor = std::max(out_of_touch, least_speed_share * speeds);
+  const double slow = std::max(least_speed(scene_, acceleration, radius, restitution), floor);
+  return {slow, std::max(least_speed(scene_, acceleration, radius, 1), floor), 2 * slow / scene_.gravity.norm()};
 }
 
 void PolyhedronSimulation::begin_change(Change& change, std::size_t body) const {
@@ -424,8 +429,9 @@ void PolyhedronSimulation::strike(const Where& where) {
   Collision& collision = event_.collision;
   collision = fastest_approach(where);
   const double parting = parting_speed(collision);
-  const double least = least_speed_of(where, collision.restitution);
-  event_.was_slow = -parting < least;
+  const LeastSpeed least = least_speed_of(where, collision.restitution);
+  event_.was_slow = -parting < least.slow;
+  slow_contacts_.record(event_, event_.was_slow, least.hop);
   if (event_.was_slow) {
     collision.restitution = 1;
   }
@@ -437,8 +443,9 @@ void PolyhedronSimulation::strike(const Where& where) {
   Outcome<double> stored = event_.outcome;
   if (event_.was_slow) {
     ++counts_.slow;
-    stored = sent_apart(with_velocities(collision, event_.outcome), least);
-    keep_spins_of_balls(where, with_velocities(collision, event_.outcome), stored);
+    const Collision after = with_velocities(collision, event_.outcome);
+    stored = parting_speed(after) < least.parting ? sent_apart(after, least.parting) : event_.outcome;
+    keep_spins_of_balls(where, after, stored);
   }
   end_change(event_.a, stored.a);
   if (event_.b) {

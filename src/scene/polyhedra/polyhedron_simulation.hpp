@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <carom/scene/event.hpp>
+#include <carom/scene/patience.hpp>
 #include <carom/scene/polyhedra/distance.hpp>
 #include <carom/scene/polyhedra/free_flight.hpp>
 #include <carom/scene/prediction.hpp>
@@ -18,8 +19,8 @@
 namespace carom::scene {
 
 /// Runs a scene that has polyhedra, one event at a time. All bodies fly, including spheres: nothing slides, rolls or
-/// rests. If an approach is slower than the least speed (scene.hpp), the impact is elastic, and the bodies part
-/// at the least speed. So a body that would lie at rest hops instead.
+/// rests. If an approach is slower than the least speed (scene.hpp), the impact is elastic. A body that would lie at
+/// rest hops, until SceneError ends the run.
 ///
 /// A contact is the first instant at which two bodies are within `contact_tolerance` of each other and do not draw
 /// apart. Even then, the bodies certainly do not touch (time_of_contact.hpp). If the bodies approach at all corners of
@@ -33,12 +34,13 @@ class PolyhedronSimulation {
   explicit PolyhedronSimulation(Scene scene);
 
   /// The next event, an impact or a renewal; null after the scene's duration. The pointer is valid until the next call.
-  /// Throws SceneError if impacts at one instant do not end, if bodies are not certain to be apart, or if positions are
-  /// not accurate to the tolerance. After an error, the last event remains in effect.
+  /// Throws SceneError if the run cannot go on: bodies would have to rest on each other, impacts at one instant do not
+  /// end, or bodies are not certain to be apart. It also throws if positions are not accurate to the tolerance, or if
+  /// nothing advances for ten seconds. After an error, the last event remains in effect.
   [[nodiscard]] const Event* advance();
 
   /// Makes `advance` end early and return null once a stop is requested.
-  void stop_on(std::stop_token stop) { stop_ = std::move(stop); }
+  void stop_on(std::stop_token stop) { patience_.stop_on(std::move(stop)); }
 
   [[nodiscard]] const Scene& scene() const { return scene_; }
   [[nodiscard]] double time() const { return now_; }
@@ -75,7 +77,12 @@ class PolyhedronSimulation {
   [[nodiscard]] Collision collision_at(const Where& where, const Vector3<double>& normal,
                                        const Vector3<double>& point) const;
   [[nodiscard]] Collision fastest_approach(const Where& where) const;
-  [[nodiscard]] double least_speed_of(const Where& where, double restitution) const;
+  struct LeastSpeed {
+    double slow;     // a slower approach is elastic [m/s]
+    double parting;  // of the bodies after a slow approach, at least [m/s]
+    double hop;      // the time of a hop that begins with the speed `slow` [s]
+  };
+  [[nodiscard]] LeastSpeed least_speed_of(const Where& where, double restitution) const;
   /// Whether the law's impulse is exactly along the normal, so that only rounding would change the spin of a ball.
   [[nodiscard]] bool is_along_normal(const Where& where) const;
   void keep_spins_of_balls(const Where& where, const Collision& before, Outcome<double>& outcome) const;
@@ -86,7 +93,7 @@ class PolyhedronSimulation {
   [[nodiscard]] std::string description_of(const Where& where) const;
 
   Scene scene_;
-  std::stop_token stop_;
+  Patience patience_;
   double now_ = 0;
   std::vector<TumblingBody> bodies_;
   std::vector<std::size_t> changed_;             // bodies whose predictions are outdated
@@ -98,6 +105,7 @@ class PolyhedronSimulation {
   Event event_;
   Counts counts_;
   unsigned long long at_this_instant_ = 0;
+  SlowContacts slow_contacts_;
 };
 
 }  // namespace carom::scene

@@ -235,11 +235,11 @@ GapBound from_certified(GapBound bound, double certified) {
 /// draw apart.
 template <class SeparationAt, class OpenFor, class Opens>
 TimeOfContact advance(const SeparationAt& separation_at, const OpenFor& open_for, const Opens& opens, double begin,
-                      double horizon, double tolerance) {
+                      double horizon, double tolerance, const std::stop_token& stop) {
   TimeOfContact result;
   result.time = begin;
   constexpr int most_advances = 10000;
-  for (result.advances = 1; result.advances <= most_advances; ++result.advances) {
+  for (result.advances = 1; result.advances <= most_advances && !stop.stop_requested(); ++result.advances) {
     const Separation separation = separation_at(result.time);
     result.separation = separation;
     if (!(separation.certified > 0) || !std::isfinite(separation.gap)) {
@@ -281,7 +281,7 @@ TimeOfContact at_rest(const Separation& separation, double begin, double horizon
 }  // namespace
 
 TimeOfContact time_of_contact(const ShapePair& pair, const FreeFlight& a, const FreeFlight& b, double begin,
-                              double horizon, double tolerance) {
+                              double horizon, double tolerance, const std::stop_token& stop) {
   CAROM_EXPECTS(a.start <= begin && b.start <= begin && horizon <= a.end() && horizon <= b.end(), begin, horizon,
                 a.start, a.end(), b.start, b.end());
   CAROM_EXPECTS(tolerance > 0, tolerance);
@@ -349,11 +349,11 @@ TimeOfContact time_of_contact(const ShapePair& pair, const FreeFlight& a, const 
   if (are_at_rest) {
     return at_rest(separation_at(begin), begin, horizon);
   }
-  return advance(separation_at, open_for, opens, begin, horizon, tolerance);
+  return advance(separation_at, open_for, opens, begin, horizon, tolerance, stop);
 }
 
 TimeOfContact time_of_contact(const ConvexShape& a, const FreeFlight& motion, const HalfSpace& b, double begin,
-                              double horizon, double tolerance) {
+                              double horizon, double tolerance, const std::stop_token& stop) {
   CAROM_EXPECTS(motion.start <= begin && horizon <= motion.end(), begin, horizon, motion.start, motion.end());
   CAROM_EXPECTS(tolerance > 0, tolerance);
   Moving ground{};
@@ -375,7 +375,7 @@ TimeOfContact time_of_contact(const ConvexShape& a, const FreeFlight& motion, co
                  [&](double time, const Separation& separation) {
                    return opening_speed(bound_at(time, separation), tolerance) > 0;
                  },
-                 begin, horizon, tolerance);
+                 begin, horizon, tolerance, stop);
 }
 
 }  // namespace carom::scene

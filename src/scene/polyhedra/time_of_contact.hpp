@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <stop_token>
+
 #include <carom/scene/polyhedra/distance.hpp>
 #include <carom/scene/polyhedra/free_flight.hpp>
 
@@ -47,12 +49,14 @@ struct TimeOfContact {
 /// Bodies that do not move relative to each other never meet. Preconditions: both motions start at `begin` or before,
 /// and end at the horizon or later; the tolerance is positive. If the tolerance is below the errors (about 2⁻⁴⁴ of
 /// sizes and distance, plus the errors of the placements), the answer may be `undecided`. Then `time` is the last time
-/// up to which the shapes are certainly apart.
+/// up to which the shapes are certainly apart. The answer is also `undecided` after a request to stop.
 [[nodiscard]] TimeOfContact time_of_contact(const ShapePair& pair, const FreeFlight& a, const FreeFlight& b,
-                                            double begin, double horizon, double tolerance);
+                                            double begin, double horizon, double tolerance,
+                                            const std::stop_token& stop = {});
 
 /// The first time of contact of a shape with a fixed half-space. Parameters and preconditions are those for two shapes.
 [[nodiscard]] TimeOfContact time_of_contact(const ConvexShape& a, const FreeFlight& motion, const HalfSpace& b,
-                                            double begin, double horizon, double tolerance);
+                                            double begin, double horizon, double tolerance,
+                                            const std::stop_token& stop = {});
 
 }  // namespace carom::scene

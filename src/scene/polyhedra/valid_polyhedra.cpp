@@ -69,6 +69,12 @@ Found body_defect(const Scene& scene, std::size_t i, std::vector<RigidBody>& bod
                                  range.least, " to ", range.greatest, ", not ", value)};
     }
   }
+  if (!is_moderate(scene, made.mass, made.velocity.stableNorm())) {
+    return SceneDefect{Of::polyhedron, i, 0, "velocity", of_moderate_motion};
+  }
+  if (!is_moderate(scene, made.mass, made.angular_velocity.stableNorm() * made.radius())) {
+    return SceneDefect{Of::polyhedron, i, 0, "angular_velocity", of_moderate_motion};
+  }
   if (!(made.position.stableNorm() <= farthest * made.radius())) {
     return SceneDefect{Of::polyhedron, i, 0, "",
                        text_of("expected a centre of mass within 4096 radii of the origin, found the distance ",
@@ -81,14 +87,13 @@ Placement placement_of(const RigidBody& body) {
   return {body.orientation, body.position, 4 * unit_roundoff(Precision::binary64), 0};
 }
 
-Found contact_defect(const Scene& scene, const std::vector<RigidBody>& bodies, std::size_t i) {
-  const auto defect = [&](const std::string& other, const Separation& separation) {
-    const bool is_ball = is_sphere(scene, i);
-    return SceneDefect{is_ball ? Of::sphere : Of::polyhedron, is_ball ? i : i - scene.spheres.size(), 0, "",
-                       text_of(description_of(scene, i), " may overlap ", other, ": ", separation.gap,
-                               " m is the computed gap, with a rounding error of up to ",
-                               separation.gap - separation.certified, " m; move one of them")};
-  };
+/// A plane, or a body with a lower index, from which a body is not certain to be apart.
+struct Touch {
+  std::string other;
+  Separation separation;
+};
+
+std::optional<Touch> first_touch(const Scene& scene, const std::vector<RigidBody>& bodies, std::size_t i) {
   const Placement placement = placement_of(bodies[i]);
   for (std::size_t k = 0; k < scene.planes.size(); ++k) {
     const Plane& plane = scene.planes[k];
@@ -96,7 +101,7 @@ Found contact_defect(const Scene& scene, const std::vector<RigidBody>& bodies, s
     const Separation apart = separation(bodies[i].shape, placement,
                                         HalfSpace{plane.normal / length, plane.normal.dot(plane.point) / length});
     if (!(apart.certified > 0)) {
-      return defect("plane " + std::to_string(k) + " (" + plane.name + ")", apart);
+      return Touch{"plane " + std::to_string(k) + " (" + plane.name + ")", apart};
     }
   }
   for (std::size_t k = 0; k < i; ++k) {
@@ -107,10 +112,23 @@ Found contact_defect(const Scene& scene, const std::vector<RigidBody>& bodies, s
     const ShapePair pair(bodies[i].shape, bodies[k].shape);
     const Separation apart = pair.separation(placement, placement_of(bodies[k]));
     if (!(apart.certified > 0)) {
-      return defect(description_of(scene, k), apart);
+      return Touch{description_of(scene, k), apart};
     }
   }
   return std::nullopt;
+}
+
+Found contact_defect(const Scene& scene, const std::vector<RigidBody>& bodies, std::size_t i) {
+  const std::optional<Touch> touch = first_touch(scene, bodies, i);
+  if (!touch) {
+    return std::nullopt;
+  }
+  const Separation& apart = touch->separation;
+  const bool is_ball = is_sphere(scene, i);
+  return SceneDefect{is_ball ? Of::sphere : Of::polyhedron, is_ball ? i : i - scene.spheres.size(), 0, "",
+                     text_of(description_of(scene, i), " may overlap ", touch->other, ": ", apart.gap,
+                             " m is the computed gap, with a rounding error of up to ", apart.gap - apart.certified,
+                             " m; move one of them")};
 }
 
 }  // namespace
@@ -137,6 +155,47 @@ std::optional<SceneDefect> first_polyhedron_defect(const Scene& scene) {
     }
   }
   return std::nullopt;
+}
+
+void move_bodies_apart(Scene& scene) {
+  constexpr int most_moves = 32;
+  std::vector<RigidBody> bodies;
+  for (std::size_t i = 0; i < body_count(scene); ++i) {
+    const bool is_ball = is_sphere(scene, i);
+    if (!is_ball && number_defect(scene, i - scene.spheres.size())) {
+      return;  // first_polyhedron_defect names the defect
+    }
+    Vector3<double>& position =
+        is_ball ? scene.spheres[i].position : scene.polyhedra[i - scene.spheres.size()].position;
+    const auto body = [&]() -> std::optional<RigidBody> {
+      if (is_ball) {
+        return rigid_body(scene.spheres[i]);
+      }
+      auto made = rigid_body(polyhedron_of(scene, i));
+      return std::holds_alternative<RigidBody>(made) ? std::optional(std::get<RigidBody>(std::move(made)))
+                                                     : std::nullopt;
+    };
+    std::optional<RigidBody> placed = body();
+    if (!placed) {
+      return;
+    }
+    bodies.push_back(*placed);
+    const Vector3<double> given = position;
+    const double moved_before = scene.moved_apart.farthest;
+    for (int tries = 0; tries < most_moves; ++tries) {
+      const std::optional<Touch> touch = first_touch(scene, bodies, i);
+      const double error = touch ? touch->separation.gap - touch->separation.certified : 0;
+      // A body that was moved before may be nearer by its way.
+      if (!touch || !(std::abs(touch->separation.gap) <= 2 * error + moved_before)) {
+        break;
+      }
+      position += (2 * error - touch->separation.gap) * touch->separation.normal;
+      bodies.back() = *body();
+    }
+    if (position != given) {
+      scene.moved_apart.add((position - given).norm());
+    }
+  }
 }
 
 }  // namespace carom::scene

@@ -14,4 +14,8 @@ namespace carom::scene {
 /// valid_scene.hpp).
 [[nodiscard]] std::optional<SceneDefect> first_polyhedron_defect(const Scene& scene);
 
+/// Moves each body of a scene with polyhedra apart from planes and from bodies before it that it touches, or overlaps
+/// by at most twice the rounding error of their gap.
+void move_bodies_apart(Scene& scene);
+
 }  // namespace carom::scene

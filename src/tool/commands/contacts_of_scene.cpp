@@ -61,16 +61,18 @@ RecordedContacts contacts_of_scene(const std::string& text, const std::string& f
   Sampled contacts;
   try {
     scene::SceneSimulation simulation(scene);
+    simulation.stop_on(stop);
     while (const scene::Event* event = simulation.advance()) {
-      if (stop.stop_requested()) {
-        throw UsageError(fmt::format("{}: the user stopped the simulation at t = {} s", file, event->time));
-      }
       if (event->has_impulse) {
         contacts.add({class_of(scene, *event), event->collision, fmt::format("{}: t = {} s", file, event->time), true});
       }
     }
+    if (stop.stop_requested()) {
+      throw UsageError(fmt::format("{}: the user stopped the simulation at t = {} s", file, simulation.time()));
+    }
   } catch (const scene::SceneError& error) {
-    throw UsageError(fmt::format("{}: {}", file, error.what()));
+    fmt::print(stderr, "carom: {}: the plan is for the collisions until the simulation ended: {}\n", file,
+               error.what());
   }
   RecordedContacts recorded{contacts.take(), scene.law};
   if (recorded.contacts.empty()) {

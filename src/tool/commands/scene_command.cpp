@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <memory>
 #include <mutex>
-#include <numeric>
 #include <optional>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <carom/collision/json/text.hpp>
 #include <carom/properties/gate/by_name.hpp>
@@ -39,6 +39,7 @@ struct SceneArguments {
   std::uint64_t judge_every = 1;        // every Nth impulse is judged; 0: none
   bool check = true;                    // whether to check that nothing overlaps
   std::optional<std::uint64_t> events;  // the most events; the run ends after them
+  std::uint64_t most_lines = 100'000;   // of events.csv
   unsigned jobs = 0;                    // laws that run at once; 0: one for each core
   std::string format = "text";
 };
@@ -93,30 +94,57 @@ struct Written {
   nlohmann::json record;
   std::string text;  // empty unless the format is text
   std::exception_ptr undrawn;
-  bool holds = false;
-  bool has_failed = false;
+  SceneVerdict verdict = SceneVerdict::holds;
+  bool ended_early = false;
 };
 
-/// The progress of all laws together, reported from any of their threads.
+/// Shows the progress of all laws together on one line of standard error, at most once a second. Their threads report
+/// it. Nothing is shown if standard error is not a terminal.
 class Progress {
  public:
   Progress(const scene::Scene& scene, std::size_t laws)
-      : line_(progress_line("ms of " + shown_title(scene))), duration_(scene.duration), times_(laws, 0) {}
+      : title_(shown_title(scene)), duration_(scene.duration * static_cast<double>(laws)), laws_(laws) {}
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+  Progress(Progress&&) = delete;
+  Progress& operator=(Progress&&) = delete;
+  ~Progress() {
+    if (has_shown_) {
+      std::fputs("\n", stderr);
+    }
+  }
 
-  [[nodiscard]] bool is_shown() const { return line_ != nullptr; }
-  void report(std::size_t law, double time) {
+  [[nodiscard]] bool is_shown() const { return isatty(STDERR_FILENO) != 0; }
+  void report(std::size_t law, double time, std::uint64_t events) {
     const std::scoped_lock lock(mutex_);
-    times_[law] = time;
-    const double sum = std::accumulate(times_.begin(), times_.end(), 0.0);
-    line_(static_cast<std::uint64_t>(1000 * sum),
-          static_cast<std::uint64_t>(1000 * duration_ * static_cast<double>(times_.size())));
+    laws_[law] = {time, events};
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last_ < std::chrono::seconds(1)) {
+      return;
+    }
+    last_ = now;
+    has_shown_ = true;
+    double sum = 0;
+    for (const State& one : laws_) {
+      sum += one.time;
+      events += &one == &laws_[law] ? 0 : one.events;
+    }
+    std::fputs(fmt::format("\r{}: {:.6g} s of {:g} s, {} events", title_, sum, duration_, events).c_str(), stderr);
+    std::fflush(stderr);
   }
 
  private:
-  std::function<void(std::uint64_t, std::uint64_t)> line_;
+  struct State {
+    double time = 0;
+    std::uint64_t events = 0;
+  };
+
+  std::string title_;
   double duration_;
   std::mutex mutex_;
-  std::vector<double> times_;
+  std::vector<State> laws_;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+  bool has_shown_ = false;
 };
 
 /// The scene under one law. The object must not move, because callbacks refer to it.
@@ -134,14 +162,18 @@ class LawRun {
     const bool replays = out_ && has_replay() && body_count(scene_) <= most_bodies_replayed;
     options.most_replayed = replays ? options.most_replayed : 0;
     if (progress.is_shown()) {
-      options.on_progress = [&progress, number](double time) { progress.report(number, time); };
+      options.on_progress = [&progress, number](double time, std::uint64_t events) {
+        progress.report(number, time, events);
+      };
     }
     if (out_) {
       make_directories(*out_);
       events_.emplace(*out_ / "events.csv");
       events_->write(events_csv_header(scene_));
-      options.on_event = [this, count = std::uint64_t{0}](const scene::Event& event) mutable {
-        events_->write(events_csv_line(scene_, ++count, event));
+      options.on_event = [this, most = arguments.most_lines](const scene::Event& event) {
+        if (lines_ < most) {
+          events_->write(events_csv_line(scene_, ++lines_, event));
+        }
       };
     }
     try {
@@ -159,9 +191,17 @@ class LawRun {
                     scene_record(*run_),
                     arguments.format == "text" ? scene_text(*run_) : std::string(),
                     nullptr,
-                    run_->holds(),
-                    run_->has_failed()};
+                    run_->verdict(),
+                    !run_->ended_early().empty()};
     if (out_) {
+      if (lines_ < run_->simulation().counts().events) {
+        written.record["events"]["lines"] = lines_;
+        if (!written.text.empty()) {
+          // The last line is the verdict.
+          written.text.insert(written.text.rfind('\n', written.text.size() - 2) + 1,
+                              fmt::format("files     events.csv has the first {} events (--csv-lines)\n", lines_));
+        }
+      }
       events_->close();
       write_file(*out_ / "series.csv", series_csv(*run_));
       write_file(*out_ / "scene.json",
@@ -181,6 +221,7 @@ class LawRun {
   scene::Scene scene_;
   std::optional<fs::path> out_;
   std::optional<LineFile> events_;
+  std::uint64_t lines_ = 0;  // of events_
   std::unique_ptr<SceneRun> run_;
 };
 
@@ -270,17 +311,18 @@ int run_scene_file(const SceneArguments& arguments) {
       std::rethrow_exception(written.undrawn);
     }
   }
-  const auto any = [&](bool Written::*fact) {
-    return std::any_of(all.begin(), all.end(), [&](const Written& written) { return written.*fact; });
-  };
-  if (any(&Written::has_failed)) {
+  if (std::any_of(all.begin(), all.end(), [](const Written& written) { return written.ended_early; })) {
     fmt::print(
         stderr, "carom: {}: {}\n", arguments.file,
         "the simulation stopped before the end of the scene; the line `ended early` of the report gives the reason");
-    return exit_usage;
   }
-  return std::all_of(all.begin(), all.end(), [](const Written& written) { return written.holds; }) ? exit_all_hold
-                                                                                                   : exit_violated;
+  int status = exit_all_hold;
+  for (const Written& written : all) {
+    const int own = exit_status(written.verdict);
+    // One violated law matters more than one that was not run to its end.
+    status = status == exit_violated || own == exit_violated ? exit_violated : std::max(status, own);
+  }
+  return status;
 }
 
 }  // namespace
@@ -302,6 +344,9 @@ void add_scene(CLI::App& app, Chosen& chosen) {
   command->add_flag("!--no-check", arguments->check, "Skip the check for overlaps");
   command->add_option("--events", arguments->events, "Largest number of events; the simulation ends after it")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000'000}));
+  command->add_option("--csv-lines", arguments->most_lines, "Largest number of lines of events.csv")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000'000}))
+      ->capture_default_str();
   add_jobs(*command, arguments->jobs, "Number of laws that run at the same time");
   add_format(*command, arguments->format, {"text", "json"});
   command->callback([&chosen, arguments] { chosen = [arguments] { return run_scene_file(*arguments); }; });

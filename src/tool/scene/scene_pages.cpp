@@ -37,9 +37,11 @@ Document ledger_part(const SceneRun& run) {
     table.rows.push_back(number_row(name_of(cause), joules(ledger.energy(cause))));
   }
   table.rows.push_back(number_row("at last", joules(ledger.present().total())));
-  table.rows.push_back(number_row(
-      "rounding relative to the scale of the energy",
-      fmt::format("{:.2g}, allowed {:.2g}", run.ledger().relative_rounding(), run.ledger().rounding_limit())));
+  table.rows.push_back(
+      number_row("rounding relative to the scale of the energy",
+                 fmt::format("{:.2g}, allowed {:.2g}", ledger.relative_rounding(), ledger.rounding_limit())));
+  table.rows.push_back(number_row("greatest rounding relative to the bound of its event or arc",
+                                  fmt::format("{:.2g}, allowed 1", ledger.worst_rounding())));
   table.rows.push_back(number_row(
       "sum of the magnitudes of all roundings",
       fmt::format("{:.2g}", static_cast<double>(ledger.rounding_without_signs() / std::max(ledger.scale(), 1e-300L)))));
@@ -165,7 +167,7 @@ std::vector<Line> one_line_a_law(std::span<const SampledLaw> laws, const Quantit
 std::string scene_html(const SceneRun& run, bool has_replay_beside) {
   const scene::Scene& scene = run.scene();
   const report::Environment environment = this_environment();
-  Document summary{Paragraph{scene_verdict(run), run.holds() ? "result exit-0" : "result exit-1"},
+  Document summary{Paragraph{scene_verdict(run), fmt::format("result exit-{}", exit_status(run.verdict()))},
                    Facts{{{"law", std::string(name_of(scene.law))},
                           {"precision of impulses", std::string(name_of(scene.precision))},
                           {"spheres", std::to_string(scene.spheres.size())},

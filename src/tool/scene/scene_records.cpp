@@ -170,6 +170,7 @@ json validity_json(const SceneRun& run) {
           {"planes", run.validity()->planes},
           {"largest_jump", run.validity()->largest_jump},
           {"unseen", run.validity()->unseen},
+          {"checked_until", run.checked_until()},
           {"first", invalid}};
 }
 
@@ -201,8 +202,10 @@ json ledger_json(const SceneRun& run) {
           {"causes", causes},
           {"work_of_gravity", static_cast<double>(ledger.gravity_work())},
           {"scale", static_cast<double>(ledger.scale())},
+          {"added", ledger.added()},
           {"relative_rounding", run.ledger().relative_rounding()},
           {"rounding_limit", run.ledger().rounding_limit()},
+          {"worst_rounding", number_to_json(run.ledger().worst_rounding())},
           {"rounding_without_signs", static_cast<double>(ledger.rounding_without_signs())},
           {"momentum",
            {{"initial", momentum_json(ledger.initial_momentum())},
@@ -227,7 +230,9 @@ json scene_record(const SceneRun& run) {
   record["spheres"] = run.scene().spheres.size();
   record["polyhedra"] = run.scene().polyhedra.size();
   record["planes"] = run.scene().planes.size();
-  record["holds"] = run.holds();
+  record["moved_apart"] = {{"bodies", run.scene().moved_apart.bodies}, {"farthest", run.scene().moved_apart.farthest}};
+  record["holds"] = run.verdict() == SceneVerdict::holds;
+  record["violated"] = run.verdict() == SceneVerdict::violated;
   record["events"] = {{"all", counts.events},
                       {"impacts", counts.impacts},
                       {"plane_impacts", counts.plane_impacts},
@@ -254,15 +259,26 @@ json scene_record(const SceneRun& run) {
 }
 
 std::string scene_verdict(const SceneRun& run) {
-  std::string text = run.holds() ? "holds" : "VIOLATED";
-  if (run.has_failed()) {
-    text = "NOT RUN TO ITS END; so far " + text;
-  }
+  const auto text = [&]() -> std::string {
+    const std::string until = fmt::format("until {:g} s of {:g} s", run.simulation().time(), run.scene().duration);
+    switch (run.verdict()) {
+      case SceneVerdict::holds:
+        return "holds";
+      case SceneVerdict::violated:
+        return run.ended_early().empty() ? "VIOLATED" : "VIOLATED " + until;
+      case SceneVerdict::not_run_to_its_end:
+        return "NOT RUN TO ITS END; " + until;
+      case SceneVerdict::not_certified:
+        break;
+    }
+    return "NOT CERTIFIED";
+  }();
   std::string what;
   const auto add = [&](const std::string& part) { what += (what.empty() ? "" : ", ") + part; };
-  if (run.validity()) {
-    add(run.validity()->count == 0 ? "nothing overlaps"
-                                   : count_text(run.validity()->count, "invalid state", "invalid states"));
+  if (const auto& validity = run.validity()) {
+    const std::string until = validity->is_complete ? "" : fmt::format(" until {:g} s", run.checked_until());
+    add(validity->count == 0 ? "nothing overlaps" + until
+                             : count_text(validity->count, "invalid state", "invalid states"));
   }
   if (run.judge().judged() > 0) {
     add(run.judge().violated() == 0 ? fmt::format("{} impulses pass", run.judge().judged())
@@ -271,6 +287,11 @@ std::string scene_verdict(const SceneRun& run) {
     add("no impulse was judged");
   }
   add(run.ledger().is_closed() ? "the ledger closes" : "the ledger does not close");
+  if (const double added = run.ledger().added(); added > 0) {
+    add(fmt::format("slow contacts added {:.2g} J, {:.2g} of the first energy",
+                    static_cast<double>(run.ledger().energy(Cause::slow_contacts)), added) +
+        (added > most_added_energy ? fmt::format(" (at most {:g})", most_added_energy) : ""));
+  }
   return fmt::format("{}: {}", text, what);
 }
 
@@ -290,6 +311,10 @@ std::string scene_text(const SceneRun& run) {
                                  name_of(run.scene().precision), run.simulation().time(), run.scene().duration);
   if (!run.ended_early().empty()) {
     text += fmt::format("  ended early: {}\n", run.ended_early());
+  }
+  if (const scene::MovedApart& moved = run.scene().moved_apart; moved.bodies > 0) {
+    text += fmt::format("moved     {} by at most {:.2g} m before the start, because of overlaps within rounding\n",
+                        count_text(moved.bodies, "body", "bodies"), moved.farthest);
   }
   text +=
       fmt::format("events    {}: {} of bodies, {} with planes, {} captures, {} changes of phase{}\n", counts.events,
@@ -314,6 +339,9 @@ std::string scene_text(const SceneRun& run) {
       text += fmt::format("validity  {} overlaps, gaps in paths or impacts without contact; {} checks of pairs\n",
                           validity->count, validity->pairs);
       text += fmt::format("          the check may miss an overlap of {:.2g} m\n", validity->unseen);
+    }
+    if (!validity->is_complete) {
+      text += fmt::format("          checked until {:g} s; the stop ended the last check\n", run.checked_until());
     }
     for (const properties::Invalidity& one : validity->invalid) {
       text += fmt::format("          {} and {}, from {} s to {} s: {}\n", kind_and_number(run.scene(), one.body),
@@ -342,8 +370,9 @@ std::string scene_text(const SceneRun& run) {
   for (const Cause cause : all_causes) {
     text += fmt::format("  {:<22}{:>16.9g} J\n", name_of(cause), static_cast<double>(ledger.energy(cause)));
   }
-  text += fmt::format("          rounding is {:.2g} of the energy, allowed {:.2g}\n", run.ledger().relative_rounding(),
-                      run.ledger().rounding_limit());
+  text +=
+      fmt::format("          rounding is {:.2g} of the energy, and at most {:.2g} of the bound of an event or arc\n",
+                  ledger.relative_rounding(), ledger.worst_rounding());
   return text + scene_verdict(run) + '\n';
 }
 

@@ -20,6 +20,11 @@ namespace carom::tool {
 namespace {
 
 constexpr std::size_t sample_count = 400;
+using Clock = std::chrono::steady_clock;
+
+/// The time for the last check for overlaps after a request to stop.
+constexpr std::chrono::milliseconds time_after_stop{300};
+
 constexpr std::uint64_t events_of_a_check = 100'000;  // the most events that are kept for a check
 
 bool turns(const scene::Change& change, bool is_polyhedron) {
@@ -124,7 +129,16 @@ SceneRun::SceneRun(const scene::Scene& scene, const SceneOptions& options)
 void SceneRun::check() {
   if (history_) {
     history_->end_at(simulation_.time());
-    validity_->add(properties::check_validity(scene(), *history_));
+    // After a request to stop, the check has a part of a second.
+    const auto stops = [this, since = std::optional<Clock::time_point>()]() mutable {
+      if (!options_.stop.stop_requested()) {
+        return false;
+      }
+      since = since.value_or(Clock::now());
+      return Clock::now() - *since > time_after_stop;
+    };
+    validity_->add(properties::check_validity(scene(), *history_, stops));
+    checked_until_ = validity_->is_complete ? simulation_.time() : checked_until_;
     history_.emplace(simulation_.state());
   }
 }
@@ -158,12 +172,12 @@ void SceneRun::record(const scene::Event& event) {
   }
   judge_.record(event);  // last, because it may throw, and everything else must have the event
   if (options_.on_progress) {
-    options_.on_progress(event.time);
+    options_.on_progress(event.time, simulation_.counts().events);
   }
 }
 
 void SceneRun::run() {
-  const auto begin = std::chrono::steady_clock::now();
+  const auto begin = Clock::now();
   try {
     while (const scene::Event* event = simulation_.advance()) {
       record(*event);
@@ -181,28 +195,31 @@ void SceneRun::run() {
     }
   } catch (const scene::SceneError& error) {
     ended_early_ = error.what();
-    has_failed_ = true;
   } catch (const oracles::JudgeError& error) {
     ended_early_ = properties::in_words(error);
     ended_early_.pop_back();  // the line end
-    has_failed_ = true;
   } catch (const std::bad_alloc&) {
     ended_early_ = "there is not enough memory";
-    has_failed_ = true;
   }
   ledger_.close(simulation_.state());
   samples_.close(simulation_.time());
   check();
   history_.reset();
-  seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  seconds_ = std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
 std::size_t SceneRun::spins_changed() const {
   return static_cast<std::size_t>(std::count(has_turned_.begin(), has_turned_.end(), true));
 }
 
-bool SceneRun::holds() const {
-  return judge_.violated() == 0 && ledger_.is_closed() && (!validity_ || validity_->count == 0);
+SceneVerdict SceneRun::verdict() const {
+  if (judge_.violated() > 0 || !ledger_.is_closed() || (validity_ && validity_->count > 0)) {
+    return SceneVerdict::violated;
+  }
+  if (!ended_early_.empty()) {
+    return SceneVerdict::not_run_to_its_end;
+  }
+  return ledger_.added() > most_added_energy ? SceneVerdict::not_certified : SceneVerdict::holds;
 }
 
 }  // namespace carom::tool

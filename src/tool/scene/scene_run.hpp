@@ -12,6 +12,7 @@
 #include <carom/properties/scenes/judged_impulses.hpp>
 #include <carom/properties/scenes/ledger.hpp>
 #include <carom/properties/scenes/validity.hpp>
+#include <carom/report/results/run.hpp>
 #include <carom/scene/event.hpp>
 #include <carom/scene/polyhedra/scene_simulation.hpp>
 
@@ -61,8 +62,27 @@ struct SceneOptions {
   std::uint64_t most_replayed = 100'000;  // the replay ends after this number of events; 0: no replay
   std::stop_token stop;
   std::function<void(const scene::Event&)> on_event;  // empty for none
-  std::function<void(double)> on_progress;            // called with the simulated time [s]; empty for none
+  /// Called with the simulated time [s] and the number of events; empty for none.
+  std::function<void(double, std::uint64_t)> on_progress;
 };
+
+/// The energy that the run itself may add, relative to the first energy.
+inline constexpr double most_added_energy = 1e-6;
+
+enum class SceneVerdict {
+  holds,               // to the end of the duration
+  violated,            // an impulse fails, bodies overlap, or the ledger does not close
+  not_run_to_its_end,  // so far, nothing was found
+  not_certified,       // the run itself added more than `most_added_energy`
+};
+
+/// The exit status of `carom scene`.
+[[nodiscard]] constexpr int exit_status(SceneVerdict verdict) {
+  if (verdict == SceneVerdict::violated) {
+    return report::exit_violated;
+  }
+  return verdict == SceneVerdict::holds ? report::exit_all_hold : report::exit_usage;
+}
 
 /// A scene, and the result of its run. It cannot be moved, because its members refer to each other.
 class SceneRun {
@@ -75,8 +95,8 @@ class SceneRun {
   SceneRun& operator=(SceneRun&&) = delete;
   ~SceneRun() = default;
 
-  /// Runs the scene to its end, or until it is stopped. If the simulation or the judge fails, keeps the results so far.
-  /// Call it once.
+  /// Runs the scene to its end, or until it is stopped. If the simulation or the judge ends it, keeps the results so
+  /// far. Call it once.
   void run();
 
   [[nodiscard]] const scene::Scene& scene() const { return simulation_.scene(); }
@@ -85,6 +105,8 @@ class SceneRun {
   [[nodiscard]] const properties::ImpulseJudge& judge() const { return judge_; }
   /// Empty if overlaps were not checked.
   [[nodiscard]] const std::optional<properties::Validity>& validity() const { return validity_; }
+  /// The time until which overlaps were checked [s]. It is before the present if the user stopped the check.
+  [[nodiscard]] double checked_until() const { return checked_until_; }
   [[nodiscard]] const std::vector<Sample>& samples() const { return samples_.samples(); }
   [[nodiscard]] const scene::SceneState& first() const { return first_; }
   /// The events of a replay; empty if there is no replay.
@@ -99,11 +121,7 @@ class SceneRun {
   [[nodiscard]] double seconds() const { return seconds_; }  // wall time, including the judgement [s]
   /// The reason for an end before the duration; empty if the run reached the duration.
   [[nodiscard]] const std::string& ended_early() const { return ended_early_; }
-  /// Whether an error ended the run.
-  [[nodiscard]] bool has_failed() const { return has_failed_; }
-
-  /// Whether no fault was found.
-  [[nodiscard]] bool holds() const;
+  [[nodiscard]] SceneVerdict verdict() const;
 
  private:
   void note_turning(const scene::Change& change);
@@ -117,13 +135,13 @@ class SceneRun {
   properties::ImpulseJudge judge_;
   std::optional<properties::History> history_;
   std::optional<properties::Validity> validity_;
+  double checked_until_ = 0;
   SceneSamples samples_;
   std::optional<std::vector<scene::Event>> replayed_;
   std::optional<double> cut_;
   std::vector<bool> has_turned_;
   double seconds_ = 0;
   std::string ended_early_;
-  bool has_failed_ = false;
 };
 
 }  // namespace carom::tool

@@ -44,7 +44,7 @@ struct WatchedRun {
         ledger(first),
         judge(simulation.scene().law, simulation.scene().precision, 1, {}) {
     for (std::size_t k = 0; k < most_events; ++k) {
-      const scene::Event* const next = simulation.advance();
+      const scene::Event* const next = next_event();
       if (next == nullptr) {
         break;
       }
@@ -71,6 +71,16 @@ struct WatchedRun {
   }
   /// Σ |rounding| of the energy, relative to the ledger's scale.
   [[nodiscard]] long double relative_rounding() const { return ledger.rounding_without_signs() / ledger.scale(); }
+
+  /// The next event; null at the end, or if bodies would have to rest on each other.
+  [[nodiscard]] const scene::Event* next_event() {
+    try {
+      return simulation.advance();
+    } catch (const scene::SceneError& error) {
+      EXPECT_NE(std::string(error.what()).find("would have to rest"), std::string::npos) << error.what();
+      return nullptr;
+    }
+  }
 
   /// The widest gap at an impact of spheres, relative to the sum of their radii.
   double widest_gap = 0;
@@ -101,8 +111,8 @@ struct WatchedRun {
 inline properties::Validity expect_sound(const WatchedRun& run) {
   const properties::Validity validity = run.validity();
   EXPECT_EQ(validity.count, 0U) << text_of(validity);
-  EXPECT_LE(run.relative_rounding(), 1e-12L);
   const properties::Ledger& ledger = run.ledger;
+  EXPECT_TRUE(ledger.is_closed()) << ledger.worst_rounding();
   long double sum = ledger.initial().total();
   for (const properties::Cause cause : properties::all_causes) {
     sum += ledger.energy(cause);

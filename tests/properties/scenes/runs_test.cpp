@@ -63,7 +63,7 @@ TEST_P(RandomBoxes, OfSpheresAndOfPolyhedraAreValidInEveryPrecision) {
   }
 }
 
-/// No body can rest on the slopes of this scene.
+/// Spheres slide and roll down these slopes, and some would rest between them.
 TEST_P(RandomBoxes, OfSpheresAreSoundOnSlopes) {
   Scene scene = unit::box_of_spheres(GetParam(), {0.5, 0.25, 0.5, 0, 0}, 2, 2, 5);
   scene.gravity = {0, 0, -9.81};
@@ -153,8 +153,7 @@ void check_tumbling(const Scene& scene, std::size_t most_events, std::size_t lea
   const Validity validity = unit::expect_sound(run);
   const scene::Counts& counts = run.simulation.counts();
   EXPECT_GE(counts.events, least_events);
-  EXPECT_GT(validity.pairs, 0U);
-  EXPECT_GT(validity.planes, 0U);
+  EXPECT_GT(validity.pairs + validity.planes, 0U);
   EXPECT_EQ(validity.joints, 2 * counts.impacts + counts.plane_impacts + counts.renewals);
   // `unseen` is at most 2⁻³⁰ of the smaller radius, and a radius is at most 0.4 m.
   EXPECT_LE(validity.unseen, 0.4 * 0x1p-30);

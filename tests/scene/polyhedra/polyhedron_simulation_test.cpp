@@ -53,10 +53,10 @@ Scene over_a_floor(const Points& corners, const Vector& position, double restitu
 const Points unit_cube = centred_box({1, 1, 1});
 const double cube_radius = std::sqrt(0.75);
 
-TEST(PolyhedronSimulation, ReboundsACubeThatFallsFlatAndThenLetsItHopNoHigherThanIsFollowed) {
+TEST(PolyhedronSimulation, ReboundsACubeThatFallsFlatUntilItWouldRest) {
   Scene scene = over_a_floor(unit_cube, {0, 0, 2.5}, 0.5);
-  const std::vector<Event> events = events_of(scene, 300);
-  ASSERT_EQ(events.size(), 300U);
+  const std::vector<Event> events = events_of(scene, 200);
+  ASSERT_EQ(events.size(), 200U);
   const double nearness = 1.01 * contact_tolerance * cube_radius;
   // The cube falls from 2 m until it is within the contact tolerance.
   EXPECT_LE(events[0].time, std::sqrt(2 * 2 / g));
@@ -77,8 +77,8 @@ TEST(PolyhedronSimulation, ReboundsACubeThatFallsFlatAndThenLetsItHopNoHigherTha
     const double fall = events[bounce + 1].time - event.time;
     EXPECT_NEAR(fall, 2 * speed / g, nearness / speed + 0x1p-48) << bounce;
   }
-  // After these bounces, each hop rises by at most 10⁻⁶ R. After a slow contact, the cube rises by 10⁻⁶ R. Rounding
-  // gives the cube at most 2⁻⁴⁶ rad/s per hop, so it stays flat.
+  // After these bounces, each hop rises by at most 10⁻⁶ R, and a slow contact is elastic. Rounding gives the cube at
+  // most 2⁻⁴⁶ rad/s per hop, so it stays flat.
   const double greatest = default_capture_height * cube_radius;
   int slow = 0;
   for (std::size_t hop = bounce + 1; hop < events.size(); ++hop) {
@@ -89,10 +89,21 @@ TEST(PolyhedronSimulation, ReboundsACubeThatFallsFlatAndThenLetsItHopNoHigherTha
     EXPECT_GT(events[hop].a.after.path.position.z(), 0.5) << hop;
     if (events[hop].was_slow) {
       ++slow;
-      EXPECT_NEAR(up * up / (2 * g), greatest, 1e-9 * greatest) << hop;
+      EXPECT_NEAR(up, events[hop - 1].a.after.path.velocity.z(), g * nearness / up) << hop;
     }
   }
   EXPECT_GT(slow, 100);
+  PolyhedronSimulation simulation(scene);
+  try {
+    while (simulation.advance() != nullptr) {
+    }
+    FAIL() << simulation.time();
+  } catch (const SceneError& error) {
+    EXPECT_NE(std::string(error.what())
+                  .find(" s polyhedron 0 (body 0) and plane 0 (plane 0) would have to rest on each other"),
+              std::string::npos)
+        << error.what();
+  }
 }
 
 /// By hand, the impulse is j = −(1 + ε) v / (1/m + ‖r × n‖²/I), with v the velocity along the floor's normal n and r
