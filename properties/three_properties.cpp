@@ -66,8 +66,8 @@ NamedVerdict outside(std::string why) { return {nullptr, {.status = Status::skip
 
 /// The verdict of the first invariant that is violated. If none is, that of one that holds, if one does.
 NamedVerdict verdict_on(const Claim& claim, const Collision& collision, const ReportedOutcome& answer) {
-  if (const auto quantity = quantity_outside(claim.within, collision)) {
-    return outside("the collision is outside of the domain, by its " + std::string(name_of(*quantity)));
+  if (const auto name = name_outside(claim.within, collision)) {
+    return outside("the collision is outside of the domain, by its " + std::string(*name));
   }
   const JudgedCase judged_case(Case{collision}, claim.yardstick.filtered(), claim.effects);
   if (!judged_case.is_valid()) {
@@ -127,7 +127,7 @@ std::vector<ViolatedCase> violated_near(const detail::PropertyAnswer& answered, 
                                         const detail::Ask& ask) {
   std::vector<ViolatedCase> violated{{0, Case{answered.collision}, answered.answer}};
   for (const Collision& neighbour : neighbours_of(answered.collision)) {
-    if (quantity_outside(claim.within, neighbour) || !validate(neighbour).empty()) {
+    if (!contains(claim.within, neighbour) || !validate(neighbour).empty()) {
       continue;  // the solver need not answer it
     }
     const ReportedOutcome answer = ask(neighbour);

@@ -110,6 +110,7 @@ Case touching_spheres(Stream& stream) {
     c.b.velocity = negated(c.b.velocity);
   }
   set_friction(stream, c);
+  stream.settle(c);
   return spheres;
 }
 

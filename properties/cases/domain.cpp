@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -172,9 +173,12 @@ std::vector<double> values_of(const Collision& c, LimitedQuantity quantity) {
   return values;
 }
 
-std::optional<LimitedQuantity> quantity_outside(const Domain& domain, const Collision& collision) {
+std::optional<std::string_view> name_outside(const Domain& domain, const Collision& collision) {
   if (domain.is_everything() || !validate(collision).empty()) {
     return std::nullopt;
+  }
+  if (const std::optional<std::string_view> kind = kind_outside(domain.kinds, collision)) {
+    return kind;
   }
   for (const LimitedQuantity quantity : all_limited_quantities) {
     const Range& range = domain.ranges[quantity];
@@ -183,7 +187,7 @@ std::optional<LimitedQuantity> quantity_outside(const Domain& domain, const Coll
     }
     const std::vector<double> values = values_of(collision, quantity);
     if (!std::all_of(values.begin(), values.end(), [&](double x) { return range.contains(x); })) {
-      return quantity;
+      return name_of(quantity);
     }
   }
   return std::nullopt;
@@ -212,43 +216,51 @@ std::optional<LimitedQuantity> quantity_named(std::string_view name) {
 
 namespace {
 
-/// Empty text stands for everything.
-Domain domain_from_ranges(std::string_view text) {
+[[noreturn]] void fail_unknown(std::string_view part) {
+  std::vector<std::string_view> names;
+  std::ranges::transform(facts, std::back_inserter(names), [](const QuantityFacts& one) { return one.name; });
+  std::vector<std::string_view> named;
+  std::ranges::transform(domains, std::back_inserter(named), [](const NamedDomain& one) { return one.name; });
+  throw std::invalid_argument(fmt::format(
+      "'{}' names no quantity; expected QUANTITY=LEAST:MOST with one of {}, KIND=VALUE with one of {}, or a domain: {}",
+      part, fmt::join(names, ", "), fmt::join(kind_names(), ", "), fmt::join(named, ", ")));
+}
+
+/// Reads "0.1:10", or "0.1" for one value.
+void set_range_from(Domain& domain, LimitedQuantity quantity, std::string_view range) {
+  const std::size_t colon = std::min(range.find(':'), range.size());
+  const auto end_from = [&](std::string_view digits) {
+    const std::optional<double> number = number_from(digits);
+    if (!number && !(digits.empty() && colon < range.size())) {
+      throw std::invalid_argument(
+          fmt::format("{}: expected LEAST:MOST with finite numbers, found '{}'", name_of(quantity), range));
+    }
+    return number;
+  };
+  const std::optional<double> least = end_from(range.substr(0, colon));
+  set_range(domain, quantity, least, colon < range.size() ? end_from(range.substr(colon + 1)) : least);
+}
+
+/// Reads a list of ranges and kinds. Empty text stands for everything.
+Domain domain_from_list(std::string_view text) {
   Domain domain;
-  if (text.empty()) {
-    return domain;
-  }
-  PerLimitedQuantity<bool> given{};
-  for (std::size_t begin = 0; begin <= text.size();) {
+  std::set<std::string_view> given;
+  for (std::size_t begin = 0; !text.empty() && begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
     const std::string_view part = text.substr(begin, end - begin);
     const std::size_t sign = std::min(part.find('='), part.size());
-    const std::optional<LimitedQuantity> quantity = quantity_named(part.substr(0, sign));
-    if (!quantity) {
-      std::vector<std::string_view> names;
-      std::ranges::transform(facts, std::back_inserter(names), [](const QuantityFacts& one) { return one.name; });
-      std::vector<std::string_view> named;
-      std::ranges::transform(domains, std::back_inserter(named), [](const NamedDomain& one) { return one.name; });
-      throw std::invalid_argument(
-          fmt::format("'{}' names no quantity; expected QUANTITY=LEAST:MOST with one of {}, or a domain: {}", part,
-                      fmt::join(names, ", "), fmt::join(named, ", ")));
+    const std::string_view name = part.substr(0, sign);
+    const std::string_view limit = part.substr(std::min(sign + 1, part.size()));
+    if (!given.insert(name).second) {
+      throw std::invalid_argument(fmt::format("{} occurs twice", name));
     }
-    if (given[*quantity]) {
-      throw std::invalid_argument(fmt::format("{} occurs twice", name_of(*quantity)));
+    if (const std::optional<LimitedQuantity> quantity = quantity_named(name)) {
+      set_range_from(domain, *quantity, limit);
+    } else if (std::ranges::count(kind_names(), name) > 0) {
+      set_kind(domain.kinds, name, limit);
+    } else {
+      fail_unknown(part);
     }
-    given[*quantity] = true;
-    const std::string_view range = part.substr(std::min(sign + 1, part.size()));
-    const std::size_t colon = std::min(range.find(':'), range.size());
-    const auto end_from = [&](std::string_view digits) {
-      const std::optional<double> number = number_from(digits);
-      if (!number && !(digits.empty() && colon < range.size())) {
-        throw std::invalid_argument(
-            fmt::format("{}: expected LEAST:MOST with finite numbers, found '{}'", name_of(*quantity), range));
-      }
-      return number;
-    };
-    const std::optional<double> least = end_from(range.substr(0, colon));
-    set_range(domain, *quantity, least, colon < range.size() ? end_from(range.substr(colon + 1)) : least);
     begin = end + 1;
   }
   return domain;
@@ -261,10 +273,10 @@ Domain domain_from(std::string_view text) {
     return *named;
   }
   if (!text.starts_with('{')) {
-    return domain_from_ranges(text);
+    return domain_from_list(text);
   }
   try {
-    return domain_from_ranges(domain_from_json(parse_json(text)));
+    return domain_from_list(domain_from_json(parse_json(text)));
   } catch (const FormatError& error) {
     throw std::invalid_argument(error.what());
   }
@@ -282,13 +294,16 @@ std::string to_text(const Domain& domain) {
     const std::string most = range.most == whole.most ? "" : fmt::format("{}", range.most);
     text += fmt::format("{}{}={}:{}", text.empty() ? "" : ",", name_of(quantity), least, most);
   }
+  for (const auto& [name, value] : texts_of(domain.kinds)) {
+    text += fmt::format("{}{}={}", text.empty() ? "" : ",", name, value);
+  }
   return text.empty() ? "everything" : text;
 }
 
 std::optional<Domain> domain_named(std::string_view name) {
   for (const NamedDomain& named : named_domains()) {
     if (named.name == name) {
-      return domain_from_ranges(named.ranges);
+      return domain_from_list(named.ranges);
     }
   }
   return std::nullopt;

@@ -11,6 +11,7 @@
 
 #include <carom/collision/collision.hpp>
 #include <carom/collision/enum_array.hpp>
+#include <carom/properties/cases/kinds.hpp>
 
 namespace carom::properties {
 
@@ -51,10 +52,11 @@ struct Range {
 /// The widest range of a quantity: 0 to ∞ [SI units]; ratios from 1, ε from 0 to 1, and e_t from −1 to 1.
 [[nodiscard]] Range whole_range(LimitedQuantity quantity);
 
-/// A set of collisions: each quantity of the collision lies in its range. A domain decides which collisions the gate
-/// poses. It never decides a verdict.
+/// A set of collisions: each quantity of the collision lies in its range, and the collision lies in the kinds. A domain
+/// decides which collisions the gate poses. It never decides a verdict.
 struct Domain {
   PerLimitedQuantity<Range> ranges;
+  Kinds kinds;
 
   /// Every valid collision.
   Domain();
@@ -74,12 +76,13 @@ struct Domain {
 /// gyration of the movable bodies.
 [[nodiscard]] double reach_of_wall(const Collision& collision, const Body& wall);
 
-/// The first quantity that lies outside of its range. None if the domain contains the collision. An invalid collision
-/// has no quantities, so every domain contains it.
-[[nodiscard]] std::optional<LimitedQuantity> quantity_outside(const Domain& domain, const Collision& collision);
+/// The name of the first quantity that lies outside of its range, or of the first kind outside of which the collision
+/// lies. None if the domain contains the collision. An invalid collision has no quantities, so every domain contains
+/// it.
+[[nodiscard]] std::optional<std::string_view> name_outside(const Domain& domain, const Collision& collision);
 
 [[nodiscard]] inline bool contains(const Domain& domain, const Collision& collision) {
-  return !quantity_outside(domain, collision);
+  return !name_outside(domain, collision);
 }
 
 /// Sets the range. Throws std::invalid_argument if the ends are not finite numbers in `whole_range`, or if the first
@@ -96,11 +99,12 @@ void set_range(Domain& domain, LimitedQuantity quantity, std::optional<double> l
 [[nodiscard]] std::optional<LimitedQuantity> quantity_named(std::string_view name);
 
 /// Reads a domain. "size=0.1:10,mass_ratio=:100" lists the ranges that are not whole, and "restitution=0.5" permits one
-/// value. {"size": [0.1, 10], "mass_ratio": [null, 100]} gives the same as JSON. "games" is the name of a shipped
-/// domain. Empty text stands for everything. Throws std::invalid_argument with the wrong part.
+/// value. "plane=xy" limits a kind. {"size": [0.1, 10], "mass_ratio": [null, 100], "plane": "xy"} gives the same as
+/// JSON. "games" is the name of a shipped domain. Empty text stands for everything. Throws std::invalid_argument with
+/// the wrong part.
 [[nodiscard]] Domain domain_from(std::string_view text);
 
-/// The text that `domain_from` reads back; "everything" if no range is limited.
+/// The text that `domain_from` reads back; "everything" if no range and no kind is limited.
 [[nodiscard]] std::string to_text(const Domain& domain);
 
 /// A domain that ships with Carom. docs/reference/domains.md has its sources.

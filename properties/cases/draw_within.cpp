@@ -42,6 +42,17 @@ double factor_into(Stream& stream, double x, const Range& range) {
   return std::ldexp(1.0, exponent + step * stream.integer(0, further, 0));
 }
 
+/// Whether each movable body can be a uniform ball that holds the contact: J ≥ 2/5 m ‖r‖², but for rounding.
+bool are_uniform_balls(const Collision& c) {
+  const auto is_ball = [&](const Body& body) {
+    const Vector3<double>& moments = body.principal_inertia;
+    const double least = 0.4 * body.mass * squared_length(features::lever_arm(c, body));
+    return body.immovable ||
+           (moments[0] == moments[1] && moments[1] == moments[2] && moments[0] >= least * (1 - 0x1p-40));
+  };
+  return is_ball(c.a) && is_ball(c.b);
+}
+
 class Fit {
  public:
   Fit(const Domain& domain, std::optional<LimitedQuantity> keeps, Stream& stream, Case& one)
@@ -64,6 +75,9 @@ class Fit {
   }
 
   void round() {
+    if (put_into(domain_->kinds, *stream_, *c_)) {
+      one_->convex_uniform = one_->convex_uniform && are_uniform_balls(*c_);
+    }
     coefficient(LimitedQuantity::restitution, c_->restitution);
     coefficient(LimitedQuantity::friction, c_->friction);
     coefficient(LimitedQuantity::tangential_restitution, c_->tangential_restitution);
@@ -345,10 +359,40 @@ bool fit_into(const Domain& domain, std::optional<LimitedQuantity> keeps, Stream
   return fit.is_done() && direction() == drawn;
 }
 
+bool draw_into(const Domain& domain, const Family& family, Stream& stream, Case& one) {
+  // The vectors that families choose across a normal (`orthogonal`) lie in the plane xy, so every plane is first this
+  // one.
+  Domain first = domain;
+  const Plane plane = domain.kinds.plane;
+  first.kinds.plane = plane == Plane::any ? plane : Plane::xy;
+  bool has_changed_shapes = false;
+  if (!is_any(first.kinds)) {
+    stream.settle_by([&](Stream& of_family, Collision& c) {
+      has_changed_shapes = (validate(c).empty() && put_into(first.kinds, of_family, c)) || has_changed_shapes;
+    });
+  }
+  one = family.generate(stream);
+  stream.settle(one.collision);
+  stream.settle_by({});
+  one.convex_uniform = one.convex_uniform && (!has_changed_shapes || are_uniform_balls(one.collision));
+  Case fitted = one;
+  if (!fit_into(first, family.keeps, stream, fitted)) {
+    return false;
+  }
+  for (int i = plane == Plane::yz ? 1 : plane == Plane::zx ? 2 : 0; i > 0; --i) {
+    rename_axes(fitted.collision);
+  }
+  const bool is_still = is_any(domain.kinds) || family.is_still == nullptr || family.is_still(fitted.collision);
+  if (!is_still || !contains(domain, fitted.collision)) {
+    return false;
+  }
+  one = fitted;
+  return true;
+}
+
 std::optional<Case> drawn_within(const Domain& domain, const Family& family, Stream& stream) {
   for (int i = 0; i < draws; ++i) {
-    Case one = family.generate(stream);
-    if (fit_into(domain, family.keeps, stream, one)) {
+    if (Case one; draw_into(domain, family, stream, one)) {
       return one;
     }
     stream.note_drawn_again();

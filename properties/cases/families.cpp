@@ -329,6 +329,27 @@ Case invalid(Stream& stream) {
   return result;
 }
 
+bool is_of_immovable_a(const Collision& c) { return c.a.immovable && !c.b.immovable; }
+
+bool is_of_immovable_b(const Collision& c) { return !c.a.immovable && c.b.immovable; }
+
+bool is_of_driven_wall(const Collision& c) {
+  return c.a.immovable != c.b.immovable && !features::is_at_rest(c.a.immovable ? c.a : c.b);
+}
+
+bool is_of_both_immovable(const Collision& c) {
+  return c.a.immovable && c.b.immovable && !(features::is_at_rest(c.a) && features::is_at_rest(c.b));
+}
+
+bool is_of_zero_lever(const Collision& c) { return c.a.position == c.point || c.b.position == c.point; }
+
+bool is_beside_centres(const Collision& c) {
+  const auto is_beside = [&](const Body& body) {
+    return !body.immovable && !features::are_parallel(features::lever_arm(c, body), c.normal);
+  };
+  return is_beside(c.a) || is_beside(c.b);
+}
+
 constexpr std::array families{
     Family{"structured", "combinations of special values, relations and magnitudes, as in scenes", structured, 1, 20},
     Family{"generic", "two general bodies, of which seven in eight pairs approach", generic, 22},
@@ -343,8 +364,15 @@ constexpr std::array families{
     Family{"collinear_spheres",
            "two touching spheres, or a sphere and a wall; centres and contact lie exactly on one line along N",
            collinear_spheres, 31},
-    Family{"near_collinear", "touching spheres; the contact is 10^-k radii away from the line of centres, k = 1 to 16",
-           near_collinear, 28},
+    Family{"near_collinear",
+           "touching spheres; the contact is 10^-k radii away from the line of centres, k = 1 to 16",
+           near_collinear,
+           28,
+           1,
+           true,
+           {},
+           {},
+           is_beside_centres},
     Family{"grazing", "|N·V⁻| = 10^-k ‖V⁻‖, k = 1 to 18, approaching or separating", grazing, 7},
     Family{"resting", "N·V⁻ = 0 exactly", resting, 33},
     Family{"separating", "N·V⁻ > 0: no impulse", separating, 32},
@@ -352,11 +380,27 @@ constexpr std::array families{
     Family{"elastic", "restitution 1", elastic, 24, 1, true, {}, LimitedQuantity::restitution},
     Family{"mass_ratio", "one body is 10^k times as heavy as the other, k = 1 to 9", mass_ratio, 9},
     Family{"mass_scale", "the masses of both bodies are multiplied by 10^k, k = -12 to 12", mass_scale, 15},
-    Family{"immovable_a", "A has infinite mass", immovable_a, 14},
-    Family{"immovable_b", "B has infinite mass", immovable_b, 18},
-    Family{"driven_wall", "one body has infinite mass and moves", driven_wall, 4},
-    Family{"both_immovable", "both bodies have infinite mass and move: no impulse", both_immovable, 3},
-    Family{"zero_lever", "the contact is at the centre of mass of one body or of both", zero_lever, 12},
+    Family{"immovable_a", "A has infinite mass", immovable_a, 14, 1, true, {}, {}, is_of_immovable_a},
+    Family{"immovable_b", "B has infinite mass", immovable_b, 18, 1, true, {}, {}, is_of_immovable_b},
+    Family{"driven_wall", "one body has infinite mass and moves", driven_wall, 4, 1, true, {}, {}, is_of_driven_wall},
+    Family{"both_immovable",
+           "both bodies have infinite mass and move: no impulse",
+           both_immovable,
+           3,
+           1,
+           true,
+           {},
+           {},
+           is_of_both_immovable},
+    Family{"zero_lever",
+           "the contact is at the centre of mass of one body or of both",
+           zero_lever,
+           12,
+           1,
+           true,
+           {},
+           {},
+           is_of_zero_lever},
     Family{"far_from_origin", "bodies 10^k m from the origin, k = 1 to 12", far_from_origin, 21},
     Family{"common_velocity", "both bodies have an additional common velocity of 10^k m/s, k = 1 to 12",
            common_velocity, 25},

@@ -46,6 +46,9 @@ struct Family {
   MeasuredQuantity beyond = {};
   /// The coefficient that makes the family what it is. A domain that excludes it has no case of the family.
   std::optional<LimitedQuantity> keeps = {};
+  /// Whether a collision is still one of the family after it was put into the kinds of a domain. nullptr: any is. Kinds
+  /// in which none is have no case of the family.
+  bool (*is_still)(const Collision&) = nullptr;
 
   [[nodiscard]] bool is_beyond_domain() const { return beyond.of != nullptr; }
 };

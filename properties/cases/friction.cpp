@@ -27,6 +27,7 @@ Case rubbing_bodies(Stream& stream) {
   if (stream.chance(3)) {
     make_immovable(stream.chance(2) ? result.collision.a : result.collision.b);
     make_approaching(result.collision);
+    stream.settle(result.collision);
   }
   return result;
 }

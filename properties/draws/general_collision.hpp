@@ -31,6 +31,7 @@ template <class MakeBody>
   collision.normal = stream.direction();
   collision.restitution = drawn_restitution(stream);
   make_approaching(collision);
+  stream.settle(collision);
   return collision;
 }
 

@@ -6,7 +6,9 @@
 #include <cstdint>
 #include <functional>
 #include <string_view>
+#include <utility>
 
+#include <carom/collision/collision.hpp>
 #include <carom/collision/enum_array.hpp>
 #include <carom/collision/vector.hpp>
 
@@ -93,6 +95,15 @@ class Stream {
   /// A quaternion with a length from about 1/8 to 2.
   [[nodiscard]] Quaternion<double> quaternion();
 
+  /// Families call `settle` for bodies that they have drawn. It puts them into the kinds of a domain (cases/kinds.hpp).
+  /// Without `settle_by`, it does nothing.
+  void settle(Collision& collision) {
+    if (settle_) {
+      settle_(*this, collision);
+    }
+  }
+  void settle_by(std::function<void(Stream&, Collision&)> settle) { settle_ = std::move(settle); }
+
   void note(Adjustment adjustment) { adjusted_[adjustment] = true; }
   /// Records that the collision is drawn again, and forgets the adjustments of the previous draw.
   void note_drawn_again() {
@@ -104,6 +115,7 @@ class Stream {
  private:
   std::function<std::uint64_t()> next_;
   std::function<std::uint64_t(const StreamQuestion&)> answer_;  // empty only if `next_` is not
+  std::function<void(Stream&, Collision&)> settle_;             // empty: nothing is changed
   PerAdjustment<bool> adjusted_;
 };
 

@@ -211,6 +211,7 @@ bool make_both(Stream& stream, Collision& collision, const Feature& first, const
     for (const Feature* feature : {&first, &second}) {
       if (!feature->is_present(collision)) {
         feature->make(stream, collision);
+        stream.settle(collision);
       }
     }
   }
@@ -248,10 +249,12 @@ Collision composed(Stream& stream) {
   draw_magnitudes(stream, c);
   draw_surface(stream, c, c.a);
   draw_surface(stream, c, c.b);
+  stream.settle(c);
   const int count = stream.integer(0, 8);
   for (int i = 0; i < count; ++i) {
     drawn_of(stream, values_and_relations()).make(stream, c);
   }
+  stream.settle(c);
   const SeldomPair& seldom = seldom_pairs()[stream.below(seldom_pairs().size())];
   const bool is_seldom = stream.chance(8);
   const Feature& first = drawn_of(stream, is_seldom ? seldom.first : values_and_relations());
@@ -268,6 +271,7 @@ Collision composed(Stream& stream) {
   }
   keep_contact_on_bodies(stream, c);
   make_parallels_exact(stream, c);
+  stream.settle(c);
   reverse_if_separating(stream, c);
   return c;
 }
@@ -297,13 +301,16 @@ void make_several_near(Stream& stream, Collision& collision) {
       chosen.push_back(&drawn_of(stream, of_either));
       chosen.back()->make(stream, tried);
     }
+    stream.settle(tried);
     for (const Feature* feature : chosen) {
       if (!feature->is_present(tried)) {
         feature->make(stream, tried);
+        stream.settle(tried);
       }
     }
     keep_contact_on_bodies(stream, tried);
     make_parallels_exact(stream, tried);
+    stream.settle(tried);
     reverse_if_separating(stream, tried);
     if (is_in_domain(tried)) {
       collision = tried;
@@ -326,6 +333,7 @@ void sprinkle(Stream& stream, Collision& collision) {
   }
   keep_contact_on_bodies(stream, collision);
   make_parallels_exact(stream, collision);
+  stream.settle(collision);
   reverse_if_separating(stream, collision);
 }
 

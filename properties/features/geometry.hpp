@@ -18,6 +18,10 @@ inline constexpr double largest_mass = 1e10;
 
 [[nodiscard]] inline bool is_zero(const Vector3<double>& v) { return (v.array() == 0).all(); }
 
+[[nodiscard]] inline bool is_at_rest(const Body& body) {
+  return is_zero(body.velocity) && is_zero(body.angular_velocity);
+}
+
 /// Whether both vectors are nonzero and one is exactly a multiple of the other.
 [[nodiscard]] bool are_parallel(const Vector3<double>& u, const Vector3<double>& v);
 

@@ -147,13 +147,13 @@ std::vector<Feature> of_velocities() {
   for (const BodyFeature& feature : of_spin()) {
     features.push_back(feature);
   }
-  features.push_back(
-      {"at_rest", FeatureKind::special_value, "the body neither moves nor spins", "a target, a floor, a sleeping body",
-       false, [](const Collision&, const Body& b) { return is_zero(b.velocity) && is_zero(b.angular_velocity); },
-       [](Stream&, Collision&, Body& b) {
-         b.velocity.setZero();
-         b.angular_velocity.setZero();
-       }});
+  features.push_back({"at_rest", FeatureKind::special_value, "the body neither moves nor spins",
+                      "a target, a floor, a sleeping body", false,
+                      [](const Collision&, const Body& b) { return is_at_rest(b); },
+                      [](Stream&, Collision&, Body& b) {
+                        b.velocity.setZero();
+                        b.angular_velocity.setZero();
+                      }});
   return for_both(features);
 }
 

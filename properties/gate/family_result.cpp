@@ -51,6 +51,7 @@ FamilyResult& FamilyResult::operator+=(const FamilyResult& other) {
   for (const ViolatedCase& one : other.first_violated_by_relations) {
     keep_if_first(first_violated_by_relations, one);
   }
+  skipped_cases.insert(skipped_cases.end(), other.skipped_cases.begin(), other.skipped_cases.end());
   sampled_answers.insert(sampled_answers.end(), other.sampled_answers.begin(), other.sampled_answers.end());
   for (const auto& [invariant, numbers] : other.violated_cases) {
     std::vector<std::uint64_t>& own = violated_cases[invariant];
@@ -65,7 +66,8 @@ void FamilyResult::keep_answer(std::uint64_t index, const Answer& answer) {
   }
 }
 
-void FamilyResult::order_violated_cases() {
+void FamilyResult::order_cases() {
+  std::ranges::sort(skipped_cases);
   for (auto& [invariant, numbers] : violated_cases) {
     std::sort(numbers.begin(), numbers.end());
     numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());

@@ -84,7 +84,8 @@ struct FamilyResult {
   std::optional<Boundary> boundary;  // for a family beyond the claimed domain
   PerInvariant<Count> counts;
   PerInvariant<WorstViolation> worst;
-  std::uint64_t sampled = 0;  // this many of the first cases are sampled (SampledCase)
+  std::uint64_t sampled = 0;                      // this many of the first cases are sampled (SampledCase)
+  std::vector<std::uint64_t> skipped_cases = {};  // the numbers of the sampled valid cases; after the run, they ascend
   // The numbers of the sampled cases that violated each invariant. After the run, they ascend and are unique.
   PerInvariant<std::vector<std::uint64_t>> violated_cases;
   // The answers to the sampled cases that violated an invariant of one answer. After the run, they ascend and are
@@ -104,11 +105,11 @@ struct FamilyResult {
   /// Keeps the answer to a sampled case. Calls for one case follow each other.
   void keep_answer(std::uint64_t index, const Answer& answer);
 
-  /// Adds the results of other cases of the family. Call `order_violated_cases` after the last addition.
+  /// Adds the results of other cases of the family. Call `order_cases` after the last addition.
   FamilyResult& operator+=(const FamilyResult& other);
 
-  /// Puts the numbers of violated cases and the sampled answers in order, each once.
-  void order_violated_cases();
+  /// Puts the numbers of skipped and violated cases and the sampled answers in order, each once.
+  void order_cases();
 };
 
 /// Keeps the case if it is one of the first most_violated_kept. Cases may come in any order and repeatedly.

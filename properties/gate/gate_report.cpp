@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include <carom/properties/cases/draw_within.hpp>
+#include <carom/properties/gate/answered_kinds.hpp>
 #include <carom/properties/gate/gate_report.hpp>
 #include <carom/properties/gate/in_words.hpp>
 
@@ -83,7 +84,7 @@ std::vector<const Invariant*> SubjectResult::never_judged(const GateOptions& opt
   for (const Invariant* invariant : claim.invariants) {
     const bool is_claimed = std::ranges::any_of(
         options.families, [&](const Family* family) { return claim.is_made_in(*invariant, *family); });
-    if (is_claimed && count(*invariant).judged() == 0) {
+    if (is_claimed && invariant->can_be_judged_in(options.within.kinds) && count(*invariant).judged() == 0) {
       never.push_back(invariant);
     }
   }
@@ -199,28 +200,51 @@ std::string why_decided_by_effects(const SubjectResult& result, const GateOption
 
 }  // namespace
 
+namespace {
+
+struct SkippedShare {
+  std::uint64_t skipped = 0;
+  std::uint64_t all = 0;
+};
+
+bool is_of_valid(const Coverage& of_family) { return of_family.invalid < of_family.cases; }
+
+/// Of the valid cases that the subject's precision can hold.
+SkippedShare skipped_share(const SubjectResult& result, const std::vector<Coverage>& coverage) {
+  SkippedShare share;
+  for (std::size_t f = 0; f < result.families.size(); ++f) {
+    if (is_of_valid(coverage[f])) {
+      share.skipped += result.families[f].skipped;
+      share.all += result.families[f].judged() + result.families[f].skipped;
+    }
+  }
+  return share;
+}
+
+}  // namespace
+
+bool skips_too_many(const SubjectResult& result, const std::vector<Coverage>& coverage) {
+  const SkippedShare share = skipped_share(result, coverage);
+  return is_more_than_a_tenth(share.skipped, share.all);
+}
+
 std::string why_not_judged(const SubjectResult& result, const GateOptions& options,
                            const std::vector<Coverage>& coverage) {
   if (!result.violated_invariants().empty()) {
     return "";
   }
-  std::uint64_t valid = 0;
-  std::uint64_t skipped_of_valid = 0;
   for (std::size_t f = 0; f < result.families.size(); ++f) {
     const FamilyResult& family = result.families[f];
     if (family.cases == 0) {
       return "no case of the family " + std::string(options.families[f]->name) + " was judged";
     }
-    const bool is_of_valid = coverage[f].invalid < coverage[f].cases;
-    if (is_of_valid && family.skipped > 0 && family.judged() == 0) {
+    if (is_of_valid(coverage[f]) && family.skipped > 0 && family.judged() == 0) {
       return "every case of the family " + std::string(options.families[f]->name) + " was skipped";
     }
-    valid += is_of_valid ? family.judged() + family.skipped : 0;
-    skipped_of_valid += is_of_valid ? family.skipped : 0;
   }
-  if (is_more_than_a_tenth(skipped_of_valid, valid)) {
-    return std::to_string(skipped_of_valid) + " of " + std::to_string(valid) +
-           " cases were skipped, which is more than a tenth";
+  if (skips_too_many(result, coverage)) {
+    const SkippedShare share = skipped_share(result, coverage);
+    return fmt::format("{} of {} cases were skipped, which is more than a tenth", share.skipped, share.all);
   }
   std::uint64_t colliding = 0;
   for (const Coverage& of_family : coverage) {
@@ -257,6 +281,15 @@ void state_what_was_not_judged(GateReport& report) {
     const bool is_cut_short = report.judge_error && result.violated_invariants().empty();
     result.not_judged =
         is_cut_short ? "the judge failed, and ended the run" : why_not_judged(result, report.options, report.coverage);
+    result.answers_alone.clear();
+    if (!is_cut_short && result.error.empty() && skips_too_many(result, report.coverage)) {
+      const std::string answered = what_it_answers(result, report);
+      if (result.not_judged.empty()) {
+        result.answers_alone = answered;
+      } else {
+        result.not_judged += "; " + answered;
+      }
+    }
   }
 }
 

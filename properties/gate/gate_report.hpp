@@ -108,6 +108,8 @@ struct SubjectResult {
   std::vector<Witness> witnesses;      // one for each violated invariant
   /// Why too few cases were judged to call the subject sound. Empty if enough were, or if an invariant is violated.
   std::string not_judged;
+  /// What a subject answers that violates an invariant and skips too many cases (`what_it_answers`); otherwise empty.
+  std::string answers_alone;
   std::vector<FamilyResult> beyond_domain;  // for options.beyond_domain; empty if none was posed
   std::string error_beyond_domain;          // why the subject was not judged there to the end; empty if it was
 
@@ -138,13 +140,18 @@ struct SubjectResult {
 ///   (3) Each effect that the subject declares decides at most a tenth of the colliding cases.
 ///   (4) An invariant about the outcomes of colliding contacts holds in some case. If no case collides, any invariant
 ///       will do.
-///   (5) Each claimed invariant is judged in some case, or the run is a shard or `is_part`.
+///   (5) Each claimed invariant that can be judged in the kinds of the domain is judged in some case, or the run is a
+///       shard or `is_part`.
 [[nodiscard]] std::string why_not_judged(const SubjectResult& result, const GateOptions& options,
                                          const std::vector<Coverage>& coverage);
 
+/// Whether the subject skips more than a tenth of the valid cases that its precision can hold.
+[[nodiscard]] bool skips_too_many(const SubjectResult& result, const std::vector<Coverage>& coverage);
+
 struct GateReport;
 
-/// Sets `not_judged` of each result.
+/// Sets `not_judged` and `answers_alone` of each result. If it is not judged because it skips too many cases,
+/// `not_judged` says what it answers.
 void state_what_was_not_judged(GateReport& report);
 
 struct GateReport {

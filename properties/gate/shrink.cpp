@@ -65,13 +65,18 @@ void meet_head_on(Collision& c, int bits) {
 
 class Candidates {
  public:
-  explicit Candidates(const Collision& collision)
-      : collision_(collision), complexity_(properties::complexity(collision)) {}
+  Candidates(const Collision& collision, const Kinds& kinds)
+      : collision_(collision), complexity_(properties::complexity(collision)), kinds_(kinds) {}
 
   template <class Change>
   void add(const Change& change) {
     Collision changed = collision_;
     change(changed);
+    if (!validate(changed).empty()) {
+      return;
+    }
+    Stream simplest([](const StreamQuestion& question) { return question.simplest; });
+    put_into(kinds_, simplest, changed);
     if (validate(changed).empty() && properties::complexity(changed) < complexity_) {
       found_.push_back(changed);
     }
@@ -82,6 +87,7 @@ class Candidates {
  private:
   Collision collision_;
   long complexity_;
+  Kinds kinds_;
   std::vector<Collision> found_;
 };
 
@@ -193,9 +199,9 @@ long complexity(const Collision& collision) {
   return sum;
 }
 
-std::vector<Collision> simpler(const Collision& collision) {
+std::vector<Collision> simpler(const Collision& collision, const Kinds& kinds) {
   CAROM_EXPECTS(validate(collision).empty(), describe(validate(collision)));
-  Candidates candidates(collision);
+  Candidates candidates(collision, kinds);
   candidates.add([](Collision& c) { c.b = immovable_at(c.b.position); });
   candidates.add([](Collision& c) { c.a = immovable_at(c.a.position); });
   candidates.add([](Collision& c) {
@@ -267,9 +273,9 @@ std::vector<Collision> simpler(const Collision& collision) {
   return candidates.take();
 }
 
-Collision shrink(Collision collision, const std::function<bool(const Collision&)>& still_fails,
-                 std::size_t most_calls) {
-  std::vector<Collision> candidates = simpler(collision);
+Collision shrink(Collision collision, const std::function<bool(const Collision&)>& still_fails, std::size_t most_calls,
+                 const Kinds& kinds) {
+  std::vector<Collision> candidates = simpler(collision, kinds);
   // The search continues after the last success, and ends after a whole round of failures.
   std::size_t next = 0;
   std::size_t failures = 0;
@@ -277,7 +283,7 @@ Collision shrink(Collision collision, const std::function<bool(const Collision&)
     next %= candidates.size();
     if (still_fails(candidates[next])) {
       collision = candidates[next];
-      candidates = simpler(collision);
+      candidates = simpler(collision, kinds);
       failures = 0;
     } else {
       ++next;

@@ -43,9 +43,9 @@ class SimplerCases {
 };
 
 /// Simpler collisions close to this one, from the boldest change on: a body becomes immovable, a vector zero, a number
-/// rounded to few bits. Each collision is valid and has a smaller `complexity`, so shrinking ends. Precondition: the
-/// collision is valid.
-[[nodiscard]] std::vector<Collision> simpler(const Collision& collision);
+/// rounded to few bits. Then each is put into the kinds, such as the lever arm of a sphere along another normal. Each
+/// collision is valid and has a smaller `complexity`, so shrinking ends. Precondition: the collision is valid.
+[[nodiscard]] std::vector<Collision> simpler(const Collision& collision, const Kinds& kinds = {});
 
 /// How hard a collision is to read: the bits of its numbers, and the distance of their exponents from 0.
 [[nodiscard]] long complexity(const Collision& collision);
@@ -53,6 +53,6 @@ class SimplerCases {
 /// The simplest failing collision found. Ends if no collision of `simpler` fails, or after `most_calls` calls of
 /// `still_fails`. Precondition: the collision is valid.
 [[nodiscard]] Collision shrink(Collision collision, const std::function<bool(const Collision&)>& still_fails,
-                               std::size_t most_calls);
+                               std::size_t most_calls, const Kinds& kinds = {});
 
 }  // namespace carom::properties

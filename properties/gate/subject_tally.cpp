@@ -46,7 +46,12 @@ void SubjectTally::add(std::size_t family, std::uint64_t index, const JudgedCase
                        const Judgement& judgement, const Claim& claim) {
   FamilyResult& result = families[family];
   ++result.cases;
-  result.skipped += judgement.skipped ? 1 : 0;
+  if (judgement.skipped) {
+    ++result.skipped;
+    if (judged_case.is_valid() && index < result.sampled) {
+      result.skipped_cases.push_back(index);
+    }
+  }
   if (judgement.unjudged) {
     ++result.unjudged[*judgement.unjudged];
   }

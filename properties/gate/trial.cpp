@@ -120,17 +120,18 @@ JudgedCase::JudgedCase(const Case& generated, bool filtered, const DeclaredEffec
   }
 }
 
-const JudgedCase::Questions& JudgedCase::questions_and_results_of(const Invariant& invariant) const {
+const JudgedCase::Questions& JudgedCase::questions_and_results_of(const Invariant& invariant,
+                                                                  const Kinds& kinds) const {
   CAROM_EXPECTS(is_valid(), invariant.name);
   return questions_.get(&invariant, [&] {
     const auto& relation = std::get<AboutRelation>(invariant.about);
-    return Questions{exact_cases(std::get<AboutRelation::OfCollision>(relation.ask)(exact().collision()), filtered_),
-                     {}};
+    const auto ask = std::get<AboutRelation::OfCollision>(relation.ask);
+    return Questions{exact_cases(ask(exact().collision(), kinds), filtered_), {}};
   });
 }
 
-std::span<const oracles::ExactCase> JudgedCase::questions_of(const Invariant& invariant) const {
-  return questions_and_results_of(invariant).cases;
+std::span<const oracles::ExactCase> JudgedCase::questions_of(const Invariant& invariant, const Kinds& kinds) const {
+  return questions_and_results_of(invariant, kinds).cases;
 }
 
 EffectFlags JudgedCase::at_limit(const oracles::Yardstick& yardstick) const {
@@ -160,8 +161,9 @@ std::optional<Unjudged> JudgedCase::reason_unjudged_by(const oracles::Yardstick&
   });
 }
 
-bool JudgedCase::are_questions_judged_by(const oracles::Yardstick& yardstick, const Invariant& invariant) const {
-  const Questions& questions = questions_and_results_of(invariant);
+bool JudgedCase::are_questions_judged_by(const oracles::Yardstick& yardstick, const Invariant& invariant,
+                                         const Kinds& kinds) const {
+  const Questions& questions = questions_and_results_of(invariant, kinds);
   return remembered(questions.are_judged, yardstick, [&] { return are_judged(questions.cases, yardstick); });
 }
 
@@ -190,10 +192,11 @@ void Trial::prepare() {
     }
     if (const auto* of_outcome = std::get_if<AboutRelation::OfOutcome>(&relation->ask)) {
       by_outcome_.push_back(
-          exact_cases((*of_outcome)(judged_case.exact().collision(), outcome->rounded()), claim.yardstick.filtered()));
+          exact_cases((*of_outcome)(judged_case.exact().collision(), outcome->rounded(), claim.within.kinds),
+                      claim.yardstick.filtered()));
       questions_[i] = by_outcome_.back();
     } else {
-      questions_[i] = judged_case.questions_of(invariant);
+      questions_[i] = judged_case.questions_of(invariant, claim.within.kinds);
     }
     if (!are_within(claim.within, questions_[i]) || !are_free_of_effects(claim, questions_[i])) {
       questions_[i] = {};
@@ -306,7 +309,8 @@ void Trial::add_verdicts(Judgement& judgement, const AnswersTo& answers_to, doub
           oracles::accuracy(judged_case_->exact(), claim_->law, *outcome, claim_->yardstick, known_backward_error);
     }
     evidence.emplace(Evidence{judged_case_->exact(), judged_case_->generated().convex_uniform, claim_->law,
-                              claim_->yardstick, *outcome, judgement.accuracy ? &*judgement.accuracy : nullptr});
+                              claim_->yardstick, *outcome, judgement.accuracy ? &*judgement.accuracy : nullptr,
+                              claim_->within.kinds});
   }
   judgement.verdicts.reserve(claim_->invariants.size());
   for (std::size_t i = 0; i < claim_->invariants.size(); ++i) {
@@ -348,7 +352,7 @@ Verdict Trial::verdict_on_relation(const Invariant& invariant, std::span<const o
   const std::span<ExactAnswer> answers = answers_to(questions);
   const auto& relation = std::get<AboutRelation>(invariant.about);
   const bool is_judged = std::holds_alternative<AboutRelation::OfCollision>(relation.ask)
-                             ? judged_case_->are_questions_judged_by(claim_->yardstick, invariant)
+                             ? judged_case_->are_questions_judged_by(claim_->yardstick, invariant, claim_->within.kinds)
                              : are_judged(questions, claim_->yardstick);
   if (!is_judged) {
     return does_not_apply("the gate does not judge the related collision");

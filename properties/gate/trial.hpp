@@ -29,7 +29,8 @@ struct Claim {
   /// Invariants about the collision matrix are included only if the subject shows its matrix.
   std::vector<const Invariant*> invariants;
   std::vector<Deviation> deviations = {};  // in all families, and in single families
-  /// A relation is not judged if one of its questions lies outside of this domain.
+  /// A relation is not judged if one of its questions lies outside of this domain. Questions lie in its kinds if they
+  /// can.
   Domain within = {};
   DeclaredEffects effects = {};
 
@@ -67,8 +68,9 @@ class JudgedCase {
 
   /// The questions of an invariant: related collisions that the subject must answer too. All subjects get the same
   /// questions. Empty if one of the questions is not a valid collision. Preconditions: is_valid(); `invariant.about` is
-  /// an AboutRelation whose `ask` is an OfCollision.
-  [[nodiscard]] std::span<const oracles::ExactCase> questions_of(const Invariant& invariant) const;
+  /// an AboutRelation whose `ask` is an OfCollision; every call for this case has the same kinds.
+  [[nodiscard]] std::span<const oracles::ExactCase> questions_of(const Invariant& invariant,
+                                                                 const Kinds& kinds = {}) const;
 
   /// The effects of approach that decide the case, if the posed collision collides. Precondition: is_valid().
   [[nodiscard]] EffectFlags decided_by_approach(const oracles::Yardstick& yardstick) const;
@@ -78,7 +80,8 @@ class JudgedCase {
   /// `reason_unjudged` of the case. Precondition: is_valid().
   [[nodiscard]] std::optional<Unjudged> reason_unjudged_by(const oracles::Yardstick& yardstick) const;
   /// Whether each question of the invariant is judged. Preconditions: those of `questions_of`.
-  [[nodiscard]] bool are_questions_judged_by(const oracles::Yardstick& yardstick, const Invariant& invariant) const;
+  [[nodiscard]] bool are_questions_judged_by(const oracles::Yardstick& yardstick, const Invariant& invariant,
+                                             const Kinds& kinds = {}) const;
 
  private:
   /// A result for each pair of unit roundoff and allowance.
@@ -91,7 +94,7 @@ class JudgedCase {
 
   /// `at_declared_limit` of the posed collision.
   [[nodiscard]] EffectFlags at_limit(const oracles::Yardstick& yardstick) const;
-  [[nodiscard]] const Questions& questions_and_results_of(const Invariant& invariant) const;
+  [[nodiscard]] const Questions& questions_and_results_of(const Invariant& invariant, const Kinds& kinds) const;
 
   Case generated_;
   bool filtered_;

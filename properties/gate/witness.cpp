@@ -65,8 +65,8 @@ Witness shrunk_witness(const Subject& subject, const Claim& claim, Witness witne
     }
   };
   witness.is_reproduced = verdict_on(witness.original).status == Status::violated || is_over;
-  const Case simplest =
-      simplest_violation(witness.original, *only.invariants[0], witness.verdict, verdict_on, most_shrink_calls);
+  const Case simplest = simplest_violation(witness.original, *only.invariants[0], witness.verdict, verdict_on,
+                                           most_shrink_calls, within.kinds);
   only.yardstick = claim.yardstick.with_filters(false);  // the report shows numbers from exact arithmetic
   Restarts once(2);
   Session fresh = is_over ? open_restarting(subject, once) : std::move(session);
@@ -123,7 +123,8 @@ bool is_as_bad(const Verdict& verdict, const Collision& collision, const Verdict
 }
 
 Case simplest_violation(const Case& one, const Invariant& invariant, const Verdict& found,
-                        const std::function<Verdict(const Case&)>& verdict_on, std::size_t most_calls) {
+                        const std::function<Verdict(const Case&)>& verdict_on, std::size_t most_calls,
+                        const Kinds& kinds) {
   // An invalid collision is not worth shrinking. The shapes of a shrunk collision are unknown.
   const auto* const of_matrix = std::get_if<AboutMatrix>(&invariant.about);
   if (!JudgedCase(one).is_valid() || (of_matrix != nullptr && of_matrix->rests_on_shapes)) {
@@ -136,7 +137,7 @@ Case simplest_violation(const Case& one, const Invariant& invariant, const Verdi
     const Verdict verdict = verdict_on({collision, one.convex_uniform});
     return verdict.status == Status::violated && is_as_bad(verdict, collision, found, one.collision);
   };
-  return {shrink(one.collision, still_fails, most_calls), one.convex_uniform};
+  return {shrink(one.collision, still_fails, most_calls, kinds), one.convex_uniform};
 }
 
 AnswerAndJudgement judge_in_session(const Claim& claim, Session& session, const Case& one) {

@@ -26,10 +26,11 @@ void add_witnesses(GateReport& report);
 [[nodiscard]] bool is_as_bad(const Verdict& verdict, const Collision& collision, const Verdict& found,
                              const Collision& found_on);
 
-/// Shrinks `one` to a simple case that violates the invariant about as seriously. `found` is the verdict on `one`.
-/// Returns `one` if it is invalid, or if the invariant rests on shapes.
+/// Shrinks `one` to a simple case of the kinds that violates the invariant about as seriously. `found` is the verdict
+/// on `one`. Returns `one` if it is invalid, or if the invariant rests on shapes.
 [[nodiscard]] Case simplest_violation(const Case& one, const Invariant& invariant, const Verdict& found,
-                                      const std::function<Verdict(const Case&)>& verdict_on, std::size_t most_calls);
+                                      const std::function<Verdict(const Case&)>& verdict_on, std::size_t most_calls,
+                                      const Kinds& kinds = {});
 
 struct AnswerAndJudgement {
   Answer answer;

@@ -10,6 +10,7 @@
 
 #include <carom/collision/subject.hpp>
 #include <carom/oracles/judge/accuracy.hpp>
+#include <carom/properties/cases/kinds.hpp>
 
 namespace carom::properties {
 
@@ -93,6 +94,7 @@ struct Evidence {
   const oracles::Yardstick& yardstick;
   const oracles::LiftedOutcome& outcome;
   const oracles::Accuracy* accuracy;  // of the outcome; nullptr for laws without a truth
+  Kinds kinds = {};                   // in which the run poses collisions
 
   [[nodiscard]] double allowance() const { return yardstick.allowance(); }
 };
@@ -121,10 +123,11 @@ struct AboutMatrix {
 };
 
 /// A relation: an invariant that compares the outcome with the outcomes of related collisions. `ask` makes these
-/// collisions, the questions. `check` gets the subject's answer to each question.
+/// collisions, the questions. They lie in the kinds if the collision does and one can. `check` gets the subject's
+/// answer to each question.
 struct AboutRelation {
-  using OfCollision = std::vector<Collision> (*)(const Collision&);
-  using OfOutcome = std::vector<Collision> (*)(const Collision&, const Outcome<double>&);
+  using OfCollision = std::vector<Collision> (*)(const Collision&, const Kinds&);
+  using OfOutcome = std::vector<Collision> (*)(const Collision&, const Outcome<double>&, const Kinds&);
 
   std::variant<OfCollision, OfOutcome> ask;
   Verdict (*check)(const Evidence&, std::span<const Related>);
@@ -180,6 +183,8 @@ struct Invariant {
   Proof proof = {};
   /// If several invariants are violated, the one with the lowest rank is the likely cause of the others.
   int rank_as_cause = explains_none;
+  /// Whether the invariant applies to some collision of the kinds. nullptr: to some of any kind.
+  bool (*applies_in)(const Kinds&) = nullptr;
 
   /// Whether the invariant is a relation.
   [[nodiscard]] bool asks() const { return std::holds_alternative<AboutRelation>(about); }
@@ -195,6 +200,8 @@ struct Invariant {
   [[nodiscard]] bool is_of_invalid() const;
 
   [[nodiscard]] bool claimed_for(Law law) const;
+
+  [[nodiscard]] bool can_be_judged_in(const Kinds& kinds) const { return applies_in == nullptr || applies_in(kinds); }
 
   /// The laws for which the invariant is claimed and proved. Empty if it is only tested.
   [[nodiscard]] std::vector<Law> proved_laws() const;

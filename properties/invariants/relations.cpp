@@ -165,6 +165,12 @@ struct QuarterTurn {
 constexpr QuarterTurn about_z{0, 1};
 constexpr QuarterTurn about_x{1, 2};
 
+/// A quarter turn of the plane, or without a plane two turns of space.
+std::vector<QuarterTurn> turns_in(const Kinds& kinds) {
+  const std::optional<int> axis = normal_axis(kinds);
+  return axis ? std::vector{QuarterTurn{(*axis + 1) % 3, (*axis + 2) % 3}} : std::vector{about_z, about_x};
+}
+
 /// Let R be the rotation of a body, and T the quarter turn. The orientation becomes T R Tᵀ, and two principal moments
 /// change places. This is exact. The alternative, T R with the same moments, would need √½ in the quaternion.
 Collision turned(const Collision& collision, const QuarterTurn& turn) {
@@ -252,7 +258,7 @@ Outcome<T> plus_added_velocity(const Outcome<T>& y, std::span<const Related> rel
   return {shifted(y.a, from.a, to.a), shifted(y.b, from.b, to.b)};
 }
 
-std::vector<Collision> ask_swap(const Collision& collision) {
+std::vector<Collision> ask_swap(const Collision& collision, const Kinds&) {
   Collision swapped = collision;
   std::swap(swapped.a, swapped.b);
   swapped.normal = -swapped.normal;
@@ -266,14 +272,14 @@ Verdict check_swap(const Evidence& e, std::span<const Related> related) {
   });
 }
 
-std::vector<Collision> ask_galilean(const Collision& collision) {
+std::vector<Collision> ask_galilean(const Collision& collision, const Kinds& kinds) {
   const int exponent = exponent_above({&collision.a.velocity, &collision.b.velocity});
   Collision rounded = collision;
   rounded.a.velocity = on_grid(collision.a.velocity, exponent);
   rounded.b.velocity = on_grid(collision.b.velocity, exponent);
   Collision moving = rounded;
-  moving.a.velocity += offset(exponent);
-  moving.b.velocity += offset(exponent);
+  moving.a.velocity += in_plane(kinds, offset(exponent));
+  moving.b.velocity += in_plane(kinds, offset(exponent));
   return {rounded, moving};
 }
 
@@ -281,7 +287,7 @@ Verdict check_added_velocity(const Evidence& e, std::span<const Related> related
   return related_pair(e, related, 1, [&](const auto& y) { return plus_added_velocity(y, related); });
 }
 
-std::vector<Collision> ask_translation(const Collision& collision) {
+std::vector<Collision> ask_translation(const Collision& collision, const Kinds& kinds) {
   const int exponent = exponent_above({&collision.a.position, &collision.b.position, &collision.point});
   Collision rounded = collision;
   for (Vector3<double>* place : {&rounded.a.position, &rounded.b.position, &rounded.point}) {
@@ -289,7 +295,7 @@ std::vector<Collision> ask_translation(const Collision& collision) {
   }
   Collision translated = rounded;
   for (Vector3<double>* place : {&translated.a.position, &translated.b.position, &translated.point}) {
-    *place += offset(exponent);
+    *place += in_plane(kinds, offset(exponent));
   }
   return {rounded, translated};
 }
@@ -298,19 +304,26 @@ Verdict check_translation(const Evidence& e, std::span<const Related> related) {
   return related_pair(e, related, 1, [](const auto& y) { return y; });
 }
 
-std::vector<Collision> ask_rotation(const Collision& collision) {
-  return {turned(collision, about_z), turned(collision, about_x)};
+std::vector<Collision> ask_rotation(const Collision& collision, const Kinds& kinds) {
+  std::vector<Collision> rotated;
+  for (const QuarterTurn& turn : turns_in(kinds)) {
+    rotated.push_back(turned(collision, turn));
+  }
+  return rotated;
 }
 
 Verdict check_rotation(const Evidence& e, std::span<const Related> related) {
-  const auto turned_back = [&](std::size_t index, const QuarterTurn& turn) {
-    return exactly_mapped(e, related[index],
-                          [back = turn.inverse()](const auto& y) { return mapped_vectors(y, back, back); });
-  };
-  return both(turned_back(0, about_z), turned_back(1, about_x));
+  const std::vector<QuarterTurn> turns = turns_in(e.kinds);
+  Verdict worst;
+  for (std::size_t i = 0; i < turns.size(); ++i) {
+    worst = both(std::move(worst), exactly_mapped(e, related[i], [back = turns[i].inverse()](const auto& y) {
+                   return mapped_vectors(y, back, back);
+                 }));
+  }
+  return worst;
 }
 
-std::vector<Collision> ask_reflection_symmetry(const Collision& collision) {
+std::vector<Collision> ask_reflection_symmetry(const Collision& collision, const Kinds&) {
   Collision mirrored = mapped_vectors(collision, mirrored_polar<double>, mirrored_axial<double>);
   for (Body* body : {&mirrored.a, &mirrored.b}) {
     body->orientation.tail<3>() = mirrored_axial(Vector3<double>(body->orientation.tail<3>()));
@@ -326,7 +339,7 @@ Verdict check_reflection_symmetry(const Evidence& e, std::span<const Related> re
   });
 }
 
-std::vector<Collision> ask_unit_scaling(const Collision& collision) {
+std::vector<Collision> ask_unit_scaling(const Collision& collision, const Kinds&) {
   const double mass = std::ldexp(1.0, mass_exponent);
   const double length = std::ldexp(1.0, length_exponent);
   const double time = std::ldexp(1.0, time_exponent);
@@ -354,7 +367,7 @@ Verdict check_unit_scaling(const Evidence& e, std::span<const Related> related) 
   });
 }
 
-std::vector<Collision> ask_homogeneous(const Collision& collision) {
+std::vector<Collision> ask_homogeneous(const Collision& collision, const Kinds&) {
   Collision rounded = collision;
   for (Body* body : {&rounded.a, &rounded.b}) {
     body->velocity = to_50_bits(body->velocity);
@@ -377,7 +390,7 @@ Verdict check_homogeneous(const Evidence& e, std::span<const Related> related) {
 
 /// In the first collision, the bodies meet head-on without spin. The second adds a tangential velocity, 2⁻³⁰ times as
 /// fast as the approach. The normal is rounded to 20 bits, so both collisions are exact.
-std::vector<Collision> ask_continuous(const Collision& collision) {
+std::vector<Collision> ask_continuous(const Collision& collision, const Kinds& kinds) {
   const int exponent = exponent_above({&collision.normal});
   Collision head_on = collision;
   for (int i = 0; i < 3; ++i) {
@@ -388,7 +401,8 @@ std::vector<Collision> ask_continuous(const Collision& collision) {
     body->angular_velocity.setZero();
   }
   const Vector3<double> approach = head_on.normal * std::ldexp(1.0, -20);
-  const Vector3<double> tangential = orthogonal(approach) * std::ldexp(1.0, -30);
+  const Vector3<double> across = normal_axis(kinds) ? turns_in(kinds).front()(approach) : orthogonal(approach);
+  const Vector3<double> tangential = across * std::ldexp(1.0, -30);
   Collision oblique = head_on;
   if (collision.a.immovable) {
     head_on.b.velocity = approach;
@@ -400,8 +414,10 @@ std::vector<Collision> ask_continuous(const Collision& collision) {
   return {head_on, oblique};
 }
 
-std::vector<Collision> ask_repeat(const Collision& collision, const Outcome<double>& outcome) {
-  return {with_velocities(collision, outcome)};
+std::vector<Collision> ask_repeat(const Collision& collision, const Outcome<double>& outcome, const Kinds& kinds) {
+  Collision second = with_velocities(collision, outcome);
+  stop_outside(kinds, second);  // takes rounding out of a plane
+  return {second};
 }
 
 /// A bound of the error of N·V⁺, divided by the allowance.
@@ -455,14 +471,18 @@ std::vector<Invariant> relation_invariants() {
   return {
       Invariant{"swap", "If A and B are swapped and the normal is reversed, each body has the same outcome.",
                 R"(y(B, A, -N) = (y_B, y_A)(A, B, N))", "Newton's third law; failure case 19", "valid collisions",
-                with_truth(), AboutRelation{ask_swap, check_swap},
-                Proof{ProvedOf::its_laws, {{"swap", "relations.v"}}}},
+                with_truth(), AboutRelation{ask_swap, check_swap}, Proof{ProvedOf::its_laws, {{"swap", "relations.v"}}},
+                explains_none,
+                [](const Kinds& kinds) { return kinds.movable != Movable::a && kinds.movable != Movable::b; }},
       Invariant{"galilean",
                 "If both bodies get an additional common velocity, the outcome gets the same additional velocity.",
                 R"(y(v_A + c, v_B + c) = y(v_A, v_B) + c)", "Galilean invariance",
                 "valid collisions with velocities rounded to a grid, so that the sum is exact", with_truth(),
                 AboutRelation{ask_galilean, check_added_velocity},
-                Proof{ProvedOf::its_laws, {{"galilean", "relations.v"}}}},
+                Proof{ProvedOf::its_laws, {{"galilean", "relations.v"}}}, explains_none,
+                [](const Kinds& kinds) {
+                  return kinds.walls == Walls::any || kinds.movable == Movable::any || kinds.movable == Movable::both;
+                }},
       Invariant{"translation", "The outcome does not depend on the position of the origin.",
                 R"(y(X + t, P + t) = y(X, P))", "homogeneity of space",
                 "valid collisions with positions rounded to a grid, so that the sum is exact", with_truth(),

@@ -154,8 +154,8 @@ Verdict Examination::verdict_of_session(const properties::AboutSession& about, c
 Verdict Examination::verdict_on(const Case& one) {
   answer_ = ReportedOutcome();
   has_thrown_ = false;
-  if (const auto outside = properties::quantity_outside(claim_.within, one.collision)) {
-    return skipped("the collision is outside of the domain, by its " + std::string(name_of(*outside)));
+  if (const auto outside = properties::name_outside(claim_.within, one.collision)) {
+    return skipped("the collision is outside of the domain, by its " + std::string(*outside));
   }
   bool is_first = true;
   const auto solve = [&](const Collision& collision) {

@@ -98,7 +98,7 @@ std::vector<Statement> statements(const Subject& subject, const Options& options
   std::vector<Statement> all;
   for (const Invariant* invariant : claim.invariants) {
     for (const Family* family : families) {
-      if (claim.is_made_in(*invariant, *family)) {
+      if (claim.is_made_in(*invariant, *family) && invariant->can_be_judged_in(within.kinds)) {
         all.push_back({suite, invariant, family});
       }
     }

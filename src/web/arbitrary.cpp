@@ -24,9 +24,9 @@ using nlohmann::json;
 properties::Draw draw_of(const json& request) {
   const properties::Family& family = properties::require_family("family", request.at("family").get<std::string>());
   return [&family, within = domain_of(request)](properties::Stream& stream) {
-    const properties::Case one = family.generate(stream);
-    properties::Case fitted = one;
-    return fit_into(within, family.keeps, stream, fitted) ? fitted : one;
+    properties::Case one;
+    static_cast<void>(draw_into(within, family, stream, one));
+    return one;
   };
 }
 

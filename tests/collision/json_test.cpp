@@ -200,7 +200,8 @@ TEST(ParseJson, RefusesTextsThatAreAmbiguousOrNoJson) {
 }
 
 TEST(DomainJson, RoundTripsTheDomainOfASubject) {
-  for (const char* text : {"mass_ratio=:100.0,size=0.125:1000000.0", "restitution=0.5:0.5", ""}) {
+  for (const char* text :
+       {"mass_ratio=:100.0,size=0.125:1000000.0", "restitution=0.5:0.5", "bodies=solid_spheres,plane=xy", ""}) {
     EXPECT_EQ(domain_from_json(domain_to_json(text)), text);
   }
   EXPECT_EQ(domain_from_json(domain_to_json("restitution=0.5")), "restitution=0.5:0.5");

@@ -96,6 +96,39 @@ TEST(Examples, OfReflectionIsSound) {
   }
 }
 
+/// The example in Python, which skips collisions outside of the plane z = 0. `more` goes into its reply to `start`.
+std::string planar_solver(const std::string& more) {
+  std::string text = content_of(documents / "examples" / "solver.py");
+  const auto put_before = [&](const std::string& line, const std::string& added) {
+    const std::size_t at = text.find(line);
+    EXPECT_NE(at, std::string::npos) << line;
+    text.insert(at, added);
+  };
+  put_before("    a, b = solve(request",
+             "    c = request[\"collision\"]\n"
+             "    bodies = [c[\"a\"], c[\"b\"]]\n"
+             "    across = [c[\"point\"][2], c[\"normal\"][2]] + [x for b in bodies for x in [b[\"position\"][2],\n"
+             "        b[\"velocity\"][2], *b[\"angular_velocity\"][:2], *b.get(\"orientation\", [1, 0, 0, 0])[1:3]]]\n"
+             "    if any(map(float, across)):\n"
+             "        return {\"id\": request[\"id\"], \"skipped\": \"not planar\"}\n");
+  put_before("\"model\": ", more);
+  return text;
+}
+
+TEST(Examples, OfAPlaneAreToldTheKindInWhichTheyAreSound) {
+  const TemporaryDirectory directory;
+  const std::string solver = "exec:python3 " + directory.write("planar.py", planar_solver(""));
+  const RunResult everywhere = run_carom({"gate", solver, "--cases", "60"});
+  EXPECT_EQ(everywhere.exit_status, 2) << everywhere.output;
+  EXPECT_NE(everywhere.output.find("it answered only contacts in the plane z = 0: add --within plane=xy"),
+            std::string::npos)
+      << everywhere.output;
+  const RunResult within = run_carom({"gate", solver, "--cases", "60", "--within", "plane=xy"});
+  EXPECT_EQ(within.exit_status, 0) << within.output;
+  const std::string declaring = planar_solver("\"domain\": {\"plane\": \"xy\"}, ");
+  EXPECT_EQ(report_on("exec:python3 " + directory.write("planar.py", declaring), "60").at("status"), "sound");
+}
+
 struct Defect {
   std::string name;
   std::string line;

@@ -96,7 +96,6 @@ TEST(Messages, OnTheCommandLineNameTheOptionTheErrorAndTheRemedy) {
       {"gate --within /no/domain.json", {"/no/domain.json", "does not exist", "check the path"}},
       {"gate --within size=1:2,size_ratio=3:", {"--within", "no case of generic lies within", "use wider ranges"}},
       {"gate --within restitution=0.5 --families elastic", {"--families", "no case of elastic lies within"}},
-      {"replay x.json --within games", {"--within requires --family"}},
       {"replay --family head_on --case 0 --subject exec:/no/such/program", {"cannot be run: No such file"}},
       {"replay", {"FILE, or --family and --case", "required"}},
       {"replay x.json --family head_on --case 1", {"FILE excludes --family"}},

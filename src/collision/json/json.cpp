@@ -262,6 +262,17 @@ Matrix3<long double> collision_matrix_from_json(const WideJson& value) {
   return matrix;
 }
 
+namespace {
+
+/// Whether the text can be the value of a kind, such as "xy".
+bool is_word(std::string_view text) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), [](char letter) {
+    return letter == '_' || (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z');
+  });
+}
+
+}  // namespace
+
 std::string domain_from_json(const json& domain, const std::string& place) {
   constexpr std::size_t longest_name = 100;  // bytes
   if (!domain.is_object()) {
@@ -273,10 +284,15 @@ std::string domain_from_json(const json& domain, const std::string& place) {
     if (name.find_first_of("=,:") != std::string::npos) {
       throw FormatError(place, "expected names of quantities, found " + quantity);
     }
+    if (range.is_string() && is_word(range.get_ref<const std::string&>())) {
+      text += (text.empty() ? "" : ",") + quantity + '=' + range.get<std::string>();
+      continue;
+    }
     const auto is_end = [](const json& end) { return end.is_null() || end.is_number(); };
     if (!range.is_array() || range.size() != 2 || !is_end(range[0]) || !is_end(range[1])) {
       throw FormatError(place + '/' + quantity,
-                        "expected two numbers, the least and the greatest value; null for no limit");
+                        "expected two numbers, the least and the greatest value, with null for no limit; or the text "
+                        "of a kind");
     }
     const auto end = [](const json& number) { return number.is_null() ? std::string() : number.dump(); };
     text += (text.empty() ? "" : ",") + quantity + '=' + end(range[0]) + ':' + end(range[1]);
@@ -295,6 +311,10 @@ json domain_to_json(std::string_view text) {
                                   std::string(part));
     }
     const std::string_view range = part.substr(sign + 1);
+    if (is_word(range)) {
+      record[std::string(part.substr(0, sign))] = range;
+      continue;
+    }
     const std::string_view least = range.substr(0, range.find(':'));
     const std::string_view most = least.size() == range.size() ? least : range.substr(least.size() + 1);
     const auto end = [&](std::string_view number) {

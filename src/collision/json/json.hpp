@@ -61,12 +61,13 @@ using WideJson =
 /// Reads the field C of a reply: three rows of three numbers. Throws FormatError if it is missing or has another form.
 [[nodiscard]] Matrix3<long double> collision_matrix_from_json(const WideJson& json);
 
-/// The ranges of a domain as text (`Subject::domain`): "size=0.1:10,mass_ratio=:100" from {"size": [0.1, 10],
-/// "mass_ratio": [null, 100]}. Does not know which quantities exist. Throws FormatError.
+/// The ranges and kinds of a domain as text (`Subject::domain`): "size=0.1:10,mass_ratio=:100,plane=xy" from {"size":
+/// [0.1, 10], "mass_ratio": [null, 100], "plane": "xy"}. Does not know which quantities and kinds exist. Throws
+/// FormatError.
 [[nodiscard]] std::string domain_from_json(const nlohmann::json& domain, const std::string& place = {});
 
 /// The object that `domain_from_json` reads back. "restitution=0.5" gives a range of one value. Throws
-/// std::invalid_argument if the text is neither ranges nor "everything".
+/// std::invalid_argument if the text is neither ranges and kinds nor "everything".
 [[nodiscard]] nlohmann::json domain_to_json(std::string_view text);
 
 }  // namespace carom

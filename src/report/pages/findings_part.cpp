@@ -110,7 +110,7 @@ std::string not_shrunk_in_words(const Witness& witness) {
 
 std::string replay_line(const Run& run, const Subject& subject, const Witness& witness,
                         const std::string& out_directory) {
-  return replay_command(witness_path(out_directory, subject, *witness.invariant), subject, run.options.limits);
+  return replay_command(witness_path(out_directory, subject, *witness.invariant), subject, run.options);
 }
 
 Section findings_part(const Run& run, std::size_t s, const std::string& out_directory) {

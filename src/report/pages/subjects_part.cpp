@@ -57,7 +57,8 @@ std::vector<std::string> notes_on(const properties::SubjectResult& result, const
   const SubjectStatus status = status_of(result);
   std::vector<std::string> notes;
   if (result.skipped() > 0) {
-    notes.push_back(fmt::format("{} cases skipped", result.skipped()));
+    notes.push_back(fmt::format("{} cases skipped{}{}", result.skipped(), result.answers_alone.empty() ? "" : "; ",
+                                result.answers_alone));
   }
   const properties::UnjudgedCounts unjudged = result.unjudged();
   for (const properties::Unjudged reason : properties::all_reasons_unjudged) {

@@ -89,7 +89,8 @@ json findings_record(const FamilyResult& result) {
                                            {"outcome", Json<Answer>::write(violation.answer)},
                                            {"verdict", Json<properties::Verdict>::write(violation.verdict)}};
   }
-  return {{"violated_cases", Json<properties::PerInvariant<std::vector<std::uint64_t>>>::write(result.violated_cases)},
+  return {{"skipped_cases", result.skipped_cases},
+          {"violated_cases", Json<properties::PerInvariant<std::vector<std::uint64_t>>>::write(result.violated_cases)},
           {"answers", answer_records(result.sampled_answers)},
           {"first", first_record(result.first_violated)},
           {"first_by_relations", first_record(result.first_violated_by_relations)},
@@ -98,6 +99,9 @@ json findings_record(const FamilyResult& result) {
 
 void read_findings(const Field& record, std::uint64_t cases,
                    const std::function<properties::Case(std::uint64_t)>& case_at, FamilyResult& into) {
+  for (const Field& number : record.at("skipped_cases").elements()) {
+    into.skipped_cases.push_back(case_number(number, std::min(cases, into.sampled)));
+  }
   for (const auto& [name, numbers] : record.at("violated_cases").members()) {
     std::vector<std::uint64_t>& violated = into.violated_cases[&invariant_at(name, numbers)];
     for (const Field& number : numbers.elements()) {
@@ -108,7 +112,7 @@ void read_findings(const Field& record, std::uint64_t cases,
     into.sampled_answers.push_back(
         answer_from(case_number(one.at("case"), std::min(cases, into.sampled)), one.at("answer")));
   }
-  into.order_violated_cases();
+  into.order_cases();
   const auto read_first = [&](const char* name, std::vector<ViolatedCase>& first) {
     for (const Field& one : record.at(name).elements()) {
       const std::uint64_t number = case_number(one.at("case"), cases);

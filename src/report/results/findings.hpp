@@ -11,9 +11,10 @@
 
 namespace carom::report {
 
-/// The violations of a subject in a family, as a shard records them. The record has the violated sampled cases
-/// (sample.hpp), the first violated cases with their answers, and the worst case of each invariant. Each case is
-/// recorded by its number, and merged_run draws it again. The counts of violations are recorded elsewhere.
+/// The skips and violations of a subject in a family, as a shard records them. The record has the skipped and the
+/// violated sampled cases (family_result.hpp), the first violated cases with their answers, and the worst case of each
+/// invariant. Each case is recorded by its number, and merged_run draws it again. The counts of violations are recorded
+/// elsewhere.
 [[nodiscard]] nlohmann::json findings_record(const properties::FamilyResult& result);
 
 /// Reads what findings_record wrote. `case_at` draws a case. Throws FormatError that names the place. It is also an

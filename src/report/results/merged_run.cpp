@@ -152,7 +152,7 @@ void add_result(SubjectResult& sum, const SubjectResult& part) {
   }
   for (std::size_t f = 0; f < sum.families.size(); ++f) {
     sum.families[f] += part.families[f];
-    sum.families[f].order_violated_cases();
+    sum.families[f].order_cases();
   }
   if (sum.beyond_domain.size() < part.beyond_domain.size()) {
     sum.beyond_domain.resize(part.beyond_domain.size());
@@ -185,9 +185,11 @@ std::vector<properties::SampledCase> sample_of(const properties::GateOptions& op
 void complete_sum(properties::GateReport& sum, const properties::Shard& shard) {
   sum.options.shard = shard;
   sum.sampled.assign(sum.options.families.size(), {});
-  // Only a report of violations reads the sample.
-  const auto is_violated = [](const SubjectResult& result) { return !result.violated_invariants().empty(); };
-  if (std::any_of(sum.results.begin(), sum.results.end(), is_violated)) {
+  // Only the diagnosis of violations and the hint for many skips read the sample.
+  const auto is_explained = [&](const SubjectResult& result) {
+    return !result.violated_invariants().empty() || skips_too_many(result, sum.coverage);
+  };
+  if (std::any_of(sum.results.begin(), sum.results.end(), is_explained)) {
     std::transform(sum.options.families.begin(), sum.options.families.end(), sum.sampled.begin(),
                    [&](const properties::Family* family) { return sample_of(sum.options, *family); });
   }

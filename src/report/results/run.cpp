@@ -124,8 +124,12 @@ std::string replay_options(const Subject& subject, const oracles::Limits& limits
 
 }  // namespace
 
-std::string replay_command(const std::string& witness_file, const Subject& subject, const oracles::Limits& limits) {
-  return fmt::format("carom replay {}", quoted(witness_file)) + replay_options(subject, limits);
+std::string replay_command(const std::string& witness_file, const Subject& subject,
+                           const properties::GateOptions& options) {
+  properties::Domain kinds;  // in which the related collisions lie
+  kinds.kinds = options.within.kinds;
+  return fmt::format("carom replay {}{}", quoted(witness_file), within_option(kinds)) +
+         replay_options(subject, options.limits);
 }
 
 std::string replay_command(const properties::diagnosis::FaultWitness& witness, const properties::GateOptions& options,

@@ -107,7 +107,7 @@ struct Overall {
 
 /// The POSIX shell command that replays the witness in `witness_file` with the same verdict.
 [[nodiscard]] std::string replay_command(const std::string& witness_file, const Subject& subject,
-                                         const oracles::Limits& limits);
+                                         const properties::GateOptions& options);
 
 /// The POSIX shell command that draws the case of a fault again, with the same verdict.
 [[nodiscard]] std::string replay_command(const properties::diagnosis::FaultWitness& witness,

@@ -413,7 +413,7 @@ void subjects_field(Reader& archive, Run& run) {
 }
 
 /// The data that only merged_run needs. For each subject it has the histogram of correct digits, and the findings
-/// (findings.hpp) of each family in which the subject violates an invariant.
+/// (findings.hpp) of each family in which the subject skips a case or violates an invariant.
 json shard_record(const Run& run) {
   json record{{"number", run.options.shard.number},
               {"of", run.options.shard.of},
@@ -424,7 +424,7 @@ json shard_record(const Run& run) {
     record["digits"].push_back(Json<DigitsHistogram>::write(result.digits));
     json findings = json::object();
     for (std::size_t f = 0; f < result.families.size(); ++f) {
-      if (!result.families[f].worst.empty()) {
+      if (!result.families[f].worst.empty() || !result.families[f].skipped_cases.empty()) {
         findings[std::string(run.options.families[f]->name)] = findings_record(result.families[f]);
       }
     }
@@ -458,7 +458,9 @@ void read_shard_of_subject(const Field& shard, std::size_t s, const properties::
     FamilyResult& of_family = result.families[f];
     of_family.sampled = properties::sampled_of(family);
     const auto& counts = of_family.counts;
-    if (std::any_of(counts.begin(), counts.end(), [](const auto& of_name) { return of_name.second.violated > 0; })) {
+    const bool is_violated =
+        std::any_of(counts.begin(), counts.end(), [](const auto& of_name) { return of_name.second.violated > 0; });
+    if (is_violated || findings.find(std::string(family.name))) {
       read_findings(
           findings.at(std::string(family.name)), options.cases * static_cast<std::uint64_t>(family.weight),
           [&](std::uint64_t number) {
@@ -689,7 +691,7 @@ json witness_record(const properties::Witness& witness, const Subject& subject, 
   record["formula"] = witness.invariant->formula;
   record["seed"] = options.seed;
   record["yardstick"] = Json<oracles::Limits>::write(options.limits);
-  record["replay"] = replay_command(witness_file, subject, options.limits);
+  record["replay"] = replay_command(witness_file, subject, options);
   const properties::JudgedCase judged_case(witness.shrunk, true, subject.effects);
   if (!judged_case.is_valid()) {
     return record;

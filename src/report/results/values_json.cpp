@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
@@ -262,6 +263,9 @@ json Json<properties::Domain>::write(const properties::Domain& domain) {
                                                 range.most == whole.most ? json() : json(range.most)};
     }
   }
+  for (const auto& [name, value] : texts_of(domain.kinds)) {
+    record[std::string(name)] = value;
+  }
   return record;
 }
 
@@ -269,14 +273,19 @@ properties::Domain Json<properties::Domain>::read(const Field& field) {
   properties::Domain domain;
   for (const auto& [name, of_quantity] : field.members()) {
     const std::optional<properties::LimitedQuantity> quantity = properties::quantity_named(name);
-    if (!quantity) {
-      of_quantity.fail("no field of this name, because no quantity has it");
-    }
-    const std::vector<Field> ends = of_quantity.elements();
-    if (ends.size() != 2) {
-      of_quantity.fail("two numbers, the least and the greatest value; null for no limit");
+    const bool is_kind = std::ranges::count(properties::kind_names(), name) > 0;
+    if (!quantity && !is_kind) {
+      of_quantity.fail("no field of this name, because no quantity or kind has it");
     }
     try {
+      if (is_kind) {
+        properties::set_kind(domain.kinds, name, of_quantity.text());
+        continue;
+      }
+      const std::vector<Field> ends = of_quantity.elements();
+      if (ends.size() != 2) {
+        of_quantity.fail("two numbers, the least and the greatest value; null for no limit");
+      }
       properties::set_range(domain, *quantity, ends[0].optional_number(), ends[1].optional_number());
     } catch (const std::invalid_argument& error) {
       throw FormatError(of_quantity.place(), error.what());

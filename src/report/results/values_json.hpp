@@ -100,8 +100,9 @@ struct Json<properties::PerInvariant<T>> {
 /// `nearest`. An exact answer also has the other fields of truth_record.
 [[nodiscard]] nlohmann::json answers_record(std::span<const oracles::CoulombAnswer> answers);
 
-/// {"size": [0.1, 10], "mass_ratio": [null, 100]}: the least and the greatest value of each limited quantity, with null
-/// for an end without a limit. `read` throws FormatError that names the place.
+/// {"size": [0.1, 10], "mass_ratio": [null, 100], "plane": "xy"}: the least and the greatest value of each limited
+/// quantity, with null for an end without a limit, and the limited kinds. `read` throws FormatError that names the
+/// place.
 template <>
 struct Json<properties::Domain> {
   static nlohmann::json write(const properties::Domain& domain);

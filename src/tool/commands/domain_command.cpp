@@ -50,14 +50,24 @@ std::optional<oracles::Limits> stricter_than(const oracles::Limits& limits, Prec
   return limits.digits && is_stricter ? std::optional(in_ulps) : std::nullopt;
 }
 
-properties::WidestDomainOptions options_of(const DomainArguments& arguments, Precision precision,
+/// The given core. Kinds alone, or those that the subject declares if no core is given, get the default ranges.
+properties::Domain core_of(const DomainArguments& arguments, const Subject& subject) {
+  properties::Domain core = properties::default_core();
+  core.kinds = (arguments.core ? *arguments.core : declared_domain({subject})).kinds;
+  properties::Domain kinds_alone;
+  kinds_alone.kinds = core.kinds;
+  const bool has_ranges = arguments.core && (is_any(core.kinds) || *arguments.core != kinds_alone);
+  return has_ranges ? *arguments.core : core;
+}
+
+properties::WidestDomainOptions options_of(const DomainArguments& arguments, const Subject& subject,
                                            const std::stop_token& stop) {
   properties::WidestDomainOptions options;
   options.seed = arguments.seed;
   options.limits = arguments.judged.limits();
-  options.stricter = stricter_than(options.limits, precision);
+  options.stricter = stricter_than(options.limits, subject.precision);
   options.workers = threads(arguments.jobs);
-  options.core = arguments.core.value_or(properties::default_core());
+  options.core = core_of(arguments, subject);
   options.cases_of_box = arguments.cases;
   options.cases_of_slab = std::max<std::uint64_t>(1, arguments.cases / 20);
   options.stop = stop;
@@ -81,8 +91,7 @@ int measure_domain(const DomainArguments& arguments) {
       require_writable(option, *file);  // fails now rather than after minutes
     }
   }
-  report::MeasuredDomain measured{
-      subject.name, deviates, options_of(arguments, subject.precision, stop), {}, subject.effects};
+  report::MeasuredDomain measured{subject.name, deviates, options_of(arguments, subject, stop), {}, subject.effects};
   measured.widest = measured_widest_domain(subject, measured.options);
   fmt::print("{}", arguments.format == "json"
                        ? widest_domain_record(measured).dump(1, ' ', false, json::error_handler_t::replace) + '\n'
@@ -111,8 +120,10 @@ void add_domain(CLI::App& app, Chosen& chosen) {
       ->add_option("SUBJECT", arguments->subject,
                    "A built-in name, or 'exec:PROGRAM ARG…' for a program that implements the protocol")
       ->required();
-  add_domain_option(*command, "--core", arguments->core,
-                    "The domain from which the search starts (default: sizes of 1 m, masses of 1 kg, speeds of 8 m/s)");
+  add_domain_option(
+      *command, "--core", arguments->core,
+      "The domain from which the search starts (default: sizes of 1 m, masses of 1 kg, speeds of 8 m/s, and the "
+      "kinds that a program declares). Its kinds stay");
   add_seed(*command, arguments->seed, "Seed of the cases; the same seed gives the same domain");
   command
       ->add_option(

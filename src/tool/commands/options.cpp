@@ -121,8 +121,9 @@ CLI::Option* add_domain_option(CLI::App& command, const char* name, std::optiona
 CLI::Option* add_within(CLI::App& command, std::optional<properties::Domain>& domain) {
   return add_domain_option(
       command, "--within", domain,
-      "Draw every case into this domain: games, robotics, granular, everything, a JSON file of ranges, or ranges such "
-      "as size=0.1:10,mass_ratio=:100 (default: the domain that a program declares, otherwise everything)");
+      "Draw every case into this domain: games, robotics, granular, everything, a JSON file, or ranges and kinds such "
+      "as size=0.1:10,bodies=spheres,movable=both,walls=resting,plane=xy (default: the domain that a program declares, "
+      "otherwise everything)");
 }
 
 void add_deviates(CLI::App& command, std::vector<std::string>& deviates, const std::string& effect) {

@@ -142,7 +142,7 @@ struct ReplayArguments {
   std::string family;             // the family whose case is replayed in place of a file
   std::uint64_t case_number = 0;  // in the family
   std::uint64_t seed = 1;
-  std::optional<properties::Domain> within = {};  // of the case
+  std::optional<properties::Domain> within = {};  // of the case and of related collisions
   std::string subject;                            // empty: the one that a witness names
   double timeout = 5;                             // for each reply of a program [s]
   LimitArguments judged;
@@ -279,9 +279,9 @@ void add_replay(CLI::App& app, Chosen& chosen) {
       ->check(is_count)
       ->capture_default_str()
       ->needs(replayed_family);
-  add_domain_option(*command, "--within", arguments->within,
-                    "The domain into which the case was drawn (default: everything); needs --family")
-      ->needs(replayed_family);
+  add_domain_option(
+      *command, "--within", arguments->within,
+      "The domain into which the case was drawn, and in which related collisions lie (default: everything)");
   command->add_option("--subject", arguments->subject,
                       "Subject to judge (default: the subject of the witness, unless it is a program)");
   command->add_flag("--all-laws", arguments->shows_all_laws,

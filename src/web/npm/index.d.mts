@@ -5,8 +5,8 @@ export type Precision = 'binary32' | 'binary64';
 export type Vector = [number, number, number];
 export type Range = [least: number | null, greatest: number | null];
 
-/** A named domain, a text such as "size=0.1:10,mass_ratio=:100", or ranges by quantity. */
-export type Domain = string | Record<string, Range>;
+/** A named domain, a text such as "size=0.1:10,plane=xy", or ranges by quantity and texts by kind. */
+export type Domain = string | Record<string, Range | string>;
 
 export interface Motion {
   position: Vector;
@@ -148,6 +148,8 @@ export function replay(record: Collision | object | string, options?: JudgeOptio
   drawn?: boolean;
   /** Names the collision in the text. */
   place?: string;
+  /** In which related collisions lie. */
+  within?: Domain;
 }): Promise<Replay>;
 
 /** The collisions that the gate draws with this seed. */

@@ -45,7 +45,7 @@ export const case_options = {
   family: { value: 'FAMILY', read: text, what: 'The family of a case, in place of FILE' },
   case: { value: 'N', read: integer(0, 2 ** 53), what: 'The number of the case, from 0; needs --family' },
   seed: { value: 'N', read: seed, what: 'The seed of the case (default: 1); needs --family' },
-  within: { value: 'DOMAIN', read: text, what: 'The domain into which the case was drawn; needs --family' },
+  within: { value: 'DOMAIN', read: text, what: 'The domain of the case and of related collisions (default: everything)' },
 };
 
 /** The options of a gate, for the command line and for the API, which writes _ in place of -. */
@@ -59,7 +59,8 @@ export const gate_options = {
   within: {
     value: 'DOMAIN', read: text,
     what: 'Draw every case into this domain: a name that `carom domains` lists, a JSON file of ranges, or ranges ' +
-      'such as size=0.1:10,mass_ratio=:100 (default: the domain that the solver declares, otherwise everything)',
+      'and kinds such as size=0.1:10,bodies=spheres,movable=both,walls=resting,plane=xy ' +
+      '(default: the domain that the solver declares, otherwise everything)',
   },
   ...judge_options,
   'relations-every': {

@@ -3,6 +3,7 @@ import { asker_of } from './gate.mjs';
 import { judge_options, sorted_options } from './options.mjs';
 import { shown } from './solver/answer.mjs';
 import { exact_json } from './solver/exact_json.mjs';
+import { domain_text } from './solver/introduction.mjs';
 import { UsageError } from './solver/judge.mjs';
 import { this_judge } from './threads/node_judge.mjs';
 
@@ -31,14 +32,15 @@ function law_in(text) {
 
 /**
  * Works a witness or a collision step by step in exact numbers. With a solver, also judges it on the collision.
- * `record` may be text in JSON. `place` names it in the text.
+ * `record` may be text in JSON. `place` names it in the text. Related collisions lie in the domain `within`.
  */
-export async function replay(record, { solver, all_laws = false, drawn = false, place, ...options } = {}) {
+export async function replay(record, { solver, all_laws = false, drawn = false, place, within, ...options } = {}) {
   const sorted = sorted_options(options, judge_options);
   const text = typeof record === 'string' ? record : exact_json(record);
   const law = sorted.claimed.law ?? law_in(text);
+  const asked = { ...sorted.request, ...(within !== undefined && { within: domain_text(within, 'within') }) };
   return with_asker(solver, sorted, async ({ ask, subject }) => {
-    const reply = await ask({ cmd: 'replay', text, place, law, subject, options: sorted.request, all_laws, drawn });
+    const reply = await ask({ cmd: 'replay', text, place, law, subject, options: asked, all_laws, drawn });
     return { ...reply, record: JSON.parse(reply.record_text) };
   });
 }

@@ -121,7 +121,7 @@ using oracles::Rational;
 
 std::vector<Collision> asked_by(std::string_view relation, const Collision& collision) {
   const auto& about = std::get<AboutRelation>(invariant_named(relation)->about);
-  return std::get<AboutRelation::OfCollision>(about.ask)(collision);
+  return std::get<AboutRelation::OfCollision>(about.ask)(collision, {});
 }
 
 Vector3<Rational> exactly(const Vector3<double>& v) { return {Rational(v[0]), Rational(v[1]), Rational(v[2])}; }

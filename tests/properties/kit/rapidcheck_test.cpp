@@ -225,16 +225,18 @@ RC_GTEST_PROP(Generators, ComposeWithThoseOfRapidCheck, ()) {
 }
 
 TEST(Within, ShrinksInTheDomain) {
-  const properties::Domain domain = properties::domain_from("size=0.25:8,mass=2:64,speed=0.5:16,restitution=0.25:0.5");
-  int seen = 0;
-  for (const auto& generator : {gen::any_family(), gen::collinear_spheres(), gen::structured()}) {
-    visit_shrunk(gen::within(domain, generator), 10, [&](const Collision& collision) {
-      ++seen;
-      ASSERT_EQ(properties::quantity_outside(domain, collision), std::nullopt);
-      ASSERT_EQ(describe(validate(collision)), "");
-    });
+  for (const char* text : {"size=0.25:8,mass=2:64,speed=0.5:16,restitution=0.25:0.5", "bodies=spheres,plane=xy"}) {
+    const properties::Domain domain = properties::domain_from(text);
+    int seen = 0;
+    for (const auto& generator : {gen::any_family(), gen::collinear_spheres(), gen::structured()}) {
+      visit_shrunk(gen::within(domain, generator), 10, [&](const Collision& collision) {
+        ++seen;
+        ASSERT_EQ(properties::name_outside(domain, collision), std::nullopt);
+        ASSERT_EQ(describe(validate(collision)), "");
+      });
+    }
+    EXPECT_GT(seen, 100) << text;
   }
-  EXPECT_GT(seen, 100);
 }
 
 TEST(Features, AreGivenByName) {

@@ -60,6 +60,7 @@ for (const [mistake, message] of [
   [() => carom.gate(sound, { law, families: [] }), /families: expected at least one name/],
   [() => carom.gate(sound, { law, exact: 'toString' }), /exact: expected true or false/],
   [() => carom.gate(sound, { law, within: { size: [1] } }), /^within: size: expected the least/],
+  [() => carom.gate(sound, { law, within: { plane: 'xz' } }), /^within: plane: expected one of xy, yz, zx/],
   [() => carom.gate(sound, { law, within: 'mass=1:1,mass_ratio=2:3' }), /^within: no case of generic lies/],
   [() => carom.gate('./a\0b'), /there is no such file/],
   [() => carom.gate(`./${'x'.repeat(5000)}`), /there is no such file/],
@@ -119,6 +120,12 @@ test('one collision is judged within a domain that no family fits', async () => 
   const [collision] = await carom.draw();
   const { violated: is_violated } = await carom.judge(sound, collision, { law, domain: 'mass=1:1,mass_ratio=2:3' });
   assert.strictEqual(is_violated, false);
+});
+
+test('collisions are drawn into a kind', async () => {
+  for (const { point, a, b } of await carom.draw({ family: 'structured', count: 20, within: { plane: 'xy' } })) {
+    assert.deepStrictEqual([point[2], a.velocity[2], b.velocity[2]].map(Math.abs), [0, 0, 0]);
+  }
 });
 
 test('names that are near to a claim are not refused', async () => {

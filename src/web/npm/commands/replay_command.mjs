@@ -89,7 +89,7 @@ export async function run(words) {
   let text = '';
   let status = 0;
   for (const { text: record, place } of records) {
-    const shown = await replay(record, { solver: subject, place, drawn, all_laws, limit_ulps, ...judged });
+    const shown = await replay(record, { solver: subject, place, drawn, all_laws, limit_ulps, within, ...judged });
     text += format === 'json' ? `${shown.record_text}\n` : `${shown.text}\n`;
     status = shown.violated ? 1 : status;
   }

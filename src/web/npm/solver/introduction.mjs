@@ -5,16 +5,20 @@ import { edits_between } from './nearest_name.mjs';
 /** What a solver may claim: the exports of a module besides `solve`. */
 export const claim_names = ['law', 'precision', 'name', 'version', 'domain', 'claims', 'matrix', 'deviates'];
 
-/** The text "size=0.1:10,mass_ratio=:100" of a domain such as { size: [0.1, 10], mass_ratio: [null, 100] }. */
+/** The text "size=0.1:10,plane=xy" of a domain such as { size: [0.1, 10], plane: 'xy' }. */
 export function domain_text(domain, place = 'domain') {
   if (typeof domain !== 'object' || domain === null) {
     return domain;
   }
   return Object.entries(domain).map(([quantity, range]) => {
+    if (typeof range === 'string' && /^[A-Za-z_]+$/.test(range)) {
+      return `${quantity}=${range}`;
+    }
     const is_range = Array.isArray(range) && range.length === 2 &&
       range.every((end) => end === null || typeof end === 'number');
     if (!is_range) {
-      throw new Error(`${place}: ${quantity}: expected the least and the greatest value, null for no limit`);
+      throw new Error(`${place}: ${quantity}: expected the least and the greatest value, null for no limit, ` +
+        'or the text of a kind');
     }
     return `${quantity}=${range.map((end) => end ?? '').join(':')}`;
   }).join(',');
