@@ -13,16 +13,7 @@
 #include <carom/properties/gate/answered_kinds.hpp>
 
 namespace carom::properties {
-namespace {
 
-/// A kind or a value of a coefficient: "plane=xy", "restitution=0".
-struct Trait {
-  std::string_view name;
-  std::string text;
-  Domain domain;
-};
-
-/// The traits that the domain of the run leaves open.
 std::vector<Trait> traits_beside(const Domain& within) {
   std::vector<Trait> traits;
   const auto add = [&](std::string_view name, std::string_view value) {
@@ -47,6 +38,12 @@ std::vector<Trait> traits_beside(const Domain& within) {
   add_value(LimitedQuantity::restitution, "1");
   return traits;
 }
+
+Domain narrowed(const Domain& domain, const Trait& trait) {
+  return domain_from((domain.is_everything() ? "" : to_text(domain) + ",") + trait.text);
+}
+
+namespace {
 
 /// A set of traits, as bits.
 using Traits = std::uint32_t;
@@ -169,7 +166,7 @@ std::string what_it_answers(const SubjectResult& result, const GateReport& repor
   for (std::size_t t = 0; t < traits.size(); ++t) {
     if ((*common >> t & 1U) != 0) {
       words.push_back(in_words(traits[t]));
-      fitting = domain_from((fitting.is_everything() ? "" : to_text(fitting) + ",") + traits[t].text);
+      fitting = narrowed(fitting, traits[t]);
     }
   }
   const Counts inside = counts_with(cases, *common);

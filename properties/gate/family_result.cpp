@@ -38,6 +38,7 @@ FamilyResult& FamilyResult::operator+=(const FamilyResult& other) {
   decided_by += other.decided_by;
   violated += other.violated;
   worst_backward_error = std::max(worst_backward_error, other.worst_backward_error);
+  energy += other.energy;
   keep_if_least(boundary, other.boundary);
   for (const auto& [invariant, count] : other.counts) {
     counts[invariant] += count;

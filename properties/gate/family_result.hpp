@@ -11,6 +11,7 @@
 #include <carom/oracles/judge/exact_case.hpp>
 #include <carom/properties/cases/domain.hpp>
 #include <carom/properties/cases/family.hpp>
+#include <carom/properties/gate/energy_gains.hpp>
 #include <carom/properties/gate/trial.hpp>
 
 namespace carom::properties {
@@ -81,6 +82,7 @@ struct FamilyResult {
   EffectCounts decided_by{};         // colliding cases that a declared effect decides
   std::uint64_t violated = 0;        // cases with a violation of any invariant
   double worst_backward_error = 0;   // ulps
+  EnergyGains energy = {};
   std::optional<Boundary> boundary;  // for a family beyond the claimed domain
   PerInvariant<Count> counts;
   PerInvariant<WorstViolation> worst;

@@ -431,7 +431,7 @@ GateReport run_gate(const std::vector<Subject>& subjects, const GateOptions& opt
   }
   for (std::size_t s = 0; s < subjects.size(); ++s) {
     const SubjectTally tally = tally_of(workers, s, claims[s]);
-    SubjectResult result{subjects[s], tally.error, tally.families, tally.digits, 0, {}, {}, {}, {}, {}};
+    SubjectResult result{subjects[s], tally.error, tally.families, tally.digits, 0, {}, {}, {}, {}, {}, {}};
     if (const Histogram<TimeScale>& times = tally.nanoseconds_per_solve; times.size() > 0) {
       // Other programs disturb single batches by far more than solvers differ, so the report gives the median.
       result.nanoseconds_per_solve = times.at(times.size() / 2);

@@ -57,6 +57,20 @@ std::uint64_t SubjectResult::skipped() const { return sum_of(families, &FamilyRe
 UnjudgedCounts SubjectResult::unjudged() const { return sum_of(families, &FamilyResult::unjudged); }
 EffectCounts SubjectResult::decided_by() const { return sum_of(families, &FamilyResult::decided_by); }
 
+EnergyGains SubjectResult::energy(const GateOptions& options) const {
+  EnergyGains sum;
+  for (std::size_t f = 0; f < families.size(); ++f) {
+    EnergyGains of_family = families[f].energy;
+    for (std::optional<EnergyGain>* gain : {&of_family.greatest, &of_family.greatest_share}) {
+      if (*gain) {
+        (*gain)->family = options.families[f];
+      }
+    }
+    sum += of_family;
+  }
+  return sum;
+}
+
 Count SubjectResult::count(const Invariant& invariant) const {
   Count sum;
   for (const FamilyResult& family : families) {

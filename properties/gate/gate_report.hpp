@@ -99,6 +99,13 @@ struct Witness {
   std::string not_shrunk = {};  // the failure that ended the shrinking; empty if there was none
 };
 
+/// A use in which a subject with a violation is sound, by the judgement of fresh cases.
+struct WayOn {
+  std::optional<Domain> within;  // a domain in which it is sound; none if effects are the way
+  DeclaredEffects effects = {};  // to be declared in place of the subject's own
+  std::uint64_t cases = 0;       // judged fresh cases
+};
+
 struct SubjectResult {
   Subject subject;
   std::string error;                   // why the subject could not be judged to the end; empty if it was
@@ -112,11 +119,13 @@ struct SubjectResult {
   std::string answers_alone;
   std::vector<FamilyResult> beyond_domain;  // for options.beyond_domain; empty if none was posed
   std::string error_beyond_domain;          // why the subject was not judged there to the end; empty if it was
+  std::vector<WayOn> ways_on = {};          // by `add_ways_on`; empty if none was found or sought
 
   [[nodiscard]] std::uint64_t cases() const;
   [[nodiscard]] std::uint64_t skipped() const;
   [[nodiscard]] UnjudgedCounts unjudged() const;
   [[nodiscard]] EffectCounts decided_by() const;
+  [[nodiscard]] EnergyGains energy(const GateOptions& options) const;
   [[nodiscard]] Count count(const Invariant& invariant) const;
   [[nodiscard]] std::vector<const Invariant*> violated_invariants() const;  // in the order of the catalogue
   /// The invariants that the subject claims in some family of the run, and that no case judged, in the order of the

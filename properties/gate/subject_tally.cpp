@@ -65,6 +65,7 @@ void SubjectTally::add(std::size_t family, std::uint64_t index, const JudgedCase
       digits.add(judgement.accuracy->digits());
     }
   }
+  result.energy += energy_gains_of(index, judged_case, claim, answer, judgement);
   bool any_violated = false;
   for (const NamedVerdict& named : judgement.verdicts) {
     any_violated = any_violated || named.verdict.status == Status::violated;

@@ -183,6 +183,35 @@ void fields(A& archive, Is<properties::Count> auto& count) {
 }
 
 template <class A>
+void fields(A& archive, Is<properties::EnergyGain> auto& gain) {
+  archive("joules", gain.joules);
+  archive("share", gain.share);
+  archive.unless_default("family", gain.family);
+  archive("case", gain.index);
+}
+
+template <class A>
+void fields(A& archive, Is<properties::EnergyGains> auto& gains) {
+  archive("colliding", gains.colliding);
+  archive("gaining", gains.gaining);
+  archive("by_law", gains.by_law);
+  archive.unless_default("greatest", gains.greatest);
+  archive.unless_default("greatest_share", gains.greatest_share);
+  if constexpr (A::reads) {
+    if (gains.gaining > 0 && !gains.greatest) {
+      archive.record.fail("the greatest gain");
+    }
+  }
+}
+
+template <class A>
+void fields(A& archive, Is<properties::WayOn> auto& way) {
+  archive.unless_default("within", way.within);
+  archive.unless_default("claims", way.effects);
+  archive("cases", way.cases);
+}
+
+template <class A>
 void fields(A& archive, Is<properties::Boundary> auto& boundary) {
   archive("quantity", boundary.quantity);
   archive("case", boundary.index);
@@ -260,6 +289,7 @@ template <class A>
 void posed_fields(A& archive, const properties::Family& family, Is<FamilyResult> auto& result) {
   family_fields(archive, family, result);
   archive("worst_backward_error_ulps", result.worst_backward_error);
+  archive.unless_default("energy", result.energy);
   archive("invariants", result.counts);
   if constexpr (!A::reads) {
     for (const auto& [invariant, worst] : result.worst) {
@@ -347,6 +377,8 @@ void add_derived_fields(Writer& archive, const Run& run, std::size_t s) {
     archive("diagnosis", diagnosis);
   }
   archive.unless_default("no_diagnosis", diagnosis.missing);
+  archive.unless_default("energy", result.energy(run.options));
+  archive.unless_default("ways_on", result.ways_on);
 }
 
 /// The fields that every subject has, including an absent one.

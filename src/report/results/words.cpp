@@ -9,6 +9,8 @@
 #include <fmt/ranges.h>
 
 #include <carom/collision/json/text.hpp>
+#include <carom/properties/gate/declared_effects.hpp>
+#include <carom/report/results/values_json.hpp>
 #include <carom/report/results/words.hpp>
 
 namespace carom::report {
@@ -76,20 +78,12 @@ std::string adjusted_sentences(const Run& run) {
   for (const properties::Coverage& of_family : run.coverage) {
     all += of_family;
   }
-  std::vector<std::string> without_case;
-  for (const properties::Family* family : run.without_case) {
-    without_case.emplace_back(family->name);
-  }
-  const std::string not_posed =
-      without_case.empty() ? "" : fmt::format("The domain has no case of {}. ", listed(without_case));
-  return not_posed + fmt::format(
-                         "Families changed some cases after they drew them. They enlarged moments in {} cases, so that "
-                         "the contact lies "
-                         "on the body. They moved {} cases to the origin, so that parallel vectors are exactly "
-                         "parallel. They reversed {} "
-                         "separating cases. They replaced {} cases outside of the domain.",
-                         all.adjusted[Adjustment::moments_enlarged], all.adjusted[Adjustment::moved_to_origin],
-                         all.adjusted[Adjustment::reversed], all.adjusted[Adjustment::drawn_again]);
+  return fmt::format(
+      "Families changed some cases after they drew them. They enlarged moments in {} cases, so that the contact lies on "
+      "the body. They moved {} cases to the origin, so that parallel vectors are exactly parallel. They reversed {} "
+      "separating cases. They replaced {} cases outside of the domain.",
+      all.adjusted[Adjustment::moments_enlarged], all.adjusted[Adjustment::moved_to_origin],
+      all.adjusted[Adjustment::reversed], all.adjusted[Adjustment::drawn_again]);
 }
 
 std::string verdict_in_words(const properties::SubjectResult& result) {
@@ -110,6 +104,58 @@ std::string violated_of_judged(const properties::Count& count) {
 
 std::string violated_of_judged_cases(const properties::Count& count) {
   return violated_of_judged(count) + " judged cases";
+}
+
+namespace {
+
+std::string in_percent(double share) { return fmt::format("{:.2g} %", 100 * share); }
+
+std::string witness_in_words(const properties::EnergyGain& gain) {
+  return fmt::format("case {} of {}", gain.index, gain.family->name);
+}
+
+std::string greatest_in_words(const properties::EnergyGains& gains) {
+  const properties::EnergyGain& joules = *gains.greatest;
+  if (!gains.greatest_share) {
+    return fmt::format("at most {:.3g} J ({})", joules.joules, witness_in_words(joules));
+  }
+  const properties::EnergyGain& share = *gains.greatest_share;
+  const bool is_one_case = share.family == joules.family && share.index == joules.index;
+  return fmt::format("at most {:.3g} J{} and +{:.3g} % ({})", joules.joules,
+                     is_one_case ? "" : " (" + witness_in_words(joules) + ")", 100 * share.share,
+                     witness_in_words(share));
+}
+
+}  // namespace
+
+std::string energy_in_words(const Run& run, std::size_t subject) {
+  const properties::EnergyGains gains = run.results[subject].energy(run.options);
+  if (gains.colliding == 0) {
+    return "";
+  }
+  if (gains.gaining == 0) {
+    return fmt::format("It gains energy in none of {} colliding contacts.", gains.colliding);
+  }
+  const std::string law = run.results[subject].subject.law == Law::any ? ""
+                          : gains.by_law == 0                          ? "; the law gains in none of these"
+                          : gains.by_law == gains.gaining
+                              ? "; the law gains in all of these"
+                              : fmt::format("; the law gains in {} of these {}", gains.by_law, gains.gaining);
+  return fmt::format("It gains energy in {} of colliding contacts, {}{}.",
+                     in_percent(static_cast<double>(gains.gaining) / static_cast<double>(gains.colliding)),
+                     greatest_in_words(gains), law);
+}
+
+std::vector<std::string> ways_on(const Run& run, std::size_t subject) {
+  std::vector<std::string> lines;
+  for (const properties::WayOn& way : run.results[subject].ways_on) {
+    const std::string what =
+        way.within ? "sound within " + properties::to_text(*way.within)
+                   : fmt::format("sound if it declares {}: \"claims\":{} in the reply to start",
+                                 properties::to_text(way.effects), Json<DeclaredEffects>::write(way.effects).dump());
+    lines.push_back(fmt::format("{} ({} fresh cases)", what, way.cases));
+  }
+  return lines;
 }
 
 std::string listed(const std::vector<const properties::Invariant*>& invariants) { return listed(names_of(invariants)); }

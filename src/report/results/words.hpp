@@ -49,6 +49,12 @@ namespace carom::report {
 /// "12 of 1000 judged cases".
 [[nodiscard]] std::string violated_of_judged_cases(const properties::Count& count);
 
+/// The energy that the subject's answers gain, in one sentence. Empty if no answer to a colliding contact was judged.
+[[nodiscard]] std::string energy_in_words(const Run& run, std::size_t subject);
+
+/// The ways on of the subject, one line each: "sound within moment_ratio=:1300 (7200 fresh cases)".
+[[nodiscard]] std::vector<std::string> ways_on(const Run& run, std::size_t subject);
+
 /// The names, separated by commas.
 [[nodiscard]] std::string listed(const std::vector<std::string>& names);
 [[nodiscard]] std::string listed(const std::vector<const properties::Invariant*>& invariants);

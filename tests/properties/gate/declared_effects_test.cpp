@@ -10,6 +10,7 @@
 #include <carom/properties/diagnosis/diagnosis.hpp>
 #include <carom/properties/gate/declared_effects.hpp>
 #include <carom/properties/gate/gate.hpp>
+#include <carom/properties/gate/suggested_effects.hpp>
 #include <carom/properties/gate/trial.hpp>
 #include <carom/subjects/session.hpp>
 
@@ -118,6 +119,19 @@ TEST(DeclaredEffects, AreViolationsIfTheyAreNotDeclared) {
   for (const DeclaredEffect effect : all_declared_effects) {
     const SubjectResult result = judged(with_effects("reflection-double", only(effect, sizes[effect]), {}));
     EXPECT_FALSE(result.violated_invariants().empty()) << name_of(effect);
+  }
+}
+
+TEST(DeclaredEffects, AreSuggestedWithTheirSizes) {
+  for (const char* solver : {"reflection-double", "frictionless-float"}) {
+    for (const DeclaredEffect effect : all_declared_effects) {
+      const DeclaredEffects done = only(effect, sizes[effect]);
+      GateOptions options = unit::gate_options(30);
+      options.workers = tool::threads(2);
+      options.shrinks = false;
+      const GateReport report = run_gate({with_effects(solver, done, {})}, options);
+      EXPECT_EQ(to_text(suggested_effects(report.results.at(0), report)), to_text(done)) << solver;
+    }
   }
 }
 
