@@ -1,28 +1,18 @@
 // SPDX-License-Identifier: BSL-1.0
 import { createRequire } from 'node:module';
 
-import initialize from 'jolt-physics';
-
+import {
+  engine_position, engine_rotation, engine_vector, Jolt, make_interface, numbers_of, set_mass,
+} from './jolt_engine.mjs';
 import { limits, serve_if_program, subject_name } from './line_protocol.mjs';
 import { spheres, unit } from './posing.mjs';
 
-const Jolt = await initialize();
 const overlap = 1e-5;  // about 80 roundings of binary32, so that rounding leaves no gap between the spheres
 const step = 1 / 60;  // [s]; has no effect on the configured engine
 
 function make_world({ configured, model }) {
-  const layer_pairs = new Jolt.ObjectLayerPairFilterTable(1);
-  layer_pairs.EnableCollision(0, 0);
-  const broad_phase_layers = new Jolt.BroadPhaseLayerInterfaceTable(1, 1);
-  broad_phase_layers.MapObjectToBroadPhaseLayer(0, new Jolt.BroadPhaseLayer(0));
-  const settings = new Jolt.JoltSettings();
-  settings.mMaxBodies = settings.mMaxBodyPairs = settings.mMaxContactConstraints = 16;
-  settings.mObjectLayerPairFilter = layer_pairs;
-  settings.mBroadPhaseLayerInterface = broad_phase_layers;
-  const layer_filter = new Jolt.ObjectVsBroadPhaseLayerFilterTable(broad_phase_layers, 1, layer_pairs, 1);
-  settings.mObjectVsBroadPhaseLayerFilter = layer_filter;
-  const world = new Jolt.JoltInterface(settings);
-  world.GetPhysicsSystem().SetGravity(new Jolt.Vec3(0, 0, 0));
+  const world = make_interface(16, 16);
+  world.GetPhysicsSystem().SetGravity(engine_vector([0, 0, 0]));
   if (configured) {
     const physics = world.GetPhysicsSystem().GetPhysicsSettings();
     physics.mMinVelocityForRestitution = 0;  // [m/s]
@@ -33,32 +23,16 @@ function make_world({ configured, model }) {
   return world;
 }
 
-// These objects are in the engine's memory, which has no garbage collection, and are reused.
-const vector = new Jolt.Vec3();
-const position = new Jolt.RVec3();
-const rotation = new Jolt.Quat();
-
-function filled(target, numbers) {
-  target.Set(...numbers);
-  return target;
-}
-
-function set_mass(properties, { mass, principal_inertia, orientation }) {
-  const [w, x, y, z] = unit(orientation);
-  properties.SetInverseMass(1 / mass);
-  properties.SetInverseInertia(filled(vector, principal_inertia.map((j) => 1 / j)), filled(rotation, [x, y, z, w]));
-}
-
 // The engine's body has the world's axes, and its inertia has rotated principal axes. So the sphere's position is not
 // rounded.
 function make_body(bodies, body, sphere, { friction, restitution }, { configured, model }) {
   const shape = new Jolt.OffsetCenterOfMassShape(
-    new Jolt.SphereShape(sphere.radius), filled(vector, sphere.centre_of_mass_from_centre));
+    new Jolt.SphereShape(sphere.radius), engine_vector(sphere.centre_of_mass_from_centre));
   const settings = new Jolt.BodyCreationSettings(
-    shape, filled(position, sphere.centre), filled(rotation, [0, 0, 0, 1]),
+    shape, engine_position(sphere.centre), engine_rotation([1, 0, 0, 0]),
     body.immovable ? Jolt.EMotionType_Kinematic : Jolt.EMotionType_Dynamic, 0);
-  settings.mLinearVelocity = filled(vector, body.velocity);
-  settings.mAngularVelocity = filled(vector, body.angular_velocity);
+  settings.mLinearVelocity = engine_vector(body.velocity);
+  settings.mAngularVelocity = engine_vector(body.angular_velocity);
   settings.mFriction = model === 'coulomb' ? friction : 0;  // the geometric mean √(μ μ) rounds to μ
   settings.mRestitution = restitution;
   if (configured) {
@@ -68,15 +42,14 @@ function make_body(bodies, body, sphere, { friction, restitution }, { configured
   const made = bodies.CreateBody(settings);
   Jolt.destroy(settings);  // the shapes are reference-counted and end with the body
   if (!body.immovable) {
-    set_mass(made.GetMotionProperties(), body);
+    set_mass(made, body, unit(body.orientation));
   }
   bodies.AddBody(made.GetID(), Jolt.EActivation_Activate);
   return made;
 }
 
 function velocity_of(body) {
-  const numbers = (v) => [v.GetX(), v.GetY(), v.GetZ()];
-  return { velocity: numbers(body.GetLinearVelocity()), angular_velocity: numbers(body.GetAngularVelocity()) };
+  return { velocity: numbers_of(body.GetLinearVelocity()), angular_velocity: numbers_of(body.GetAngularVelocity()) };
 }
 
 function solve(world, collision, setting) {

@@ -114,10 +114,9 @@ function reply(request, claims, solve) {
 }
 
 /**
- * Answers the requests on standard input until `stop` or the end of the input. `claims` has the fields name, version,
- * precision and model of the introduction. `solve` takes a valid collision and returns the velocities {a, b}.
+ * Answers each request on standard input with the line `answer(request)`, until `stop` or the end of the input.
  */
-async function serve(claims, solve) {
+export async function answer_requests(answer) {
   let rest = '';
   process.stdin.setEncoding('utf8');
   for await (const chunk of process.stdin) {
@@ -126,7 +125,7 @@ async function serve(claims, solve) {
     const requests = lines.map((line) => JSON.parse(line));
     const stop = requests.findIndex(({ cmd }) => cmd === 'stop');
     const answered = stop < 0 ? requests : requests.slice(0, stop);
-    const replies = answered.map((request) => reply(request, claims, solve) + '\n');
+    const replies = answered.map((request) => answer(request) + '\n');
     if (!process.stdout.write(replies.join(''))) {
       await once(process.stdout, 'drain');
     }
@@ -157,12 +156,13 @@ function is_program(url) {
 
 /**
  * Serves an engine's subject, with the settings on the command line, if the module at `url` is the program that node
- * runs. `subject` returns {claims, solve} for the settings {configured, model}.
+ * runs. `subject` returns {claims, solve} for the settings {configured, model}. `claims` has the fields name, version,
+ * precision and model of the introduction. `solve` takes a valid collision and returns the velocities {a, b}.
  */
 export async function serve_if_program(url, subject) {
   if (is_program(url)) {
     const { claims, solve } = subject(settings());
-    await serve(claims, solve);
+    await answer_requests((request) => reply(request, claims, solve));
   }
 }
 

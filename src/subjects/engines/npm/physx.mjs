@@ -1,40 +1,13 @@
 // SPDX-License-Identifier: BSL-1.0
-import { readFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
-
-import initialize from 'physx-js-webidl';
-
 import { limits, serve_if_program, subject_name } from './line_protocol.mjs';
-import { components, spheres, unit, xyz } from './posing.mjs';
-
-const require = createRequire(import.meta.url);
-
-// The package is built for browsers and does not start if it detects Node.
-const { process } = globalThis;
-Object.assign(globalThis, { process: undefined, window: globalThis });
-const wasmBinary = readFileSync(require.resolve('physx-js-webidl/physx-js-webidl.wasm'));
-const PhysX = await initialize({ wasmBinary, print: console.error });  // standard output carries the protocol
-Object.assign(globalThis, { process, window: undefined });
+import { describe_scene, engine_vector, physics, PhysX, pose_at, version } from './physx_engine.mjs';
+import { components, spheres, unit } from './posing.mjs';
 
 const overlap = 2e-6;  // about 16 roundings of binary32, so that rounding leaves no gap between the spheres
 
-const scale = new PhysX.PxTolerancesScale();
-const version = PhysX.PHYSICS_VERSION;
-const foundation = PhysX.CreateFoundation(version, new PhysX.PxDefaultAllocator(), new PhysX.PxDefaultErrorCallback());
-const physics = PhysX.CreatePhysics(version, foundation, scale);
 // Both bodies have this material, so the mean of their coefficients is its coefficient.
 const material = physics.createMaterial(0, 0, 0);
-// These objects are in the engine's memory, which has no garbage collection, and are reused.
-const pose = new PhysX.PxTransform(PhysX.PxIDENTITYEnum.PxIdentity);
-const vector = new PhysX.PxVec3(0, 0, 0);
-const ball = new PhysX.PxSphereGeometry(1);
-
-const filled = (numbers) => Object.assign(vector, xyz(numbers));
-function pose_at(position, [w, x, y, z] = [1, 0, 0, 0]) {
-  Object.assign(pose.p, xyz(position));
-  Object.assign(pose.q, { w, x, y, z });
-  return pose;
-}
+const ball = new PhysX.PxSphereGeometry(1);  // reused, because the engine's memory has no garbage collection
 
 // Immovable bodies are in the lower dominance group, which a contact does not move, so they keep their velocity
 // exactly. (The velocity of a kinematic body would be the difference of two rounded poses.) Immovable bodies collide
@@ -42,10 +15,7 @@ function pose_at(position, [w, x, y, z] = [1, 0, 0, 0]) {
 const movable = { dominance: 1, collides: new PhysX.PxFilterData(1, 3, 0, 0) };
 const immovable = { dominance: 0, collides: new PhysX.PxFilterData(2, 1, 0, 0) };
 
-const description = new PhysX.PxSceneDesc(scale);
-description.gravity = filled([0, 0, 0]);
-description.cpuDispatcher = PhysX.DefaultCpuDispatcherCreate(0);
-description.filterShader = PhysX.DefaultFilterShader();
+const description = describe_scene([0, 0, 0]);
 
 // The engine's body has the world's axes. Only its centre of mass and its principal axes are posed.
 function make_body(scene, body, sphere, configured) {
@@ -60,7 +30,7 @@ function make_body(scene, body, sphere, configured) {
   made.setDominanceGroup(dominance);
   made.setCMassLocalPose(pose_at(sphere.centre_of_mass, body.immovable ? undefined : unit(body.orientation)));
   made.setMass(body.immovable ? 1 : body.mass);
-  made.setMassSpaceInertiaTensor(filled(body.immovable ? [1, 1, 1] : body.principal_inertia));
+  made.setMassSpaceInertiaTensor(engine_vector(body.immovable ? [1, 1, 1] : body.principal_inertia));
   if (configured || body.immovable) {
     made.setAngularDamping(0);
     made.setMaxLinearVelocity(1e18);  // [m/s]; the square must not overflow
@@ -70,8 +40,8 @@ function make_body(scene, body, sphere, configured) {
     made.setMaxDepenetrationVelocity(0);  // the overlap causes no velocity
     made.setSolverIterationCounts(4, 255);  // 4 for positions, as shipped; 255 for velocities, the maximum
   }
-  made.setLinearVelocity(filled(body.velocity));
-  made.setAngularVelocity(filled(body.angular_velocity));
+  made.setLinearVelocity(engine_vector(body.velocity));
+  made.setAngularVelocity(engine_vector(body.angular_velocity));
   scene.addActor(made);
   return made;
 }
@@ -102,7 +72,7 @@ export function subject(setting) {
   }
   const claims = {
     name: subject_name('physx', setting),
-    version: [24, 16, 8].map((shift) => (version >> shift) & 255).join('.'),
+    version,
     precision: 'binary32',
     model,
     claims: configured ? undefined : { restitution_threshold: 2, ...limits(model, { max_angular_velocity: 100 }) },
