@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <carom/oracles/judge/yardstick.hpp>
+#include <carom/properties/cases/kinds.hpp>
 #include <carom/properties/diagnosis/where.hpp>
 #include <carom/properties/features/quantities.hpp>
 
@@ -56,7 +57,7 @@ class CaseSet {
 enum class Plainness { feature, either, absence, size, family };
 
 struct Literal {
-  std::string words;
+  std::string words;  // a clause with "if" or "unless"
   Plainness plainness;
   CaseSet cases;
   const char* usual_cause = "";
@@ -77,6 +78,21 @@ const char* usual_cause_from(double limit, const ComparedQuantity& quantity) {
   }
   return "the inverse inertia: J⁻¹ as a matrix in world axes loses digits of the smaller 1/I; divide "
          "the torque by each moment in the body's axes";
+}
+
+/// The value of a kind, such as "solid_spheres".
+std::string in_plain_words(std::string_view value) {
+  std::string words(value);
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
+}
+
+/// "if the speed of approach is at most 0.5 m/s", of the quantity "the speed of approach [m/s]".
+std::string limit_in_words(const ComparedQuantity& quantity, const char* most_or_least, double limit) {
+  const std::size_t bracket = quantity.name.find(" [");
+  const std::string unit =
+      bracket == std::string::npos ? "" : ' ' + quantity.name.substr(bracket + 2, quantity.name.size() - bracket - 3);
+  return fmt::format("if {} is at {} {:.2g}{}", quantity.name.substr(0, bracket), most_or_least, limit, unit);
 }
 
 class Sample {
@@ -111,13 +127,14 @@ class Sample {
       }
       // Features describe cases of `structured` better than the family's name.
       if (report.options.families[f]->name != "structured") {
-        add(fmt::format("the family is {}", report.options.families[f]->name), Plainness::family, std::move(of_family));
+        add(fmt::format("if the family is {}", report.options.families[f]->name), Plainness::family, std::move(of_family));
       }
     }
     for (auto& [approach, cases] : of_approach) {
       approaches_.push_back({words_of(approach), Plainness::feature, std::move(cases), ""});
     }
     add_features(of_feature);
+    add_kinds();
     add_sizes();
     add_distances();
   }
@@ -140,11 +157,11 @@ class Sample {
   static std::string words_of(oracles::ContactState approach) {
     switch (approach) {
       case oracles::ContactState::colliding:
-        return "colliding contacts (N·V⁻ < 0)";
+        return "colliding contacts";
       case oracles::ContactState::resting:
-        return "resting contacts (N·V⁻ = 0)";
+        return "resting contacts";
       case oracles::ContactState::separating:
-        return "separating contacts (N·V⁻ > 0)";
+        return "separating contacts";
       case oracles::ContactState::inert:
         break;
     }
@@ -155,10 +172,16 @@ class Sample {
     literals_.push_back({std::move(words), plainness, std::move(cases), usual_cause});
   }
 
-  void add_with_absence(const std::string& words, const std::string& absence, Plainness plainness,
-                        const CaseSet& cases) {
-    add(words, plainness, cases);
-    add(absence, Plainness::absence, everything_.without(cases));
+  void add_with_absence(const std::string& words, Plainness plainness, const CaseSet& cases) {
+    add("if " + words, plainness, cases);
+    add("unless " + words, Plainness::absence, everything_.without(cases));
+  }
+
+  /// The statement of a feature, about A, B, or both.
+  static std::string statement_on(const std::string& bodies, std::string_view statement) {
+    constexpr std::string_view body = "the body ";
+    return statement.starts_with(body) ? fmt::format("{} {}", bodies, statement.substr(body.size()))
+                                       : fmt::format("for {} {}", bodies, statement);
   }
 
   void add_features(const std::vector<CaseSet>& of_feature) {
@@ -167,14 +190,35 @@ class Sample {
       if (feature.kind == FeatureKind::magnitude || feature.kind == FeatureKind::near) {
         continue;
       }
-      const std::string body = feature.body == 0 ? "" : feature.body == 'a' ? "for A " : "for B ";
-      add_with_absence(body + feature.statement, "it does not hold " + body + "that " + feature.statement,
-                       Plainness::feature, of_feature[i]);
+      const std::string words =
+          feature.body == 0 ? std::string(feature.statement)
+                            : statement_on(feature.body == 'a' ? "A" : "B", feature.statement);
+      add_with_absence(words, Plainness::feature, of_feature[i]);
       if (feature.body == 'a') {
         const Feature* other = feature_named("b." + feature.name.substr(2));
         const CaseSet either = of_feature[i] | of_feature[static_cast<std::size_t>(other - all_features().data())];
-        add_with_absence("for A or B " + feature.statement, "it holds for neither A nor B that " + feature.statement,
-                         Plainness::either, either);
+        add_with_absence(statement_on("A or B", feature.statement), Plainness::either, either);
+      }
+    }
+  }
+
+  /// Adds the kinds of domains. The features say which bodies can move.
+  void add_kinds() {
+    for (const auto& [name, value] : all_kinds()) {
+      const std::string words = name == "bodies"  ? fmt::format("the bodies are {}", in_plain_words(value))
+                                : name == "walls" ? "every wall is at rest"
+                                : name == "plane" ? fmt::format("the collision lies in the plane {}", value)
+                                                  : std::string();
+      if (!words.empty()) {
+        Kinds kinds;
+        set_kind(kinds, name, value);
+        CaseSet cases(size_);
+        for_each([&](std::size_t number, const SampledCase& one) {
+          if (!kind_outside(kinds, one.collision)) {
+            cases.add(number);
+          }
+        });
+        add_with_absence(words, Plainness::feature, cases);
       }
     }
   }
@@ -194,11 +238,11 @@ class Sample {
       const ComparedQuantity& quantity = quantities[q];
       std::ranges::sort(values);
       add_limits(values, [&](double limit, CaseSet kept) {
-        add(fmt::format("{} is at most {:.2g}", quantity.name, limit), Plainness::size, std::move(kept));
+        add(limit_in_words(quantity, "most", limit), Plainness::size, std::move(kept));
       });
       std::ranges::reverse(values);
       add_limits(values, [&](double limit, CaseSet kept) {
-        add(fmt::format("{} is at least {:.2g}", quantity.name, limit), Plainness::size, std::move(kept),
+        add(limit_in_words(quantity, "least", limit), Plainness::size, std::move(kept),
             usual_cause_from(limit, quantity));
       });
     }
@@ -225,7 +269,7 @@ class Sample {
     for (auto& of_special : distances) {
       std::ranges::sort(of_special.second);
       add_limits(of_special.second, [&](double limit, CaseSet kept) {
-        add(fmt::format("it nearly holds, within {:.2g}, that {}", limit, of_special.first), Plainness::size,
+        add(fmt::format("if it nearly holds, within {:.2g}, that {}", limit, of_special.first), Plainness::size,
             std::move(kept), "a tolerance within which the solver takes values for the special one");
       });
     }
@@ -309,13 +353,17 @@ constexpr double greatest_chance = 1e-3;
 /// smaller share, it may be a coincidence. A size stays, because it may be far from the limit in the code.
 constexpr double least_share_there = 2.0 / 3;
 
-/// Whether the part is at least nine tenths of the whole.
-bool is_nearly_all(std::uint64_t part, std::uint64_t whole) { return 10 * (whole - part) <= whole; }
+/// Whether at least nine tenths of the cases are violated.
+bool is_nearly_all(const Share& share) { return 10 * (share.cases - share.violated) <= share.cases; }
+
+Share share_of(const CaseSet& cases, const Sample& sample) {
+  return {(cases & sample.violated()).size(), cases.size()};
+}
 
 Where where_in(const Sample& sample, double left_out) {
   Where where;
-  where.violated = where.violated_there = sample.violated().size();
-  where.cases_there = sample.everything().size();
+  where.violated = sample.violated().size();
+  where.all = where.there = share_of(sample.everything(), sample);
   if (where.violated == 0) {
     return where;
   }
@@ -323,59 +371,52 @@ Where where_in(const Sample& sample, double left_out) {
   CaseSet here = sample.everything();
   const double needed = static_cast<double>(where.violated) * (1 - left_out);
   for (const Literal& approach : sample.approaches()) {
-    const CaseSet there = here & approach.cases;
-    const std::uint64_t found = (there & sample.violated()).size();
-    if (static_cast<double>(found) >= needed) {
+    const Share share = share_of(here & approach.cases, sample);
+    if (static_cast<double>(share.violated) >= needed) {
       where.of = approach.words;
-      where.violated_there = found;
-      where.cases_there = there.size();
-      here = there;
+      where.all = where.there = share;
+      here = here & approach.cases;
       break;
     }
   }
   Where telling = where;
+  Share now = where.all;  // of the cases that meet all conditions
   bool has_sizes_alone = true;
-  while (where.conditions.size() < most_conditions && !is_nearly_all(where.violated_there, where.cases_there)) {
+  while (where.conditions.size() < most_conditions && !is_nearly_all(now)) {
     const Literal* best = nullptr;
-    CaseSet best_here;
+    Share of_best;
     double best_rest = 0;
-    const double rest = static_cast<double>(where.cases_there - where.violated_there);
+    const auto rest = static_cast<double>(now.cases - now.violated);
     for (const Literal& literal : sample.literals()) {
-      const CaseSet there = here & literal.cases;
-      const std::uint64_t found = (there & sample.violated()).size();
-      if (static_cast<double>(found) < needed) {
+      const Share share = share_of(here & literal.cases, sample);
+      if (static_cast<double>(share.violated) < needed) {
         continue;
       }
-      const auto others = static_cast<double>(there.size() - found);
+      const auto others = static_cast<double>(share.cases - share.violated);
       // A plainer condition wins even if it includes a few more cases that are not violated.
       constexpr double worth_of_plainness = 0.02;
       const double burden = others + worth_of_plainness * rest * static_cast<double>(literal.plainness);
       if (best == nullptr || burden < best_rest) {
         best = &literal;
-        best_here = there;
+        of_best = share;
         best_rest = burden;
       }
     }
-    if (best == nullptr) {
-      break;
-    }
-    const std::uint64_t found = (best_here & sample.violated()).size();
-    if (static_cast<double>(best_here.size() - found) > (1 - least_taken_away) * rest) {
+    if (best == nullptr || static_cast<double>(of_best.cases - of_best.violated) > (1 - least_taken_away) * rest) {
       break;
     }
     // A bound of the probability that, by chance, any of the conditions holds in so many violated cases.
-    const double share = static_cast<double>(best_here.size()) / static_cast<double>(where.cases_there);
-    if (static_cast<double>(sample.literals().size()) * chance_bound(found, where.violated_there, share) >
+    const double part = static_cast<double>(of_best.cases) / static_cast<double>(now.cases);
+    if (static_cast<double>(sample.literals().size()) * chance_bound(of_best.violated, now.violated, part) >
         greatest_chance) {
       break;
     }
     where.conditions.push_back({best->words, best->usual_cause});
+    where.there = where.conditions.size() == 1 ? of_best : where.there;
     has_sizes_alone = has_sizes_alone && best->plainness == Plainness::size;
-    where.violated_there = found;
-    where.cases_there = best_here.size();
-    here = best_here;
-    if (has_sizes_alone ||
-        static_cast<double>(where.violated_there) >= least_share_there * static_cast<double>(where.cases_there)) {
+    now = of_best;
+    here = here & best->cases;
+    if (has_sizes_alone || static_cast<double>(now.violated) >= least_share_there * static_cast<double>(now.cases)) {
       telling = where;
     }
   }
@@ -397,7 +438,7 @@ Where where_violated(const GateReport& report, const Violations& violations) {
   Where where;
   for (const double left_out : most_left_out) {
     where = where_in(sample, left_out);
-    if (!where.conditions.empty() || is_nearly_all(where.violated_there, where.cases_there)) {
+    if (!where.conditions.empty() || is_nearly_all(where.all)) {
       break;
     }
   }
@@ -411,26 +452,29 @@ std::string in_words(const Where& where) {
   if (where.violated < least_violated) {
     return {};
   }
-  const auto percent = [](std::uint64_t part, std::uint64_t whole) {
-    const std::uint64_t rounded = (100 * part + whole / 2) / whole;
-    return rounded == 0 ? std::string("less than 1 %") : fmt::format("{} %", rounded);
+  const auto percent = [](const Share& share) {
+    const std::uint64_t rounded = (100 * share.violated + share.cases / 2) / std::max<std::uint64_t>(share.cases, 1);
+    return rounded == 0 && share.violated > 0 ? std::string("less than 1 %") : fmt::format("{} %", rounded);
   };
   const std::string of = where.of.empty() ? "cases" : where.of;
-  const std::string share = percent(where.violated_there, where.cases_there);
-  const std::string rest = where.violated_there == where.violated
-                               ? std::string()
-                               : fmt::format("; {} of {} violated cases are not among them",
-                                             where.violated - where.violated_there, where.violated);
   if (where.conditions.empty()) {
-    return is_nearly_all(where.violated_there, where.cases_there)
-               ? fmt::format("Nearly all {} fail: {}{}.", of, share, rest)
-               : fmt::format("{} of the {} fail; no feature distinguishes them from the others{}.", share, of, rest);
+    return fmt::format("in {} of the {}{}", percent(where.all), of,
+                       is_nearly_all(where.all) ? "" : ", without a common condition");
   }
-  std::string text = "If ";
-  for (std::size_t i = 0; i < where.conditions.size(); ++i) {
-    text += (i == 0 ? "" : i + 1 == where.conditions.size() ? ", and " : ", ") + where.conditions[i].words;
+  const std::string& words = where.conditions.front().words;
+  const Share others{where.all.violated - where.there.violated, where.all.cases - where.there.cases};
+  const bool is_exception = words.starts_with("unless ");
+  return fmt::format("{} ({} of such {} fail, else {})", words, percent(is_exception ? others : where.there), of,
+                     percent(is_exception ? where.there : others));
+}
+
+std::string in_one_sentence(const std::string& what, const std::string& where) {
+  if (where.empty()) {
+    return what;
   }
-  return text + fmt::format(", then {} of the {} fail: {} cases{}.", share, of, where.violated_there, rest);
+  const bool is_one = what.ends_with('.') && what.find(". ") == std::string::npos && what.find(": ") == std::string::npos;
+  return is_one ? fmt::format("{} {}.", what.substr(0, what.size() - 1), where)
+                : fmt::format("{} It happens {}.", what, where);
 }
 
 }  // namespace carom::properties::diagnosis

@@ -14,17 +14,23 @@ namespace carom::properties::diagnosis {
 inline constexpr std::uint64_t least_violated = 5;
 
 struct Condition {
-  std::string words;        // "for A or B the orientation is exactly 1, 0, 0, 0"
+  std::string words;        // "if A or B is immovable", "unless ε = 0"
   std::string usual_cause;  // of such violations, as a place in a solver to check; empty if none is known
+};
+
+struct Share {
+  std::uint64_t violated = 0;  // sampled cases
+  std::uint64_t cases = 0;     // sampled cases, violated or not
 };
 
 /// The conditions that nearly all violated cases meet, and few others.
 struct Where {
-  std::string of;  // the kind of nearly all violated cases, such as "contacts that approach"; empty: all kinds
-  std::vector<Condition> conditions;  // all hold together; empty if no feature separates the violated cases
-  std::uint64_t violated = 0;         // sampled cases in which something is violated
-  std::uint64_t violated_there = 0;   // the number of those cases that meet the conditions
-  std::uint64_t cases_there = 0;      // sampled cases that meet the conditions, violated or not
+  std::string of;  // the kind of nearly all violated cases, such as "colliding contacts"; empty: all kinds
+  /// All hold together, and the first one separates most. Empty if nothing separates the violated cases.
+  std::vector<Condition> conditions;
+  std::uint64_t violated = 0;  // sampled cases in which something is violated
+  Share all;                   // of the kind
+  Share there;                 // of the kind, and as the first condition says
 };
 
 /// The violated cases of a run, or those of one fault. For each family, `violated` lists the numbers of violated
@@ -45,7 +51,12 @@ struct Violations {
 /// of the cases that meet all conditions are violated.
 [[nodiscard]] Where where_violated(const GateReport& report, const Violations& violations);
 
-/// The result in one sentence. Empty if there are fewer than `least_violated` violated cases.
+/// The first condition and the shares that it separates, as a clause that follows the fault: "if the speed of approach
+/// is at most 0.5 m/s (93 % of such colliding contacts fail, else 0 %)". Empty if there are fewer than `least_violated`
+/// violated cases.
 [[nodiscard]] std::string in_words(const Where& where);
+
+/// A fault (`Fault::what`) and the clause that says where it happens (`Fault::where`), as one sentence if it can be one.
+[[nodiscard]] std::string in_one_sentence(const std::string& what, const std::string& where);
 
 }  // namespace carom::properties::diagnosis

@@ -69,8 +69,8 @@ const std::vector<ComparedQuantity> quantities{
     {"the larger speed [m/s]", [](const Collision& c) { return greater(c, speed); }},
     {"the smallest nonzero spin [rad/s]", [](const Collision& c) { return lesser(c, spin); }},
     {"the larger spin [rad/s]", [](const Collision& c) { return greater(c, spin); }},
-    {"the speed of approach |N·V⁻|/‖N‖ [m/s]", approach_speed},
-    {"the slip ‖N × V⁻‖/‖N‖ [m/s]", slip_speed},
+    {"the speed of approach [m/s]", approach_speed},
+    {"the slip [m/s]", slip_speed},
     {"the slip over the speed of approach", [](const Collision& c) { return slip_speed(c) / approach_speed(c); }},
     {"the length of the normal", [](const Collision& c) { return length(c.normal); }},
     {"the angle between the normal and the nearest axis [rad]",
@@ -86,7 +86,7 @@ const std::vector<ComparedQuantity> quantities{
     {"the distance of the contact from the origin [m]", [](const Collision& c) { return length(c.point); }},
     {"the restitution", [](const Collision& c) { return c.restitution; }},
     {"the friction", [](const Collision& c) { return c.friction; }},
-    {"mass times speed of approach, of the lighter body [N s]",
+    {"the lighter body's mass times the speed of approach [N s]",
      [](const Collision& c) { return lesser(c, mass) * approach_speed(c); }},
 };
 

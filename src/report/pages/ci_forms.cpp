@@ -7,6 +7,7 @@
 #include <pugixml.hpp>
 
 #include <carom/collision/json/text.hpp>
+#include <carom/properties/diagnosis/where.hpp>
 #include <carom/properties/gate/in_words.hpp>
 #include <carom/report/pages/pages.hpp>
 #include <carom/report/pages/parts.hpp>
@@ -89,20 +90,37 @@ double seconds_of(const properties::SubjectResult& result) {
   return result.nanoseconds_per_solve * nanosecond * static_cast<double>(result.cases());
 }
 
+/// JUnit requires properties before the tests, and none if there is no property.
+void add_properties(pugi::xml_node suite, const Run& run, std::size_t subject) {
+  const properties::SubjectResult& result = run.results[subject];
+  const pugi::xml_node list = add(suite, "properties");
+  const auto add_property = [&](const std::string& name, const std::string& value) {
+    add(list, "property", {{"name", name}, {"value", value}});
+  };
+  for (const properties::diagnosis::Fault& fault : run.diagnoses[subject].faults) {
+    add_property("fault", properties::diagnosis::in_one_sentence(fault.what, fault.where));
+  }
+  for (const std::string& way : ways_on(run, subject)) {
+    add_property("way on", way);
+  }
+  if (const std::string energy = energy_in_words(run, subject); !energy.empty()) {
+    add_property("energy", energy);
+  }
+  for (std::size_t f = 0; f < result.beyond_domain.size(); ++f) {
+    add_property(fmt::format("beyond the claimed domain, {}", run.options.beyond_domain[f]->name),
+                 boundary_in_words(result.beyond_domain[f]));
+  }
+  if (!list.first_child()) {
+    suite.remove_child(list);
+  }
+}
+
 /// Returns the time in which the subject answered [s].
 double add_judged(pugi::xml_node root, const Run& run, std::size_t subject) {
   const properties::SubjectResult& result = run.results[subject];
   const bool counts = run.counts[subject];
   const pugi::xml_node suite = add(root, "testsuite", {{"name", result.subject.name}});
-  // JUnit requires properties before the tests.
-  if (!result.beyond_domain.empty()) {
-    const pugi::xml_node list = add(suite, "properties");
-    for (std::size_t f = 0; f < result.beyond_domain.size(); ++f) {
-      add(list, "property",
-          {{"name", fmt::format("beyond the claimed domain, {}", run.options.beyond_domain[f]->name)},
-           {"value", boundary_in_words(result.beyond_domain[f])}});
-    }
-  }
+  add_properties(suite, run, subject);
   for (const properties::Invariant* invariant : properties::claim_of(result.subject, run.options.limits).invariants) {
     add_case(suite, result, *invariant, standing_of(run, subject, *invariant));
   }
@@ -206,8 +224,12 @@ std::string github_annotations(const Run& run, const std::string& out_directory)
     const properties::SubjectResult& result = run.results[s];
     const std::string& name = result.subject.name;
     for (const properties::diagnosis::Fault& fault : run.diagnoses[s].faults) {
-      text += command("notice", "diagnosis of " + name,
-                      fmt::format("{}", fmt::join(properties::diagnosis::lines_of(fault), "\n")));
+      std::vector<std::string> lines = properties::diagnosis::lines_of(fault);
+      if (&fault == &run.diagnoses[s].faults.front()) {
+        const std::vector<std::string> ways = ways_on(run, s);
+        lines.insert(lines.end(), ways.begin(), ways.end());
+      }
+      text += command("notice", "diagnosis of " + name, fmt::format("{}", fmt::join(lines, "\n")));
     }
     for (const Witness* witness : witnesses_by_telling(run, s)) {
       text += violation(run, result, *witness, out_directory);

@@ -41,7 +41,8 @@ struct Cell {
 
   std::string text;
   std::string look;
-  bool is_code = false;     // Markdown shows it as code, so that a third party's name is neither markup nor an @mention
+  bool is_code = false;  // Markdown shows it as code, so that a third party's name is neither markup nor an @mention.
+                         // A text does not break it
   std::string link = {};    // the target of the text, "#anchor"
   std::string sign = {};    // a symbol before the text, not for screen readers
   std::string spoken = {};  // replaces the sign for screen readers
@@ -62,6 +63,7 @@ struct Row {
   std::vector<Cell> cells;              // the first cell names the row; the last cell spans the remaining columns
   std::vector<std::string> notes = {};  // below the table, in a text; rows with the same note share it
   bool is_group = false;                // the only cell is the heading of the rows below
+  std::string mark = {};                // a symbol before the row, in a text
 };
 
 struct Table {
@@ -112,9 +114,15 @@ struct Block {
 
 [[nodiscard]] Document with(Document first, Document second);
 
-/// The document for a terminal. Each column of a table is as wide as its longest cell. Each note of the rows stands
-/// once below the table, with the first cells of its rows.
+/// The document for a terminal. Lines end before `text_width`, except in tables and code. Each column of a table is as
+/// wide as its longest cell. Each note of the rows stands once below the table, with the first cells of its rows.
 [[nodiscard]] std::string in_text(const Document& document);
+
+/// The number of characters in a line of a text.
+inline constexpr std::size_t text_width = 100;
+
+/// The text, broken at blanks into lines of at most `text_width` characters. `indent` begins each new line.
+[[nodiscard]] std::string wrapped(const std::string& text, const std::string& indent);
 
 /// The table as Markdown, without its notes.
 [[nodiscard]] std::string markdown_table(const Table& table);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
-#include <span>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <carom/properties/gate/in_words.hpp>
+#include <carom/properties/diagnosis/where.hpp>
 #include <carom/report/pages/parts.hpp>
+#include <carom/report/pages/short_case.hpp>
 #include <carom/report/results/words.hpp>
 
 namespace carom::report {
@@ -14,6 +15,7 @@ namespace {
 using properties::SubjectResult;
 using properties::Witness;
 using properties::diagnosis::Diagnosis;
+using properties::diagnosis::Fault;
 
 /// The families with violations, the largest share of judged cases first. Each has its share and its worst backward
 /// error. Invalid collisions have no backward error.
@@ -43,63 +45,36 @@ std::string families_in_words(const Run& run, const SubjectResult& result) {
   return shares.size() > most_named ? fmt::format("{}, and {} more families", text, shares.size() - most_named) : text;
 }
 
-/// The faults. If there are several, each has a number and its own witness.
-Facts facts_of(const Run& run, const Subject& subject, const Diagnosis& diagnosis) {
-  Facts facts;
-  const std::size_t count = diagnosis.faults.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const properties::diagnosis::Fault& fault = diagnosis.faults[i];
-    facts.pairs.emplace_back(count == 1 ? "what is wrong" : fmt::format("what is wrong, {} of {}", i + 1, count),
-                             fault.what);
-    facts.pairs.emplace_back("where", fault.where);
-    facts.pairs.emplace_back("look at", fault.look_at);
-    if (count > 1 && fault.witness) {
-      facts.pairs.emplace_back("witness",
-                               fmt::format("{} violates {}", replay_command(*fault.witness, run.options, subject),
-                                           fault.witness->invariant->name));
+std::string sentence_of(const Fault& fault) { return properties::diagnosis::in_one_sentence(fault.what, fault.where); }
+
+/// The faults after the first one.
+void add_other_faults(Facts& facts, const Run& run, std::size_t s, Form form) {
+  const std::vector<Fault>& faults = run.diagnoses[s].faults;
+  for (std::size_t i = 1; i < faults.size(); ++i) {
+    const Fault& fault = faults[i];
+    const bool is_short = form == Form::terminal;
+    const std::string place =
+        is_short && fault.witness
+            ? fmt::format(" (case {} of {})", fault.witness->index, fault.witness->family->name)
+            : "";
+    facts.pairs.emplace_back("Also", sentence_of(fault) + place);
+    if (!is_short) {
+      facts.pairs.emplace_back("Look at", fault.look_at);
+      facts.pairs.emplace_back("Replay", fault.witness ? command_cell(replay_command(*fault.witness, run.options,
+                                                                                     run.results[s].subject))
+                                                       : Cell());
     }
   }
-  return facts;
 }
 
-/// The family of the witness, with the number of its judged cases that violate the invariant.
-std::string in_its_family(const Run& run, const SubjectResult& result, const Witness& witness) {
-  for (std::size_t f = 0; f < result.families.size(); ++f) {
-    const auto count = result.families[f].counts.find(witness.invariant);
-    if (run.options.families[f] == witness.family && count != result.families[f].counts.end()) {
-      return fmt::format("{} ({})", witness.family->name, violated_of_judged_cases(count->second));
-    }
-  }
-  return std::string(witness.family->name);
-}
-
-std::string diagnosis_missing(const Diagnosis& diagnosis) {
-  return "the diagnosis is missing, because it failed: " + diagnosis.missing;
-}
-
-void add_diagnosis(Document& document, const Run& run, std::size_t s) {
-  const Subject& subject = run.results[s].subject;
-  const Diagnosis& diagnosis = run.diagnoses[s];
-  Facts facts = facts_of(run, subject, diagnosis);
-  Cell telling(fmt::format("witness of {}", diagnosis.telling->name));
-  telling.link = '#' + witness_anchor(s, *diagnosis.telling);
-  facts.pairs.emplace_back("best witness", std::move(telling));
-  facts.pairs.emplace_back("its statement", std::string(diagnosis.telling->statement));
-  std::vector<const properties::Invariant*> others;
-  const std::vector<const Witness*> witnesses = witnesses_by_telling(run, s);
+std::string violated_in_words(const SubjectResult& result, const std::vector<const Witness*>& witnesses) {
+  std::vector<std::string> words;
   for (const Witness* witness : witnesses) {
-    if (witness->invariant != diagnosis.telling) {
-      others.push_back(witness->invariant);
-    }
+    const properties::Count count = result.count(*witness->invariant);
+    words.push_back(fmt::format("{} in {}", witness->invariant->name,
+                                words.empty() ? violated_of_judged_cases(count) : violated_of_judged(count)));
   }
-  facts.pairs.emplace_back("also violated", listed(others));
-  const Witness& witness = *witnesses.front();
-  document.emplace_back(Section{subject.name,
-                                {std::move(facts), Code{properties::violation_in_words(
-                                                       witness.shrunk.collision, witness.answer, witness.verdict)}},
-                                "",
-                                "article",
-                                "diagnosis"});
+  return listed(words);
 }
 
 }  // namespace
@@ -110,66 +85,70 @@ std::string not_shrunk_in_words(const Witness& witness) {
 
 std::string replay_line(const Run& run, const Subject& subject, const Witness& witness,
                         const std::string& out_directory) {
-  return replay_command(witness_path(out_directory, subject, *witness.invariant), subject, run.options);
+  return out_directory.empty()
+             ? replay_command({witness.family, witness.index, witness.invariant}, run.options, subject)
+             : replay_command(witness_path(out_directory, subject, *witness.invariant), subject, run.options);
 }
 
-Section findings_part(const Run& run, std::size_t s, const std::string& out_directory) {
+Section finding_part(const Run& run, std::size_t s, const std::string& out_directory, Form form) {
   const SubjectResult& result = run.results[s];
   const Diagnosis& diagnosis = run.diagnoses[s];
-  Document content;
-  Facts facts = diagnosis.telling != nullptr ? facts_of(run, result.subject, diagnosis) : Facts{};
-  if (!diagnosis.missing.empty()) {
-    facts.pairs.emplace_back("what is wrong", diagnosis_missing(diagnosis));
-  }
-  facts.pairs.emplace_back("in", families_in_words(run, result));
-  content.emplace_back(std::move(facts));
-  Table table{"", {{"invariant"}, {"violated in"}, {"most often in"}}, {}};
   const std::vector<const Witness*> witnesses = witnesses_by_telling(run, s);
-  for (const Witness* witness : witnesses) {
-    table.rows.push_back(
-        {{std::string(witness->invariant->name), violated_of_judged_cases(result.count(*witness->invariant)),
-          in_its_family(run, result, *witness)}});
-  }
-  content.emplace_back(std::move(table));
   const Witness& first = *witnesses.front();
-  content.emplace_back(Paragraph{
-      fmt::format("It violates {}, for example in the family {}:", first.invariant->name, first.family->name)});
-  std::string words = fmt::format("{}\n{}", first.invariant->statement,
-                                  properties::violation_in_words(first.shrunk.collision, first.answer, first.verdict));
-  if (!out_directory.empty()) {
-    words += replay_line(run, result.subject, first, out_directory) + '\n';
+  Document content;
+  if (!diagnosis.faults.empty()) {
+    content.emplace_back(Paragraph{sentence_of(diagnosis.faults.front()), "fault"});
   }
-  content.emplace_back(Code{std::move(words)});
+  if (!diagnosis.missing.empty()) {
+    content.emplace_back(Paragraph{"The diagnosis is missing, because it failed: " + diagnosis.missing});
+  }
+  content.emplace_back(Code{short_case(first, result.subject)});
   if (!first.not_shrunk.empty()) {
     content.emplace_back(Paragraph{not_shrunk_in_words(first)});
   }
-  if (!out_directory.empty() && witnesses.size() > 1) {
-    std::string lines;
-    for (const Witness* witness : std::span(witnesses).subspan(1)) {
-      lines += replay_line(run, result.subject, *witness, out_directory) + '\n';
-    }
-    content.emplace_back(Paragraph{"To replay the other witnesses:"});
-    content.emplace_back(Code{std::move(lines)});
+  Facts facts;
+  facts.pairs.emplace_back("Look at", diagnosis.faults.empty() ? "" : diagnosis.faults.front().look_at);
+  facts.pairs.emplace_back("Replay", command_cell(replay_line(run, result.subject, first, out_directory)));
+  if (form == Form::page) {
+    Cell whole(fmt::format("the witness of {}", first.invariant->name));
+    whole.link = '#' + witness_anchor(s, *first.invariant);
+    facts.pairs.emplace_back("In full", std::move(whole));
   }
-  return {result.subject.name, std::move(content)};
+  add_other_faults(facts, run, s, form);
+  facts.pairs.emplace_back("Violated", violated_in_words(result, witnesses));
+  facts.pairs.emplace_back("Energy", energy_in_words(run, s));
+  if (form != Form::terminal) {
+    facts.pairs.emplace_back("Families", families_in_words(run, result));
+    for (const std::string& way : ways_on(run, s)) {
+      facts.pairs.emplace_back("Way on", way);
+    }
+  }
+  content.emplace_back(std::move(facts));
+  return {"What is wrong with " + result.subject.name, std::move(content), "", "article", "diagnosis"};
 }
 
-Document diagnoses_part(const Run& run) {
+Document findings_part(const Run& run, const std::string& out_directory) {
   Document document;
   Document kept;
   for (std::size_t s = 0; s < run.results.size(); ++s) {
-    const Diagnosis& diagnosis = run.diagnoses[s];
-    if (!diagnosis.missing.empty()) {
-      document.emplace_back(Section{run.results[s].subject.name, {Paragraph{diagnosis_missing(diagnosis)}}});
-    }
-    if (diagnosis.telling != nullptr) {
-      add_diagnosis(run.counts[s] ? document : kept, run, s);
+    if (!run.results[s].witnesses.empty()) {
+      (run.counts[s] ? document : kept).emplace_back(finding_part(run, s, out_directory, Form::page));
     }
   }
   if (!kept.empty()) {
-    document.emplace_back(Details{"Diagnoses of the subjects that are kept because they fail", std::move(kept)});
+    document.emplace_back(Details{"Faults of the subjects that are kept because they fail", std::move(kept)});
   }
   return document;
+}
+
+Document violated_families_part(const Run& run) {
+  Facts facts;
+  for (std::size_t s = 0; s < run.results.size(); ++s) {
+    if (run.counts[s]) {
+      facts.pairs.emplace_back(run.results[s].subject.name, families_in_words(run, run.results[s]));
+    }
+  }
+  return {std::move(facts)};
 }
 
 }  // namespace carom::report

@@ -66,8 +66,7 @@ std::string opening(const Run& run) {
   if (run.interrupted) {
     text += "\n**The run was interrupted. These are the results so far.**\n";
   }
-  return text + block_of(judge_error_part(run)) + '\n' + markdown_table(subjects_table(run, Subjects::counting)) +
-         block_of(beyond_domain_part(run, Subjects::counting));
+  return text + block_of(judge_error_part(run)) + '\n' + markdown_table(subjects_table(run, Subjects::counting));
 }
 
 std::string of_subject(const Run& run, std::size_t s, const std::string& out_directory) {
@@ -78,7 +77,7 @@ std::string of_subject(const Run& run, std::size_t s, const std::string& out_dir
     document.emplace_back(Paragraph{fmt::format("never judged: {}", listed(never))});
   }
   if (!result.witnesses.empty()) {
-    document = with(std::move(document), findings_part(run, s, out_directory).content);
+    document = with(std::move(document), finding_part(run, s, out_directory, Form::summary).content);
   }
   if (!why.empty()) {
     document.emplace_back(Paragraph{"could not be judged: " + why});
@@ -117,6 +116,7 @@ std::string run_markdown(const Run& run, const std::string& out_directory) {
     text += fits ? section : "";
     left_out += fits ? 0 : 1;
   }
+  text += block_of(beyond_domain_part(run, Subjects::counting));
   if (left_out > 0) {
     text += fmt::format("\nThe report holds the violations of {} more subjects.\n", left_out);
   }

@@ -13,8 +13,8 @@
 /// written.
 namespace carom::report {
 
-/// The run for a terminal.
-[[nodiscard]] std::string run_text(const Run& run, const std::string& out_directory);
+/// The run for a terminal: a line for each subject, and the faults. If `has_coverage`, it also has what was generated.
+[[nodiscard]] std::string run_text(const Run& run, const std::string& out_directory, bool has_coverage = false);
 
 /// The run for the page of a job, or a comment on a merge request. It has only the subjects that count (those that
 /// decide the exit status), and is not longer than about a megabyte.

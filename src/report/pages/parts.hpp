@@ -20,6 +20,9 @@ void add_subject_rows(Table& table, const Run& run, Subjects which, const std::f
 /// One row for each subject: verdict, worst backward error, digits, time.
 [[nodiscard]] Table subjects_table(const Run& run, Subjects which);
 
+/// A command, which no line end may break.
+[[nodiscard]] Cell command_cell(std::string command);
+
 /// The reasons why subjects could not be judged, or not to the end, each with the anchor that subjects_table links to.
 [[nodiscard]] Document errors_part(const Run& run);
 
@@ -54,12 +57,21 @@ void add_subject_rows(Table& table, const Run& run, Subjects which, const std::f
 /// The boundary of one subject on one family beyond the domain: "from 3.2e+07 on: 412 of 1000".
 [[nodiscard]] std::string boundary_in_words(const properties::FamilyResult& family);
 
-/// The diagnosis of the subject at this place, which has violations, its violations, and the witness of the invariant
-/// that explains most of them.
-[[nodiscard]] Section findings_part(const Run& run, std::size_t s, const std::string& out_directory);
+/// A terminal has no room for everything.
+enum class Form { terminal, summary, page };
 
-/// The diagnosis of each subject, in short.
-[[nodiscard]] Document diagnoses_part(const Run& run);
+/// Of the subject at this place, which has violations: its first fault in a sentence, a short case, the place to check,
+/// the command that replays it, its other faults, violated invariants, energy and ways on.
+[[nodiscard]] Section finding_part(const Run& run, std::size_t s, const std::string& out_directory, Form form);
+
+/// `finding_part` of each subject with violations, for a page.
+[[nodiscard]] Document findings_part(const Run& run, const std::string& out_directory);
+
+/// Of each subject that counts, the families with violations.
+[[nodiscard]] Document violated_families_part(const Run& run);
+
+/// The energy that the answers of each subject gain. Empty if none was measured.
+[[nodiscard]] Document energy_part(const Run& run);
 
 /// For each subject that counts, the families and the features with violations of each invariant.
 [[nodiscard]] Document violations_part(const Run& run);
@@ -73,9 +85,13 @@ void add_subject_rows(Table& table, const Run& run, Subjects which, const std::f
 /// The differences between two runs, without the summary. `has_known` asks for the known violations too.
 [[nodiscard]] Document comparison_part(const Comparison& comparison, bool has_known);
 
+/// The families that have no case in the domain, in a sentence; empty if there are none.
+[[nodiscard]] std::string without_case_in_words(const Run& run);
+
 /// Why a witness was not simplified. Precondition: `not_shrunk` is not empty.
 [[nodiscard]] std::string not_shrunk_in_words(const properties::Witness& witness);
 
+/// The command that replays the witness in the directory, or, if there is no directory, the case as it was drawn.
 [[nodiscard]] std::string replay_line(const Run& run, const Subject& subject, const properties::Witness& witness,
                                       const std::string& out_directory);
 

@@ -53,9 +53,10 @@ std::string decided_cases(const properties::SubjectResult& result, const Run& ru
 }
 
 /// The notes on a subject, in a text.
-std::vector<std::string> notes_on(const properties::SubjectResult& result, const Run& run) {
+std::vector<std::string> notes_on(std::size_t s, const Run& run) {
+  const properties::SubjectResult& result = run.results[s];
   const SubjectStatus status = status_of(result);
-  std::vector<std::string> notes;
+  std::vector<std::string> notes = ways_on(run, s);
   if (result.skipped() > 0) {
     notes.push_back(fmt::format("{} cases skipped{}{}", result.skipped(), result.answers_alone.empty() ? "" : "; ",
                                 result.answers_alone));
@@ -73,6 +74,11 @@ std::vector<std::string> notes_on(const properties::SubjectResult& result, const
   }
   if (const auto never = never_judged(run, result); status == SubjectStatus::violated && !never.empty()) {
     notes.push_back("never judged: " + listed(never));
+  }
+  // Under the other laws, an answer without a violation gains no energy.
+  if (const std::string energy = energy_in_words(run, s);
+      status != SubjectStatus::violated && !determines_outcome(result.subject.law) && !energy.empty()) {
+    notes.push_back(energy);
   }
   if (run.options.budget && status == SubjectStatus::sound) {
     notes.push_back(cases_judged(run, result));
@@ -92,7 +98,8 @@ Row subject_row(const Run& run, std::size_t s) {
   const SubjectStatus status = status_of(result);
   const properties::Family* const worst = result.worst_backward_error(run.options).family;
   Cell verdict(verdict_in_words(result), fmt::format("verdict {}", name_of(status)));
-  verdict.sign = status == SubjectStatus::sound ? "✓" : status == SubjectStatus::violated ? "✗" : "!";
+  const char* const sign = status == SubjectStatus::sound ? "✓" : status == SubjectStatus::violated ? "✗" : "!";
+  verdict.sign = sign;
   if (!why_not_judged(result).empty()) {
     verdict.link = '#' + error_anchor(s);
   }
@@ -102,7 +109,9 @@ Row subject_row(const Run& run, std::size_t s) {
            Cell(result.cases() > 0 ? fmt::format("{:.0f}", result.nanoseconds_per_solve) : no_number, "number"),
            Cell(std::to_string(result.cases()), "number"), Cell(std::string(name_of(result.subject.law)), "word"),
            Cell(std::string(name_of(result.subject.precision)), "word")},
-          run.counts[s] ? notes_on(result, run) : std::vector<std::string>{}};
+          run.counts[s] ? notes_on(s, run) : std::vector<std::string>{},
+          false,
+          sign};
 }
 
 struct Counted {
@@ -148,8 +157,8 @@ Table subjects_table(const Run& run, Subjects which) {
               {{"subject"},
                {"verdict", true},
                {"backward error [ulps]", true},
-               {"in family"},
-               {"digits p50 / p99 / worst", true},
+               {.name = "in family", .is_in_text = false},
+               {"digits p50/p99/worst", true},
                {"ns/solve", true},
                {.name = "cases", .is_number = true, .is_in_text = false},
                {.name = "model", .is_in_text = false},
@@ -164,6 +173,12 @@ Table subjects_table(const Run& run, Subjects which) {
     table.rows.push_back({{name_cell(subject.name), Cell("absent: " + subject.absent, "absent")}});
   }
   return table;
+}
+
+Cell command_cell(std::string command) {
+  Cell cell(std::move(command));
+  cell.is_code = true;
+  return cell;
 }
 
 Document errors_part(const Run& run) {
@@ -182,6 +197,23 @@ Document errors_part(const Run& run) {
     }
   }
   return document;
+}
+
+Document energy_part(const Run& run) {
+  Facts facts;
+  for (std::size_t s = 0; s < run.results.size(); ++s) {
+    facts.pairs.emplace_back(run.results[s].subject.name, energy_in_words(run, s));
+  }
+  std::erase_if(facts.pairs, [](const auto& pair) { return pair.second.text.empty(); });
+  return facts.pairs.empty() ? Document{} : Document{std::move(facts)};
+}
+
+std::string without_case_in_words(const Run& run) {
+  std::vector<std::string> names;
+  for (const properties::Family* family : run.without_case) {
+    names.emplace_back(family->name);
+  }
+  return names.empty() ? "" : fmt::format("The domain has no case of {}.", listed(names));
 }
 
 Document judge_error_part(const Run& run) {

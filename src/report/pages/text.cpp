@@ -21,8 +21,7 @@ std::string cell_text(const Cell& cell) { return printable_line(cell.text, longe
 std::string lines_of(const std::string& text) { return printable(text, std::numeric_limits<std::size_t>::max()); }
 
 std::string line(const std::vector<std::string>& cells, const std::vector<std::size_t>& widths,
-                 const std::vector<Column>& columns) {
-  std::string text;
+                 const std::vector<Column>& columns, std::string text = {}) {
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const std::size_t width = width_of(cells[i]);
     const std::string room(widths[i] > width ? widths[i] - width : 0, ' ');
@@ -34,11 +33,11 @@ std::string line(const std::vector<std::string>& cells, const std::vector<std::s
 struct TextWriter {
   std::string text;
 
-  void operator()(const Paragraph& paragraph) { text += lines_of(paragraph.text) + '\n'; }
+  void operator()(const Paragraph& paragraph) { text += wrapped(lines_of(paragraph.text), "") + '\n'; }
 
   void operator()(const List& list) {
     for (const Cell& item : list.items) {
-      text += "  " + lines_of(item.text) + '\n';
+      text += wrapped("  " + lines_of(item.text), "    ") + '\n';
     }
   }
 
@@ -49,7 +48,8 @@ struct TextWriter {
 
   void operator()(const Facts& facts) {
     for (const auto& [name, value] : facts.pairs) {
-      text += value.text.empty() ? "" : lines_of(name + ": " + value.text) + '\n';
+      const std::string fact = lines_of(name + ": " + value.text) + '\n';
+      text += value.text.empty() ? "" : value.is_code ? fact : wrapped(fact, "  ");
     }
   }
 
@@ -76,9 +76,12 @@ struct TextWriter {
         widths[i] = std::max(widths[i], width_of(cells[i]));
       }
     }
-    text += line(names, widths, columns);
+    const auto is_marked = [](const Row& row) { return !row.mark.empty(); };
+    const std::string no_mark = std::any_of(table.rows.begin(), table.rows.end(), is_marked) ? "  " : "";
+    text += line(names, widths, columns, no_mark);
     for (std::size_t r = 0; r < rows.size(); ++r) {
-      text += (table.rows[r].is_group ? "\n" : "") + line(rows[r], widths, columns);
+      const Row& row = table.rows[r];
+      text += (row.is_group ? "\n" : "") + line(rows[r], widths, columns, is_marked(row) ? row.mark + ' ' : no_mark);
     }
     add_notes(table);
   }
@@ -94,11 +97,12 @@ struct TextWriter {
     }
     constexpr std::size_t most_named = 4;
     for (const auto& [note, rows] : notes) {
+      std::string names;
       for (std::size_t i = 0; i < std::min(rows.size(), most_named); ++i) {
-        text += (i == 0 ? "  " : ", ") + rows[i];
+        names += (i == 0 ? "  " : ", ") + rows[i];
       }
-      text += rows.size() > most_named ? " and " + std::to_string(rows.size() - most_named) + " more" : "";
-      text += ": " + lines_of(note) + '\n';
+      names += rows.size() > most_named ? " and " + std::to_string(rows.size() - most_named) + " more" : "";
+      text += wrapped(names + ": " + lines_of(note), "    ") + '\n';
     }
   }
 
@@ -122,6 +126,33 @@ Document with(Document first, Document second) {
     first.push_back(std::move(block));
   }
   return first;
+}
+
+std::string wrapped(const std::string& text, const std::string& indent) {
+  std::string result;
+  std::size_t width = 0;      // of the current line
+  bool has_word = false;      // whether the current line has one
+  std::size_t begin = 0;      // of the current word
+  while (begin <= text.size()) {
+    const std::size_t end = std::min(text.find_first_of(" \n", begin), text.size());
+    const std::string word = text.substr(begin, end - begin);
+    if (has_word && !word.empty() && width + width_of(word) > text_width) {
+      result.replace(result.size() - 1, 1, '\n' + indent);
+      width = width_of(indent);
+    }
+    has_word = has_word || !word.empty();
+    result += word;
+    width += width_of(word) + 1;
+    if (end < text.size()) {
+      result += text[end];
+      if (text[end] == '\n') {
+        width = 0;
+        has_word = false;
+      }
+    }
+    begin = end + 1;
+  }
+  return result;
 }
 
 std::string in_text(const Document& document) {

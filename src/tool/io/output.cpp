@@ -28,6 +28,18 @@ void fail_to_write(const std::filesystem::path& path, int error) {
                                subjects::protocol::message_of({error, std::generic_category()})));
 }
 
+namespace {
+
+[[noreturn]] void fail_to_print(int error) {
+  const std::error_code code(error, std::generic_category());
+  if (code == std::errc::broken_pipe) {
+    throw std::system_error(code);
+  }
+  throw UsageError(fmt::format("standard output cannot be written: {}", code.message()));
+}
+
+}  // namespace
+
 void write_file(const std::filesystem::path& path, const std::string& text) {
   errno = 0;
   std::ofstream file(path, std::ios::binary);
@@ -263,15 +275,17 @@ void StagedOutput::put_in_place(const std::string& last) {
   bring_to_disk(directory_);
 }
 
+void write_output(const std::string& text) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) {
+    fail_to_print(errno);
+  }
+  flush_output();
+}
+
 void flush_output() {
-  if (std::fflush(stdout) == 0) {
-    return;
+  if (std::fflush(stdout) != 0) {
+    fail_to_print(errno);
   }
-  const std::error_code code(errno, std::generic_category());
-  if (code == std::errc::broken_pipe) {
-    throw std::system_error(code);
-  }
-  throw UsageError(fmt::format("standard output cannot be written: {}", code.message()));
 }
 
 std::function<void(std::uint64_t, std::uint64_t)> progress_line(std::string what) {

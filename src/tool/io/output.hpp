@@ -53,6 +53,9 @@ class StagedOutput {
   int lock_ = -1;  // the open file that is locked; -1 if the file system has no locks
 };
 
+/// Writes the text to standard output at once. Throws as `flush_output`.
+void write_output(const std::string& text);
+
 /// Writes what is buffered for standard output. Throws a std::system_error with the code `broken_pipe` if the reader is
 /// gone, as fmt::print does. Throws UsageError if the output cannot be written for another reason.
 void flush_output();

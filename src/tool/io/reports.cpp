@@ -98,13 +98,12 @@ void write_reports(const report::Run& run, const std::string& out, StagedOutput&
 }
 
 void print_run(const report::Run& run, const Presentation& presentation) {
-  fmt::print("{}", presentation.format == "json" ? in_json(report::report_record(run), 2)
-                                                 : report::run_text(run, presentation.out));
-  flush_output();  // before anything is printed on standard error
+  write_output(presentation.format == "json"
+                   ? in_json(report::report_record(run), 2)
+                   : report::run_text(run, presentation.out, presentation.has_coverage));
   if (presentation.has_annotations) {
     presentation.annotate();
-    fmt::print("{}", report::github_annotations(run, presentation.out));
-    flush_output();
+    write_output(report::github_annotations(run, presentation.out));
   }
 }
 

@@ -25,6 +25,7 @@ struct Presentation {
   bool has_annotations = false;    // after the run, in GitHub's format
   std::string summary;             // the file to which a summary in Markdown is appended; empty for none
   std::function<void()> annotate;  // called before annotations are printed; may be empty
+  bool has_coverage = false;       // whether the text has what was generated
 };
 
 /// Compares the run with its baseline, if there is one, writes the files, prints the run, and returns the exit status.
