@@ -24,6 +24,7 @@ json spread_record(const Spread& spread) {
 json exactness_record(const Exactness& exactness) {
   return {{"cases", exactness.cases},
           {"failures", exactness.failures},
+          {"undetermined", exactness.undetermined},
           {"digits", exactness.has_digits ? quantiles_record(exactness.digits) : json()},
           {"backward_error_ulps", exactness.has_backward_error ? quantiles_record(exactness.backward_error) : json()}};
 }
@@ -65,7 +66,7 @@ Table methods_table(std::span<const MethodMeasurement> methods) {
                {"precision"},
                {"ns a contact", true},
                {"digits: median / 99 % / worst"},
-               {"worst backward error [ulps]", true},
+               {"backward error [ulps]: median / worst"},
                {"fails in"}},
               {}};
   for (std::size_t i = 0; i < methods.size(); ++i) {
@@ -74,7 +75,8 @@ Table methods_table(std::span<const MethodMeasurement> methods) {
         {{std::to_string(i + 1), methods[i].name, std::string(name_of(methods[i].precision)),
           in_three_digits(methods[i].nanoseconds_over_all_families().median),
           fmt::format("{:.1f} / {:.1f} / {:.1f}", all.digits.median, all.digits.of_99_percent, all.digits.worst),
-          all.has_backward_error ? fmt::format("{:.3g}", all.backward_error.worst) : no_number,
+          all.has_backward_error ? fmt::format("{:.2g} / {:.3g}", all.backward_error.median, all.backward_error.worst)
+                                 : no_number,
           failing_families(methods[i])}});
   }
   return table;
@@ -122,14 +124,14 @@ std::string work_precision_csv(const Measurements& measurements) {
 
 std::string stability_csv(const Measurements& measurements) {
   std::string text =
-      "sweep,quantity,model,method,cases,failures,backward_error_median,backward_error_99_percent,"
+      "sweep,quantity,model,method,cases,failures,undetermined,backward_error_median,backward_error_99_percent,"
       "backward_error_worst\n";
   for (const SweepMeasurement& sweep : measurements.sweeps) {
     for (const SweepLine& line : sweep.lines) {
       for (std::size_t i = 0; i < line.quantity.size(); ++i) {
-        text += fmt::format("{},{:g},{},{},{},{},{}\n", sweep.name, line.quantity[i], name_of(line.law),
+        text += fmt::format("{},{:g},{},{},{},{},{},{}\n", sweep.name, line.quantity[i], name_of(line.law),
                             csv_text(line.method), line.exactness[i].cases, line.exactness[i].failures,
-                            csv_of_backward_error(line.exactness[i]));
+                            line.exactness[i].undetermined, csv_of_backward_error(line.exactness[i]));
       }
     }
   }

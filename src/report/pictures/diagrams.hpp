@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
@@ -10,21 +10,33 @@
 #include <carom/report/pictures/measurement.hpp>
 #include <carom/report/pictures/plot.hpp>
 
-/// The pictures of `carom chart`. The number of a method is its place in the list of its law, in all pictures.
+/// The pictures of `carom chart`.
 namespace carom::report {
 
-/// The measurements of the methods of one law, in the order of their numbers.
+/// The measurements of the methods of one law.
 [[nodiscard]] std::vector<MethodMeasurement> of_law(std::span<const MethodMeasurement> methods, Law law);
 
-/// Time against correct digits, over all families: a mark for each method, a bar down to its worst case, and the Pareto
-/// line.
-[[nodiscard]] Plot work_precision(std::span<const MethodMeasurement> of_one_law);
+/// The methods that `work_precision` draws, the quickest first, at most twelve. Two methods look the same if their
+/// times are within 10 % and their errors within a factor of 3; the earlier in the list is drawn. A method is left out
+/// if a quicker one has no larger errors, up to that factor. Methods of batches are compared only with each other.
+[[nodiscard]] std::vector<MethodMeasurement> methods_to_draw(std::span<const MethodMeasurement> of_one_law);
 
-/// Time against correct digits, in one small diagram for each family.
-[[nodiscard]] Plot work_precision_of_families(std::span<const MethodMeasurement> of_one_law);
+/// Time against backward error, over all families: a mark for the worst case of each of `methods_to_draw`, and a line
+/// down to its median case. Precondition: the law determines the outcome.
+[[nodiscard]] Plot work_precision(std::span<const MethodMeasurement> of_one_law, double limit_ulps);
 
-/// The worst backward error along a sweep (cases with one quantity set to 10^k), with one line for each method of the
-/// law.
+struct DrawnLine {
+  const SweepLine* line;
+  std::size_t alike;  // further lines for which it stands
+};
+
+/// The lines that `stability_map` draws, at most eight. One method of each precision stands for those that stay within
+/// the limit: it has the largest error. Other lines of one precision look the same if their errors are within a factor
+/// of 3 everywhere; the earliest is drawn.
+[[nodiscard]] std::vector<DrawnLine> lines_to_draw(const SweepMeasurement& sweep, Law law);
+
+/// The worst backward error along a sweep (cases with one quantity set to 10^k), with a line for each of
+/// `lines_to_draw`. A line has gaps where the errors show nothing (Exactness::shows_method).
 [[nodiscard]] Plot stability_map(const SweepMeasurement& sweep, Law law, double limit_ulps);
 
 /// For each time t and each d of deadline_digits: the largest share of cases that one method solves to d digits within
@@ -42,28 +54,5 @@ struct DeadlineStep {
 inline constexpr std::array deadline_digits{3, 6, 9, 12, 15, 18};
 
 [[nodiscard]] std::vector<DeadlineStep> deadline_steps(std::span<const MethodMeasurement> of_one_law, double digits);
-
-/// The sound methods that no other sound method beats in both time and digits, the quickest first. A method is an index
-/// below `count`.
-template <class Nanoseconds, class Digits, class IsSound>
-[[nodiscard]] std::vector<std::size_t> pareto(std::size_t count, const Nanoseconds& nanoseconds, const Digits& digits,
-                                              const IsSound& is_sound) {
-  std::vector<std::size_t> order;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (is_sound(i)) {
-      order.push_back(i);
-    }
-  }
-  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
-    return nanoseconds(i) != nanoseconds(j) ? nanoseconds(i) < nanoseconds(j) : digits(i) > digits(j);
-  });
-  std::vector<std::size_t> line;
-  for (const std::size_t i : order) {
-    if (line.empty() || digits(i) > digits(line.back())) {
-      line.push_back(i);
-    }
-  }
-  return line;
-}
 
 }  // namespace carom::report

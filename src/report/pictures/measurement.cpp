@@ -47,6 +47,8 @@ std::string in_three_digits(double number) {
 
 void ExactnessBuilder::add(double backward_error, double digits, bool within_limit) {
   backward_errors_.push_back(backward_error);
+  // The relative error is 10^−digits. One ulp explains this error divided by the number of ulps.
+  undetermined_ += backward_error > 0 && digits <= -std::log10(backward_error) ? 1 : 0;
   add(digits, within_limit);
 }
 
@@ -65,6 +67,7 @@ ExactnessBuilder& ExactnessBuilder::operator+=(const ExactnessBuilder& other) {
   digits_.insert(digits_.end(), other.digits_.begin(), other.digits_.end());
   cases_ += other.cases_;
   failures_ += other.failures_;
+  undetermined_ += other.undetermined_;
   return *this;
 }
 
@@ -73,15 +76,19 @@ Exactness ExactnessBuilder::built() const {
   exactness.cases = cases_;
   exactness.has_digits = digits_.size() == cases_;
   exactness.failures = failures_;
+  exactness.undetermined = undetermined_;
   if (!digits_.empty()) {
     exactness.digits = quantiles_where_large_is_good(digits_);
     if (!backward_errors_.empty()) {
       exactness.backward_error = quantiles_of(backward_errors_);
     }
     exactness.digits_of_cases = digits_;
+    exactness.backward_errors_of_cases = backward_errors_;
   }
   return exactness;
 }
+
+bool Exactness::shows_method() const { return cases > 0 && (failures > 0 || 2 * undetermined <= cases); }
 
 bool MethodMeasurement::fails() const {
   return std::any_of(families.begin(), families.end(),
@@ -96,10 +103,15 @@ Exactness MethodMeasurement::over_all_families() const {
     all.failures += one.failures;
     all.has_backward_error = all.has_backward_error && one.has_backward_error;
     all.digits_of_cases.insert(all.digits_of_cases.end(), one.digits_of_cases.begin(), one.digits_of_cases.end());
-    all.backward_error.worst = std::max(all.backward_error.worst, one.backward_error.worst);
+    all.backward_errors_of_cases.insert(all.backward_errors_of_cases.end(), one.backward_errors_of_cases.begin(),
+                                        one.backward_errors_of_cases.end());
+    all.undetermined += one.undetermined;
   }
   if (!all.digits_of_cases.empty()) {
     all.digits = quantiles_where_large_is_good(all.digits_of_cases);
+  }
+  if (!all.backward_errors_of_cases.empty()) {
+    all.backward_error = quantiles_of(all.backward_errors_of_cases);
   }
   return all;
 }

@@ -35,6 +35,13 @@ struct Exactness {
   bool has_backward_error = true;  // false for a law that determines no outcome
   Quantiles backward_error;        // ulps of the method's own precision; infinite if an outcome is not finite
   std::vector<double> digits_of_cases;
+  std::vector<double> backward_errors_of_cases;
+  /// Cases in which one ulp of the inputs explains an error as large as the change of the velocities. Such a backward
+  /// error says nothing about the method.
+  std::size_t undetermined = 0;
+
+  /// Whether the backward errors say something about the method: some case fails, or at most half are undetermined.
+  [[nodiscard]] bool shows_method() const;
 };
 
 struct FamilyMeasurement {
@@ -49,10 +56,11 @@ struct MethodMeasurement {
   Law law;
   Precision precision;
   std::vector<FamilyMeasurement> families;
+  bool is_batch = false;  // many contacts at once
 
   /// Whether the method fails on any case of any family.
   [[nodiscard]] bool fails() const;
-  /// The accuracy over the cases of all families. The median and the 99 % value of the backward error are not set.
+  /// The accuracy over the cases of all families.
   [[nodiscard]] Exactness over_all_families() const;
   /// The times of the median family, the quickest family and the slowest family.
   [[nodiscard]] Spread nanoseconds_over_all_families() const;
@@ -93,6 +101,7 @@ class ExactnessBuilder {
   std::vector<double> digits_;
   std::size_t cases_ = 0;
   std::size_t failures_ = 0;
+  std::size_t undetermined_ = 0;
 };
 
 /// The laws whose methods are charted: the laws that determine one exact outcome, and `coulomb`. The digits of

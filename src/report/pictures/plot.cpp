@@ -30,9 +30,22 @@ double overlap(const Rectangle& a, const Rectangle& b) {
   return width > 0 && height > 0 ? width * height : 0;
 }
 
-/// The size of a letter of common sans-serif fonts, relative to the font size.
-constexpr double letter_width = 0.62;
-constexpr double letter_height = 1.0;
+/// The height of a label, relative to the font size.
+constexpr double label_height = 1.2;
+
+/// The middles of a box of this size at growing distances around a place, the upper right first.
+std::vector<Pixel> middles_around(Pixel place, double width, double height, double letter) {
+  constexpr int directions = 16;
+  std::vector<Pixel> middles;
+  for (double distance = 0.5; distance < 24; distance *= 1.2) {
+    for (int k = 0; k < directions; ++k) {
+      const double angle = 2 * M_PI * (k + 2) / directions;
+      middles.push_back({place.x + (width / 2 + letter * distance) * std::cos(angle),
+                         place.y + (height / 2 + letter * distance) * std::sin(angle)});
+    }
+  }
+  return middles;
+}
 
 /// The relative luminance of an sRGB channel from 0 to 255.
 double luminance(double channel) {
@@ -82,29 +95,24 @@ void place_labels(std::vector<Label>& labels, const std::vector<Pixel>& to_keep_
   for (const Pixel& place : to_keep_free) {
     taken.push_back(box_around(place, letter * 0.6, letter * 0.6));
   }
-  constexpr int directions = 16;
   for (Label& label : labels) {
-    // Half a letter wider, so that two numbers are not read as one.
+    // Half a letter wider, so that two labels are not read as one.
     const double width = letter * (letter_width * static_cast<double>(label.text.size()) + 0.5);
-    const double height = letter * letter_height;
+    const double height = letter * label_height;
     double least = std::numeric_limits<double>::infinity();
-    for (const double distance : {1.0, 1.5, 2.0, 2.6, 3.3, 4.0, 4.8, 5.6}) {
-      for (int k = 0; k < directions; ++k) {
-        const double angle = 2 * M_PI * (k + 2) / directions;  // the upper right first
-        const Pixel at{label.names.x + letter * distance * std::cos(angle),
-                       label.names.y + letter * distance * std::sin(angle)};
-        const Rectangle box = box_around(at, width, height);
-        double cost = distance;
-        for (const Rectangle& other : taken) {
-          cost += 10 * overlap(box, other);
-        }
-        const bool is_inside = box.left >= within.x.first_pixel && box.right <= within.x.last_pixel &&
-                               box.bottom >= within.y.first_pixel && box.top <= within.y.last_pixel;
-        cost += is_inside ? 0 : 1000;
-        if (cost < least) {
-          least = cost;
-          label.at = at;
-        }
+    for (const Pixel& at : middles_around(label.names, width, height, letter)) {
+      const Rectangle box = box_around(at, width, height);
+      double cost = std::hypot(std::max(0.0, std::abs(at.x - label.names.x) - width / 2),
+                               std::max(0.0, std::abs(at.y - label.names.y) - height / 2));
+      for (const Rectangle& other : taken) {
+        cost += 10 * overlap(box, other);
+      }
+      const bool is_inside = box.left >= within.x.first_pixel && box.right <= within.x.last_pixel &&
+                             box.bottom >= within.y.first_pixel && box.top <= within.y.last_pixel;
+      cost += is_inside ? 0 : 1e6;
+      if (cost < least) {
+        least = cost;
+        label.at = at;
       }
     }
     taken.push_back(box_around(label.at, width, height));
@@ -148,10 +156,11 @@ void Plot::write(std::string_view text, Pixel at, std::string_view colour, std::
 
 void Plot::write(const std::vector<Label>& labels, double letter) {
   for (const Label& label : labels) {
-    const double distance = std::hypot(label.at.x - label.names.x, label.at.y - label.names.y);
-    if (distance > 1.6 * letter) {
+    const double half = letter * letter_width * static_cast<double>(label.text.size()) / 2;
+    const Pixel nearest{std::clamp(label.names.x, label.at.x - half, label.at.x + half), label.at.y};
+    if (std::hypot(nearest.x - label.names.x, nearest.y - label.names.y) > 1.6 * letter) {
       text_ += fmt::format("set arrow from screen {:.6f},{:.6f} to screen {:.6f},{:.6f} nohead lw 0.7 lc rgb '{}'\n",
-                           label.names.x / width_, label.names.y / height_, label.at.x / width_, label.at.y / height_,
+                           label.names.x / width_, label.names.y / height_, nearest.x / width_, nearest.y / height_,
                            label.colour);
     }
     text_ += fmt::format("set label {} at screen {:.6f},{:.6f} center front boxed tc rgb '{}' font ',{:.1f}'\n",

@@ -45,8 +45,11 @@ struct Label {
   Pixel at{0, 0};  // its middle, once it is placed
 };
 
-/// Moves each label close to the place that it names. If there is room nearby, no label covers another label or a place
-/// in `to_keep_free`. `letter` is the size of a letter in pixels.
+/// The width of a letter of common sans-serif fonts, relative to the font size.
+inline constexpr double letter_width = 0.52;
+
+/// Moves each label close to the place that it names, within the panel. If there is room, no label covers another label
+/// or a place in `to_keep_free`. `letter` is the size of a letter in pixels.
 void place_labels(std::vector<Label>& labels, const std::vector<Pixel>& to_keep_free, double letter,
                   const Panel& within);
 
@@ -74,7 +77,7 @@ class Plot {
   /// joins a name to its end. Returns the left end of the lowest name. Call it before end().
   Pixel name_ends(std::vector<Label> names, const Panel& panel);
   /// Adds a curve or marks through points, in the gnuplot style `with`. Each point has two numbers (x and y) or four
-  /// (the two ends of an arrow). Without points, it adds nothing.
+  /// (the two ends of an arrow). A point without numbers breaks the curve. Without points, it adds nothing.
   void curve(const std::vector<std::vector<double>>& points, std::string_view with);
   /// Draws the open diagram.
   void end();

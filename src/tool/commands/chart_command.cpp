@@ -127,7 +127,12 @@ std::vector<MethodMeasurement> measured_methods(const ChartArguments& arguments,
 
   std::vector<MethodMeasurement> result;
   for (const Method& method : methods) {
-    result.push_back({method.subject.name, method.subject.summary, method.subject.law, method.subject.precision, {}});
+    result.push_back({method.subject.name,
+                      method.subject.summary,
+                      method.subject.law,
+                      method.subject.precision,
+                      {},
+                      method.form == subjects::MethodForm::batch});
   }
   chart::ChartedSubjects charted(subjects_of({methods, {}, {}}));
   for (std::size_t f = 0; f < families.size(); ++f) {
@@ -181,17 +186,18 @@ bool has_law(const report::SweepMeasurement& sweep, Law law) {
   return std::ranges::any_of(sweep.lines, [&](const report::SweepLine& line) { return line.law == law; });
 }
 
+/// All pictures but those of deadlines show backward errors, which a law has if it determines the outcome.
 std::vector<report::Plot> pictures_of(const report::Measurements& measurements) {
   std::vector<report::Plot> pictures;
   for (const Law law : report::charted_laws()) {
     const std::vector<MethodMeasurement> methods = report::of_law(measurements.methods, law);
     if (!methods.empty()) {
-      pictures.push_back(report::work_precision(methods));
-      pictures.push_back(report::work_precision_of_families(methods));
+      if (determines_outcome(law)) {
+        pictures.push_back(report::work_precision(methods, measurements.limit_ulps));
+      }
       pictures.push_back(report::deadline(methods));
     }
     for (const report::SweepMeasurement& sweep : measurements.sweeps) {
-      // Stability maps show backward errors.
       if (determines_outcome(law) && has_law(sweep, law)) {
         pictures.push_back(report::stability_map(sweep, law, measurements.limit_ulps));
       }
