@@ -96,8 +96,9 @@ TEST(WorkPrecision, NamesItsMethodsAtTheirMarksAndDrawsALineToTheMedian) {
   const std::vector<MethodMeasurement> methods{with_errors("fails", 100, 0.5, HUGE_VAL),
                                                with_errors("holds", 200, 0.125, 4)};
   const std::string script = work_precision(methods, 32).script();
-  unit::expect_in(script, {"set label \"fails\"", "set label \"holds\"", "\"not finite\"", "200 0.125 200 4",
-                           "set label \"32 ulps of binary64\"", "2 of 2 methods"});
+  unit::expect_in(script,
+                  {"set label \"fails\"", "set label \"holds\"", "\"not finite\"", "200 0.125 200 4",
+                   "set label \"32 ulps of binary64\"", "from graph 0,first 32 to graph 1,first 32", "2 of 2 methods"});
 }
 
 /// A line of a sweep over 1, 10, 100, … with these worst errors [ulps]. No value stands for a point in which one ulp of

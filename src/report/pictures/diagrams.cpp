@@ -126,6 +126,12 @@ ErrorAxis error_axis(const std::vector<double>& values, double first_pixel, doub
           power_tics(finite, 'y') + fmt::format("\nset ytics add (\"not finite\" {:g})", highest)};
 }
 
+/// A command that draws a dashed line at this error across the diagram.
+std::string across(double error, std::string_view colour) {
+  return fmt::format("set arrow from graph 0,first {0:g} to graph 1,first {0:g} nohead lw 2 dt 2 lc rgb '{1}'", error,
+                     colour);
+}
+
 /// Places on the straight line between two places, each a few pixels from the next.
 void add_places_between(std::vector<Pixel>& places, Pixel from, Pixel to) {
   const int steps = static_cast<int>(std::hypot(to.x - from.x, to.y - from.y) / 6) + 1;
@@ -252,8 +258,7 @@ Plot work_precision(std::span<const MethodMeasurement> methods, double limit_ulp
   std::vector<Label> limits;
   for (const Precision precision : precisions) {
     const double limit = in_ulps_of_binary64(limit_ulps, precision);
-    picture.curve({{panel.x.low, limit}, {panel.x.high, limit}},
-                  fmt::format("using 1:2 with lines lw 1.5 dt 2 lc rgb '{}'", colour_of(precision)));
+    picture.add(across(limit, colour_of(precision)));
     limits.push_back({fmt::format("{:g} ulps of {}", limit_ulps, name_of(precision)),
                       panel.place_of(panel.x.high, limit), std::string(colour_of(precision))});
   }
@@ -371,8 +376,7 @@ Plot stability_map(const SweepMeasurement& sweep, Law law, double limit_ulps) {
   picture.begin(panel, fmt::format("{}: {}", name_of(law), sweep.summary), sweep.label,
                 "worst backward error [ulps of the method's precision]");
   picture.add(power_tics(panel.x, 'x') + '\n' + axis.tics);
-  picture.curve({{quantity.front(), limit_ulps}, {quantity.back(), limit_ulps}},
-                "using 1:2 with lines lw 2 dt 2 lc rgb '#333333'");
+  picture.add(across(limit_ulps, "#333333"));
   std::vector<Label> beside{
       {fmt::format("limit: {:g} ulps", limit_ulps), panel.place_of(quantity.back(), limit_ulps), "#333333"}};
   std::vector<Pixel> places;
