@@ -59,12 +59,14 @@ Subject subject_of(Law law, const std::vector<DrawnDefect>& defects) {
   return changed_solver(std::move(name), law, std::move(changes));
 }
 
-GateReport judged(const std::vector<Subject>& subjects, std::uint64_t cases, std::uint64_t relations_every) {
+/// Judges relations seldom: a diagnosis rests on single answers.
+GateReport judged(const std::vector<Subject>& subjects, std::uint64_t cases) {
+  constexpr std::uint64_t seldom = 50;
   properties::GateOptions options;
   options.cases = cases;
   options.families = properties::pointers_to(properties::all_families());
   options.shrinks = false;
-  options.relations_every = relations_every;
+  options.relations_every = seldom;
   options.workers = tool::threads(2);
   return run_gate(subjects, options);
 }
@@ -99,8 +101,7 @@ Random random_of(std::uint64_t seed, std::uint64_t number) {
 
 bool is_frequent(Law law, const DrawnDefect& defect) {
   constexpr std::uint64_t few = 10;
-  constexpr std::uint64_t seldom = 50;  // relations only cost time
-  return violated_share(judged({subject_of(law, {defect})}, few, seldom).results[0]).value() >= least_share;
+  return violated_share(judged({subject_of(law, {defect})}, few).results[0]).value() >= least_share;
 }
 
 DrawnDefect frequent_defect(Law law, Random& random) {
@@ -200,7 +201,7 @@ std::array<Totals, 2> measured(const std::vector<Planted>& drawn, const Settings
     for (std::size_t i = from; i < to; ++i) {
       subjects.push_back(subject_of(drawn[i].law, drawn[i].defects));
     }
-    const GateReport report = judged(subjects, settings.cases, 0);
+    const GateReport report = judged(subjects, settings.cases);
     const std::vector<Diagnosis> found = properties::diagnosis::diagnose_all(report);
     for (std::size_t i = from; i < to; ++i) {
       count(drawn[i], report.results[i - from], found[i - from], totals[drawn[i].defects.size() - 1]);
@@ -217,7 +218,7 @@ bool are_sound(std::uint64_t cases) {
     subjects.push_back(subject_of(law, {}));
   }
   bool are_all = true;
-  for (const SubjectResult& result : judged(subjects, cases, 0).results) {
+  for (const SubjectResult& result : judged(subjects, cases).results) {
     for (const properties::Invariant* invariant : result.violated_invariants()) {
       fmt::print("{} without a defect violates {}\n", result.subject.name, invariant->name);
       are_all = false;
