@@ -42,6 +42,7 @@ oracles/exact/gmpq.hpp      {EXACT} CGAL/Gmpq.h
 oracles/exact/radical.cpp   {EXACT} CGAL/Sqrt_extension.h
 oracles/exact/roots.cpp     {EXACT} CGAL/Algebraic_kernel_d_1.h CGAL/Gmpz.h CGAL/Polynomial.h
 oracles/bounds/             {EXACT} carom/oracles/bounds/ Eigen/
+oracles/motion/             {EXACT} carom/oracles/bounds/ carom/oracles/motion/ Eigen/
 oracles/truths/             {EXACT} carom/oracles/bounds/ carom/oracles/truths/ Eigen/
 oracles/judge/              {JUDGE} Eigen/
 properties/                 {JUDGE} carom/properties/ -carom/properties/scenes/ fmt/ Eigen/
@@ -49,6 +50,7 @@ properties/draws/           carom/collision/ carom/properties/draws/ Eigen/
 properties/cases/           {DRAW} carom/oracles/exact/rational.hpp carom/properties/cases/ carom/properties/features/
 properties/features/        {DRAW} carom/properties/features/
 properties/kit/             {JUDGE} carom/properties/ carom/conformance.hpp carom/rapidcheck.hpp carom/impulse/contact.hpp {KIT}
+properties/phenomena/       carom/collision/ carom/oracles/laws/kinematics.hpp carom/oracles/motion/ carom/properties/phenomena/ carom/properties/gate/by_name.hpp fmt/
 properties/scenes/          {JUDGE} carom/properties/ carom/scene/ fmt/ Eigen/ boost/numeric/
 """.strip().splitlines())}
 MAY_INCLUDE[""] = ["*", "-carom/tool/", "-CGAL/"]

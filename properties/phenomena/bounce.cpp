@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <carom/oracles/motion/impacts.hpp>
+#include <carom/properties/phenomena/phenomena.hpp>
+#include <carom/properties/phenomena/posing.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom::properties {
+namespace {
+
+using namespace posing;
+
+constexpr double radius = 0.5;
+
+/// The n-th bounce of a fall: its times, and the errors that one step's worth at each impact explains.
+struct Bounce {
+  unsigned n;
+  double impact;  // [s]
+  double apex;    // [s]
+  double height_worth;
+  double time_worth;
+};
+
+Bounce bounce(const oracles::Fall& fall, unsigned n, double step) {
+  double v = oracles::impact_speed(fall).value;  // before impact k
+  double speed_error = 0;
+  Bounce b{n, v / fall.gravity, 0, 0, step};
+  for (unsigned k = 1;; ++k) {
+    // An engine is off by g h in speed, or by v h in place. Both are worth v h in height.
+    b.height_worth += v * step;
+    v *= fall.restitution;
+    speed_error = fall.restitution * (speed_error + fall.gravity * step);
+    if (k == n) {
+      break;
+    }
+    b.impact += 2 * v / fall.gravity;
+    b.time_worth += 2 * speed_error / fall.gravity + step;
+  }
+  b.apex = b.impact + v / fall.gravity;
+  // The time of an impact is read off the height after it: t = apex − √(2 height / g).
+  b.time_worth += speed_error / fall.gravity + (v > 0 ? b.height_worth / v : 0);
+  return b;
+}
+
+std::vector<Reading> read(const oracles::Fall& fall, const std::vector<Bounce>& bounces, const Directions& d,
+                          const std::vector<std::uint64_t>& report, double step, const SteppedStates& states) {
+  std::vector<Reading> readings;
+  const std::string at = ", ε = " + number(fall.restitution);
+  for (const Bounce& b : bounces) {
+    const Reported now = reported_at(states, report, b.apex, step);
+    const double z = d.up.dot(now.bodies[1].position) - radius;
+    const double v = d.up.dot(now.bodies[1].velocity);
+    const double height = z + v * v / (2 * fall.gravity);
+    const std::string name = "bounce " + std::to_string(b.n) + at;
+    readings.push_back(reading("height of " + name, "m", height, oracles::bounce_height(fall, b.n), fall.height,
+                               b.height_worth, std::abs(z) + radius + v * v / fall.gravity));
+    // A low bounce shows no time.
+    if (fall.restitution > 0 && (b.n == 1 || (b.n == 5 && fall.restitution > 0.7))) {
+      const double rise = std::sqrt(2 * std::max(height, 0.0) / fall.gravity);
+      const double sensitivity = rise > 0 ? 1 / (rise * fall.gravity) : 1;  // of the rise to the height
+      readings.push_back(reading("time of impact of " + name, "s", now.seconds() + v / fall.gravity - rise,
+                                 oracles::impact_time(fall, b.n), oracles::impact_time(fall, 1).value, b.time_worth,
+                                 now.seconds() + rise + sensitivity * (radius + height)));
+    }
+  }
+  return readings;
+}
+
+PosedRun posed(const Directions& d, double step, unsigned phase, double share, double restitution, bool is_long) {
+  PosedRun run{step, phase, {on_the_floor(d), step, {}}, d.is_planar, {}};
+  SteppedBody falling = ball(d, radius);
+  falling.state.position = d.at(0, radius + height_of_fall(1, step, share));
+  run.stepping.scene.restitution = restitution;
+  run.stepping.scene.bodies.push_back(falling);
+  // The difference is exact, so the fall is that of the posed position.
+  const oracles::Fall fall{d.up.dot(falling.state.position) - radius, gravity, restitution};
+  std::vector<Bounce> bounces{bounce(fall, 1, step)};
+  std::vector<double> times;
+  if (restitution > 0) {
+    bounces = {bounce(fall, 1, step), bounce(fall, 2, step), bounce(fall, 3, step), bounce(fall, 4, step),
+               bounce(fall, 5, step)};
+  } else {
+    bounces[0].apex += 0.1;  // it lies on the floor
+  }
+  if (is_long) {
+    bounces.push_back(bounce(fall, 20, step));
+  }
+  std::transform(bounces.begin(), bounces.end(), std::back_inserter(times), [](const Bounce& b) { return b.apex; });
+  run.stepping.report = report_at(times, step);
+  run.read = [=, report = run.stepping.report](const SteppedStates& states) {
+    return read(fall, bounces, d, report, step, states);
+  };
+  return run;
+}
+
+std::vector<PosedRun> runs(const Ladder& ladder, bool planar) {
+  const Directions d = directions(planar);
+  std::vector<PosedRun> all;
+  for (std::size_t rung = 0; rung < ladder.steps.size(); ++rung) {
+    for (unsigned phase = 0; phase < ladder.phases; ++phase) {
+      for (const double restitution : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+        all.push_back(posed(d, ladder.steps[rung], phase, share_of(phase, ladder), restitution,
+                            restitution == 1 && rung < 3));
+      }
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+Phenomenon bounce() {
+  return {"bounce", 1, "Does a ball bounce as high as it should?",
+          "A sphere of 1 kg and R = 0.5 m falls from about 1 m above a floor, with g = 9.81 m/s² and without friction. "
+          "The restitution ε is 0, 1/4, 1/2, 3/4 or 1. The height of the fall puts the first impact at each phase of a "
+          "step. The plane has a disc.",
+          "Bounce n reaches the height ε²ⁿ H. With t₁ = √(2H/g), impact n is at t₁ (1 + 2ε + … + 2εⁿ⁻¹). Source: "
+          "Newton's law of restitution, and the conservation of energy in free fall.",
+          "The height z + v²/(2g) near the apex of bounces 1 to 5, and of bounce 20 for ε = 1 at the three longest "
+          "steps; the times of impacts 1 and 5. Errors of heights are relative to H, and errors of times to t₁.",
+          "An engine that looks for contacts at the ends of steps finds an impact up to a step late. It is then off by "
+          "up to g h in speed or v h in place. Both are worth v h in height.",
+          runs};
+}
+
+}  // namespace carom::properties

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <carom/properties/phenomena/relations.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <carom/properties/phenomena/measure.hpp>
+#include <carom/properties/phenomena/posing.hpp>
+
+namespace carom::properties {
+namespace {
+
+using namespace posing;
+
+constexpr double duration = 2;
+constexpr double between_reports = 0.05;
+constexpr double shift = 8;           // [m] to the right
+constexpr double tolerance = 1e-3;    // [m] and [rad]
+
+/// Maps a body without rounding: polar vectors, axial vectors and lengths along the axes.
+template <class Polar, class Axial, class Lengths>
+void map_body(SteppedBody& body, Polar polar, Axial axial, Lengths lengths) {
+  BodyState& state = body.state;
+  state = {polar(state.position), state.orientation, polar(state.velocity), axial(state.angular_velocity)};
+  const Vector3<double> vector_part = state.orientation.tail<3>();
+  state.orientation.tail<3>() = axial(vector_part);
+  body.principal_inertia = lengths(body.principal_inertia);
+  if (auto* box = std::get_if<BoxShape>(&body.shape)) {
+    box->lengths = lengths(box->lengths);
+  }
+}
+
+/// A heap that is related to the heap, and how its states are mapped back: without rounding, but for `translation`.
+struct Related {
+  std::string_view name;
+  std::string_view change;
+  std::function<void(SteppedScene&)> to;
+  std::function<void(std::vector<BodyState>&)> back;
+};
+
+void mirror(SteppedBody& body) {
+  const auto polar = [](const Vector3<double>& x) { return Vector3<double>(-x[0], x[1], x[2]); };
+  const auto axial = [](const Vector3<double>& x) { return Vector3<double>(x[0], -x[1], -x[2]); };
+  map_body(body, polar, axial, [](const Vector3<double>& x) { return x; });
+}
+
+/// Turns x to y if `is_forward`, and back otherwise.
+void turn(SteppedBody& body, bool is_forward) {
+  const double sign = is_forward ? 1 : -1;
+  const auto vector = [=](const Vector3<double>& x) { return Vector3<double>(-sign * x[1], sign * x[0], x[2]); };
+  map_body(body, vector, vector, [](const Vector3<double>& x) { return Vector3<double>(x[1], x[0], x[2]); });
+}
+
+template <class F>
+void map_states(std::vector<BodyState>& states, F f) {
+  std::for_each(states.begin(), states.end(), [&](BodyState& state) {
+    SteppedBody body{SphereShape{1}, false, 1, {1, 1, 1}, state};
+    f(body);
+    state = body.state;
+  });
+}
+
+// Body 0 is the floor. It keeps its place, because it has no sides.
+template <class F>
+void map_movable(SteppedScene& scene, F f) {
+  std::for_each(scene.bodies.begin() + 1, scene.bodies.end(), f);
+}
+
+std::vector<Related> related_heaps(bool planar) {
+  const auto nothing = [](auto&) {};
+  std::vector<Related> all{
+      {"memoryless", "run twice", nothing, nothing},
+      {"swap", "with the bodies in another order",
+       [](SteppedScene& scene) { std::reverse(scene.bodies.begin() + 1, scene.bodies.end()); },
+       [](std::vector<BodyState>& states) { std::reverse(states.begin() + 1, states.end()); }},
+      {"reflection_symmetry", "mirrored in x = 0", [](SteppedScene& scene) { map_movable(scene, mirror); },
+       [](std::vector<BodyState>& states) { map_states(states, mirror); }},
+      {"translation", "moved by 8 m",
+       [](SteppedScene& scene) {
+         map_movable(scene, [](SteppedBody& body) { body.state.position[0] += shift; });
+       },
+       [](std::vector<BodyState>& states) {
+         std::for_each(states.begin() + 1, states.end(), [](BodyState& state) { state.position[0] -= shift; });
+       }},
+      {"local", "with a bystander 64 m away",
+       [planar](SteppedScene& scene) {
+         SteppedBody bystander = ball(directions(planar), 0.5);
+         bystander.state.position = directions(planar).at(64, 32);  // it does not land within two seconds
+         scene.bodies.push_back(bystander);
+       },
+       [](std::vector<BodyState>& states) { states.pop_back(); }}};
+  if (!planar) {
+    all.push_back({"rotation", "turned by 90° about the vertical",
+                   [](SteppedScene& scene) { map_movable(scene, [](SteppedBody& body) { turn(body, true); }); },
+                   [](std::vector<BodyState>& states) {
+                     map_states(states, [](SteppedBody& body) { turn(body, false); });
+                   }});
+  }
+  return all;
+}
+
+bool is_same(const BodyState& x, const BodyState& y) {
+  return x.position == y.position && x.orientation == y.orientation && x.velocity == y.velocity &&
+         x.angular_velocity == y.angular_velocity;
+}
+
+double difference(const BodyState& x, const BodyState& y) {
+  return std::max((x.position - y.position).norm(), turn_between(x.orientation, y.orientation));
+}
+
+/// The states of a run, or why there are none.
+std::variant<SteppedStates, std::string> states_of(const Stepper& stepper, Stepper::Session& session,
+                                                   const Stepping& stepping) {
+  if (auto why = why_not_posed(stepper, stepping.scene)) {
+    return *std::move(why);
+  }
+  SteppingAnswer answer = checked(session(stepping), stepping);
+  if (auto* states = std::get_if<SteppedStates>(&answer)) {
+    return std::move(*states);
+  }
+  const auto* failed = std::get_if<Failed>(&answer);
+  const auto* refused = std::get_if<Refused>(&answer);
+  return failed != nullptr ? failed->why : refused != nullptr ? refused->why : std::get<Skipped>(answer).why;
+}
+
+void compare(RelationResult& result, const Stepping& stepping, const SteppedStates& first, const SteppedStates& second) {
+  bool is_same_so_far = true;
+  double greatest = 0;
+  for (std::size_t k = 0; k < stepping.report.size(); ++k) {
+    const std::vector<BodyState>& x = first.states[k];
+    const std::vector<BodyState>& y = second.states[k];
+    result.time = stepping.step * static_cast<double>(stepping.report[k]);
+    for (std::size_t i = 1; i < x.size(); ++i) {
+      is_same_so_far = is_same_so_far && is_same(x[i], y[i]);
+      greatest = std::max(greatest, difference(x[i], y[i]));
+    }
+    if (greatest > tolerance) {
+      result.likeness = Likeness::differs;
+      return;
+    }
+  }
+  result.likeness = is_same_so_far ? Likeness::same_bits : Likeness::same_digits;
+  result.digits = greatest > 0 ? static_cast<int>(std::floor(-std::log10(greatest))) : 16;
+}
+
+}  // namespace
+
+SteppedScene heap(bool planar) {
+  const Directions d = directions(planar);
+  SteppedScene scene = on_the_floor(d);
+  scene.restitution = 0.25;
+  scene.friction = 0.5;
+  // Multiples of 1/64 m, so that the related heaps are posed without rounding, in binary32 too.
+  const auto offset = [](int n) { return (n % 11 - 5) / 64.0; };
+  for (int n = 0; n < 20; ++n) {
+    const int layer = n / 4;
+    const double x = planar ? n % 4 - 1.5 : n % 2 - 0.5;
+    const double y = n / 2 % 2 - 0.5;
+    SteppedBody body = (n + layer) % 2 == 0 ? ball(d, 0.375) : block(d, 0.75, 0.5, 0.625, 1);
+    body.state.position = (x + offset(7 * n)) * d.right + (1 + layer + offset(5 * n)) * d.up;
+    if (!planar) {
+      body.state.position += (y + offset(3 * n)) * d.across;
+    }
+    scene.bodies.push_back(body);
+  }
+  return scene;
+}
+
+std::vector<RelationResult> heap_relations(const Stepper& stepper, Stepper::Session& session, double step) {
+  std::vector<double> times(static_cast<std::size_t>(std::lround(duration / between_reports)));
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    times[k] = between_reports * static_cast<double>(k + 1);
+  }
+  const Stepping plain{heap(stepper.is_planar), step, report_at(times, step)};
+  const auto first = states_of(stepper, session, plain);
+  std::vector<RelationResult> results;
+  for (const Related& related : related_heaps(stepper.is_planar)) {
+    RelationResult result{related.name, related.change, Likeness::unanswered, 0, 0, {}};
+    Stepping changed = plain;
+    related.to(changed.scene);
+    auto second = first.index() == 0 ? states_of(stepper, session, changed) : first;
+    if (auto* states = std::get_if<SteppedStates>(&second)) {
+      std::for_each(states->states.begin(), states->states.end(), related.back);
+      compare(result, plain, std::get<SteppedStates>(first), *states);
+    } else {
+      result.why = std::get<std::string>(second);
+    }
+    results.push_back(std::move(result));
+  }
+  return results;
+}
+
+std::string in_words(const RelationResult& result) {
+  switch (result.likeness) {
+    case Likeness::same_bits:
+      return "same bits";
+    case Likeness::same_digits:
+      return fmt::format("same to {} digits until {:.3g} s", result.digits, result.time);
+    case Likeness::differs:
+      return fmt::format("differs from {:.3g} s on", result.time);
+    case Likeness::unanswered:
+      break;
+  }
+  return result.why;
+}
+
+}  // namespace carom::properties

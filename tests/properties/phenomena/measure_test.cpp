@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include <carom/properties/phenomena/claims.hpp>
+#include <carom/properties/phenomena/measure.hpp>
+#include <carom/properties/phenomena/relations.hpp>
+
+#include "support/message_of.hpp"
+
+namespace carom::phenomena_tests {
+namespace {
+
+using namespace properties;
+
+SteppedStates unmoved(const Stepping& stepping) {
+  std::vector<BodyState> states;
+  for (const SteppedBody& body : stepping.scene.bodies) {
+    states.push_back(body.state);
+  }
+  return {std::vector(stepping.report.size(), states), 1e-6 * static_cast<double>(steps_of(stepping))};
+}
+
+Measurement measured(SteppingAnswer (*answer)(const Stepping&), std::vector<std::string> cannot = {}) {
+  Stepper stepper;
+  stepper.name = "test";
+  stepper.cannot = std::move(cannot);
+  Stepper::Session session = answer;
+  return measure(all_phenomena()[1], stepper, session, quick_ladder());
+}
+
+TEST(Phenomena, HaveUniqueNamesAndReadings) {
+  for (const bool planar : {false, true}) {
+    for (const Phenomenon& phenomenon : all_phenomena()) {
+      EXPECT_FALSE(std::string(phenomenon.yardstick).empty()) << phenomenon.name;
+      for (const PosedRun& run : phenomenon.runs(quick_ladder(), planar)) {
+        EXPECT_EQ(run.is_planar, planar) << phenomenon.name;
+        for (const Reading& reading : run.read(unmoved(run.stepping))) {
+          EXPECT_GT(reading.scale, 0) << reading.what;
+          EXPECT_LT(reading.bound, 1e-12 * reading.scale) << reading.what;
+        }
+        for (const SteppedBody& body : run.stepping.scene.bodies) {
+          if (planar) {
+            EXPECT_EQ(body.state.position[2], 0) << phenomenon.name;
+            EXPECT_EQ(body.state.velocity[2], 0) << phenomenon.name;
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(Measure, CountsWhatHasNoAnswer) {
+  const auto skips = [](const Stepping&) -> SteppingAnswer { return Skipped{"not today"}; };
+  const Measurement skipped = measured(skips);
+  ASSERT_EQ(skipped.unanswered.size(), 1U);
+  EXPECT_EQ(skipped.unanswered[0].why, "not today");
+  EXPECT_EQ(skipped.unanswered[0].steps.size(), skipped.runs);
+  EXPECT_TRUE(skipped.readings.empty());
+  const Measurement cannot = measured(skips, {"friction", "half_space"});
+  EXPECT_EQ(cannot.unanswered[0].why, "the subject cannot pose: half_space");
+}
+
+TEST(Measure, GivesUpAfterThreeFailures) {
+  const Measurement failed = measured([](const Stepping& stepping) -> SteppingAnswer {
+    SteppedStates states = unmoved(stepping);
+    states.states.back().back().velocity[1] = std::numeric_limits<double>::quiet_NaN();
+    return states;
+  });
+  ASSERT_EQ(failed.unanswered.size(), 2U);
+  EXPECT_EQ(failed.unanswered[0].why, "a state has an infinity or NaN");
+  EXPECT_TRUE(failed.unanswered[0].is_failure);
+  EXPECT_EQ(failed.unanswered[0].steps.size(), 3U);
+  EXPECT_EQ(failed.unanswered[1].why, "the subject failed three times before");
+  const Measurement incomplete = measured([](const Stepping& stepping) -> SteppingAnswer {
+    SteppedStates states = unmoved(stepping);
+    states.states.back().pop_back();
+    return states;
+  });
+  EXPECT_EQ(incomplete.unanswered[0].why, "the answer has not a state for each body at each time");
+}
+
+TEST(Measure, GathersErrorsAndTimes) {
+  const Measurement unmoving = measured([](const Stepping& stepping) -> SteppingAnswer { return unmoved(stepping); });
+  ASSERT_EQ(unmoving.readings.size(), 7U);
+  const Rung& rung = unmoving.readings[0].rungs[0];
+  EXPECT_EQ(rung.answers, 6U);
+  EXPECT_NEAR(rung.median, 3, 1e-12);  // −v instead of v/2
+  EXPECT_NEAR(rung.shift, -3, 1e-12);
+  EXPECT_EQ(rung.expected, 1);
+  ASSERT_EQ(unmoving.step_times.size(), 2U);
+  EXPECT_NEAR(unmoving.step_times[1].seconds, 1e-6, 1e-12);
+}
+
+TEST(Measure, FitsTheOrder) {
+  std::vector<Rung> rungs(4);
+  for (std::size_t i = 0; i < 4; ++i) {
+    rungs[i].step = std::pow(0.5, static_cast<double>(i));
+    rungs[i].median = 3 * rungs[i].step * rungs[i].step;
+  }
+  EXPECT_NEAR(fitted_order(rungs).value(), 2, 1e-12);
+  rungs[3].rounding = 1;
+  rungs[3].median = 1;  // rounding, which would spoil the slope
+  EXPECT_NEAR(fitted_order(rungs).value(), 2, 1e-12);
+  rungs[2].rounding = 1;
+  EXPECT_EQ(fitted_order(rungs), std::nullopt);
+}
+
+TEST(TimeClaims, AreRead) {
+  const TimeClaim claim = time_claim_from("pass-through within 0.5% at 1/240 s");
+  EXPECT_EQ(claim.phenomenon, "pass-through");
+  EXPECT_NEAR(claim.within, 0.005, 1e-15);
+  EXPECT_NEAR(claim.step, 1.0 / 240, 1e-15);
+  EXPECT_NEAR(time_claim_from("bounce within 5% at 0.01 s").step, 0.01, 1e-15);
+}
+
+TEST(TimeClaims, ThatAreNoneAreRefused) {
+  for (const char* text : {"", "bounce", "bounce within 5 at 1/60 s", "bounce within 5% at 1/0 s", "bounce within -5% at 1 s",
+                           "bounce within 5% at 1/60 ms", "bounce within 5%% at 1 s", "bounce within 5% at 1/60/2 s"}) {
+    EXPECT_THROW((void)time_claim_from(text), std::invalid_argument) << text;
+  }
+  EXPECT_EQ(unit::message_of<std::invalid_argument>([] { return time_claim_from("bonce within 5% at 1/60 s"); }),
+            "the claim 'bonce within 5% at 1/60 s' names no phenomenon; did you mean 'bounce'?");
+}
+
+TEST(TimeClaims, NeedAnAnswerAtTheirStep) {
+  const TimeClaim claim{"slow-bounce", 10, 1.0 / 60};
+  const Measurement unmoving = measured([](const Stepping& stepping) -> SteppingAnswer { return unmoved(stepping); });
+  EXPECT_TRUE(verdict_of(claim, unmoving).is_kept);
+  EXPECT_EQ(verdict_of({"slow-bounce", 10, 1.0 / 61}, unmoving).why, "the step was not measured");
+  EXPECT_FALSE(verdict_of({"slow-bounce", 10, 1.0 / 61}, unmoving).is_kept);
+  const Measurement skipped = measured([](const Stepping&) -> SteppingAnswer { return Skipped{"not today"}; });
+  EXPECT_EQ(verdict_of(claim, skipped).why, "a run has no answer: not today");
+}
+
+TEST(Relations, AreSaidInWords) {
+  EXPECT_EQ(in_words({"swap", "", Likeness::same_bits, 0, 2, {}}), "same bits");
+  EXPECT_EQ(in_words({"swap", "", Likeness::same_digits, 6, 2, {}}), "same to 6 digits until 2 s");
+  EXPECT_EQ(in_words({"swap", "", Likeness::differs, 0, 0.65, {}}), "differs from 0.65 s on");
+  EXPECT_EQ(in_words({"swap", "", Likeness::unanswered, 0, 0, "not today"}), "not today");
+}
+
+// An engine that moves the first body to x feels the changes of order and direction.
+TEST(Relations, MapTheStatesBack) {
+  Stepper stepper;
+  Stepper::Session session = [](const Stepping& stepping) -> SteppingAnswer { return unmoved(stepping); };
+  for (const bool planar : {false, true}) {
+    stepper.is_planar = planar;
+    const std::vector<RelationResult> results = heap_relations(stepper, session, 1.0 / 60);
+    EXPECT_EQ(results.size(), planar ? 5U : 6U);
+    for (const RelationResult& result : results) {
+      EXPECT_EQ(result.likeness, Likeness::same_bits) << result.name;
+    }
+  }
+  session = [](const Stepping& stepping) -> SteppingAnswer {
+    SteppedStates states = unmoved(stepping);
+    states.states.back()[1].position[0] += 0.25;
+    return states;
+  };
+  stepper.is_planar = false;
+  for (const RelationResult& result : heap_relations(stepper, session, 1.0 / 60)) {
+    const bool feels = result.name == "swap" || result.name == "reflection_symmetry" || result.name == "rotation";
+    EXPECT_EQ(result.likeness, feels ? Likeness::differs : Likeness::same_bits) << result.name;
+    EXPECT_EQ(result.time, 2) << result.name;
+  }
+}
+
+}  // namespace
+}  // namespace carom::phenomena_tests

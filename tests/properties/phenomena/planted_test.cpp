@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include <gtest/gtest.h>
+
+#include <carom/properties/phenomena/claims.hpp>
+#include <carom/properties/phenomena/measure.hpp>
+#include <carom/properties/phenomena/relations.hpp>
+
+#include "planted_engine.hpp"
+
+namespace carom::phenomena_tests {
+namespace {
+
+using namespace properties;
+
+Measurement measured(Defect defect, std::string_view name) {
+  const Stepper engine = planted_engine(defect);
+  Stepper::Session session = engine.open();
+  const auto all = all_phenomena();
+  const auto phenomenon = std::find_if(all.begin(), all.end(), [&](const Phenomenon& one) { return one.name == name; });
+  return measure(*phenomenon, engine, session, quick_ladder());
+}
+
+/// The engine without a defect, measured.
+const Measurement& right_measurement(std::string_view name) {
+  static std::map<std::string_view, Measurement> known;
+  const auto found = known.find(name);
+  return found != known.end() ? found->second : known.emplace(name, measured(Defect::none, name)).first->second;
+}
+
+const MeasuredReading& reading_of(const Measurement& measurement, std::string_view what) {
+  return *std::find_if(measurement.readings.begin(), measurement.readings.end(),
+                       [&](const MeasuredReading& reading) { return reading.what == what; });
+}
+
+std::vector<RelationResult> relations(Defect defect) {
+  const Stepper engine = planted_engine(defect);
+  Stepper::Session session = engine.open();
+  return heap_relations(engine, session, 1.0 / 60);
+}
+
+Likeness likeness(const std::vector<RelationResult>& results, std::string_view name) {
+  return std::find_if(results.begin(), results.end(), [&](const auto& one) { return one.name == name; })->likeness;
+}
+
+struct Planted {
+  Defect defect;
+  std::string_view phenomenon;
+  std::string_view what;
+};
+
+void PrintTo(const Planted& planted, std::ostream* out) { *out << planted.what; }
+
+class PlantedDefect : public testing::TestWithParam<Planted> {};
+
+// A defect is told if its median error is more than twice that of the engine without it, at each step.
+TEST_P(PlantedDefect, IsToldByItsPhenomenon) {
+  const auto& [defect, phenomenon, what] = GetParam();
+  const Measurement measurement = measured(defect, phenomenon);
+  const MeasuredReading& reading = reading_of(measurement, what);
+  const MeasuredReading& right = reading_of(right_measurement(phenomenon), what);
+  ASSERT_EQ(reading.rungs.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_GT(reading.rungs[i].median, 2 * right.rungs[i].median + 100 * right.rungs[i].rounding) << phenomenon;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, PlantedDefect,
+    testing::Values(
+        Planted{Defect::friction_an_impulse_a_step, "slide-to-roll", "speed at 0.1 s"},
+        Planted{Defect::restitution_threshold, "slow-bounce", "speed after the impact, v = 0.3 m/s"},
+        Planted{Defect::restitution_after_gravity, "bounce", "height of bounce 1, ε = 1"},
+        Planted{Defect::speculative_contacts, "bounce", "height of bounce 1, ε = 0.5"},
+        Planted{Defect::bounce_without_spin, "spin", "spin about across, gripping"},
+        Planted{Defect::pushed_out_with_velocity, "flat-landing", "height of the bounce, ε = 0.5, turned by 0°"},
+        Planted{Defect::damping, "slide-to-roll", "speed at 2 s"},
+        Planted{Defect::no_gyroscopic_term, "free-rotation",
+                "change of the angular momentum at 10 s, about the middle axis"},
+        Planted{Defect::explicit_gyroscopic_term, "free-rotation",
+                "change of the angular momentum at 10 s, about the short axis"},
+        Planted{Defect::contacts_a_step_late, "bounce", "height of bounce 1, ε = 0"},
+        Planted{Defect::binary32_state, "slow-bounce", "speed after the impact, v = 0.03 m/s"},
+        Planted{Defect::friction_of_one_axis, "spin", "velocity across, slipping, diagonal"},
+        Planted{Defect::friction_beyond_the_cone, "spin", "velocity right, slipping"},
+        Planted{Defect::one_contact_point, "flat-landing", "turn, ε = 0, turned by 30°"}));
+
+TEST(PlantedEngine, HasTwoDefectsThatRelationsTell) {
+  EXPECT_NE(likeness(relations(Defect::insertion_order), "swap"), Likeness::same_bits);
+  EXPECT_NE(likeness(relations(Defect::surviving_warm_starts), "memoryless"), Likeness::same_bits);
+}
+
+TEST(PlantedEngine, KeepsTheRelationsThatItsDesignKeeps) {
+  const std::vector<RelationResult> results = relations(Defect::none);
+  for (const char* name : {"memoryless", "swap", "local"}) {
+    EXPECT_EQ(likeness(results, name), Likeness::same_bits) << name;
+  }
+  // A sum of 8 m rounds the places, and the order of the contacts follows the axes.
+  EXPECT_NE(likeness(results, "translation"), Likeness::unanswered);
+  EXPECT_NE(likeness(results, "translation"), Likeness::same_bits);
+  EXPECT_EQ(results.size(), 6U);
+}
+
+// The engine finds an impact at the end of a step, so it is off by up to a step's worth at each impact. If nothing
+// explains an error, the contacts converge to 10⁻⁹ a step.
+TEST(PlantedEngine, IsOffByAStepWorth) {
+  for (const char* name : {"bounce", "slow-bounce", "slide", "slide-to-roll", "stick", "spin", "flat-landing"}) {
+    const Measurement& measurement = right_measurement(name);
+    EXPECT_TRUE(measurement.unanswered.empty()) << name;
+    for (const MeasuredReading& reading : measurement.readings) {
+      for (const Rung& rung : reading.rungs) {
+        if (rung.greatest_in_worths > 0) {
+          EXPECT_LT(rung.greatest_in_worths, 2) << name << ": " << reading.what;
+        } else {
+          EXPECT_LT(rung.greatest, 1e-10) << name << ": " << reading.what;
+        }
+      }
+    }
+  }
+}
+
+TEST(PlantedEngine, ConvergesWithTheFirstOrder) {
+  const Stepper engine = planted_engine(Defect::none);
+  Stepper::Session session = engine.open();
+  const Ladder ladder{{1.0 / 60, 1.0 / 120, 1.0 / 240, 1.0 / 480}, 8};
+  const Measurement measurement = measure(all_phenomena()[0], engine, session, ladder);
+  const auto order = reading_of(measurement, "height of bounce 1, ε = 0.5").order;
+  ASSERT_TRUE(order.has_value());
+  EXPECT_NEAR(*order, 1, 0.15);
+}
+
+TEST(PlantedEngine, ConservesTheAngularMomentumOfABrick) {
+  for (const MeasuredReading& reading : right_measurement("free-rotation").readings) {
+    for (const Rung& rung : reading.rungs) {
+      if (reading.what.find("momentum") != std::string::npos) {
+        EXPECT_LT(rung.greatest, 1e-11) << reading.what;
+      } else if (reading.what.find("at 1 s") != std::string::npos) {
+        EXPECT_LT(rung.greatest_in_worths, 1) << reading.what;
+      }
+    }
+  }
+}
+
+// Without continuous detection, a sphere passes a wall of half its diameter as soon as a step is longer than both.
+TEST(PlantedEngine, LetsFastSpheresPass) {
+  const Measurement& measurement = right_measurement("pass-through");
+  EXPECT_EQ(reading_of(measurement, "passes, wall, 0.25 diameters a step").rungs[0].greatest, 0);
+  EXPECT_EQ(reading_of(measurement, "passes, wall, 4 diameters a step").rungs[0].greatest, 1);
+  ASSERT_EQ(measurement.unanswered.size(), 1U);
+  EXPECT_EQ(measurement.unanswered[0].why, "the subject cannot pose: continuous");
+  EXPECT_EQ(measurement.unanswered[0].steps.size(), measurement.runs / 2);
+}
+
+TEST(PlantedEngine, StandsAsAStack) {
+  for (const MeasuredReading& reading : right_measurement("stack").readings) {
+    if (reading.what.find("100 kg") == std::string::npos) {  // 500 rounds do not carry 100 kg
+      EXPECT_LT(reading.rungs[0].greatest, 1e-5) << reading.what;
+    }
+  }
+}
+
+TEST(PlantedEngine, KeepsAClaimThatADefectBreaks) {
+  const TimeClaim claim = time_claim_from("slow-bounce within 1% at 1/60 s");
+  EXPECT_TRUE(verdict_of(claim, right_measurement("slow-bounce")).is_kept);
+  const ClaimVerdict broken = verdict_of(claim, measured(Defect::restitution_threshold, "slow-bounce"));
+  EXPECT_FALSE(broken.is_kept);
+  EXPECT_EQ(broken.why, "speed after the impact, v = 0.01 m/s is off by 1e+02%");
+}
+
+}  // namespace
+}  // namespace carom::phenomena_tests
