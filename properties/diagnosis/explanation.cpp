@@ -7,9 +7,8 @@
 #include <set>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include <carom/properties/diagnosis/explanation.hpp>
+#include <carom/properties/diagnosis/fits.hpp>
 #include <carom/properties/diagnosis/where.hpp>
 
 namespace carom::properties::diagnosis {
@@ -67,21 +66,13 @@ std::vector<std::size_t> spread(const std::vector<std::size_t>& numbers, std::si
   return chosen;
 }
 
-Hypothesis with_size(Fit fit, double value) {
-  const FittedSize size{fit, value};
-  if (fit == Fit::length_of_impulse) {
-    return {fmt::format("impulses were limited to {:.4g} N s", value), "limits on the impulse", {}, size};
-  }
-  return {fmt::format("{:.4g} were added to ε", value),
-          "the source of the coefficient of restitution: thresholds, defaults, the combination of two coefficients",
-          {},
-          size};
-}
-
 class HypothesisSearch {
  public:
-  HypothesisSearch(std::span<const KnownCase> wrong, std::vector<Hypothesis> known)
-      : wrong_(wrong), rest_(wrong.size()), known_(known.size()) {
+  HypothesisSearch(std::span<const KnownCase> wrong, double unit_roundoff, std::vector<Hypothesis> known)
+      : wrong_(wrong.begin(), wrong.end()),
+        unit_roundoff_(unit_roundoff),
+        rest_(wrong.size()),
+        known_(known.size()) {
     std::iota(rest_.begin(), rest_.end(), std::size_t{0});
     explanation_.found = std::move(known);
     explanation_.by.resize(wrong.size());
@@ -102,10 +93,12 @@ class HypothesisSearch {
       }
       take_out(std::move(*next));
       leave_out_redundant();
+      demand_agreement_within_rounding();
     }
     for (std::size_t h = explanation_.found.size(); h-- > known_;) {
       const std::size_t share = known_ > 0 ? least_explained_share_with_state : least_explained_share;
-      if (cases_of(h).size() < std::max<std::size_t>(least_violated, wrong_.size() / share)) {
+      const std::size_t least = explanation_.found[h].has_fitted_number ? least_alike : least_violated;
+      if (cases_of(h).size() < std::max<std::size_t>(least, wrong_.size() / share)) {
         leave_out(h);
       }
     }
@@ -117,6 +110,14 @@ class HypothesisSearch {
   }
 
  private:
+  /// From now on, a hypothesis explains an answer only within rounding. A thousandth of an error leaves room for
+  /// coincidences among the answers that the first hypothesis does not explain.
+  void demand_agreement_within_rounding() {
+    for (KnownCase& one : wrong_) {
+      one.most_distant = rounding_distance(one, unit_roundoff_);
+    }
+  }
+
   /// The subsets of at most `most` found hypotheses.
   [[nodiscard]] std::vector<std::vector<std::size_t>> subsets_up_to(std::size_t most) const {
     std::vector<std::vector<std::size_t>> subsets = subsets_of(explanation_.found.size());
@@ -151,7 +152,7 @@ class HypothesisSearch {
     return fitted;
   }
 
-  /// The hypothesis with the fitted size that most of the cases show. None if no case shows a size.
+  /// The hypothesis with the fitted number that most of the cases show. None if no case shows one.
   [[nodiscard]] std::optional<Hypothesis> most_frequent(Fit fit, const std::vector<std::vector<std::size_t>>& subsets,
                                                         const std::vector<std::size_t>& looked_at) const {
     std::vector<double> values;
@@ -177,7 +178,7 @@ class HypothesisSearch {
       return std::nullopt;
     }
     std::ranges::sort(most);
-    return with_size(fit, most[most.size() / 2]);
+    return with_number(fit, most[most.size() / 2]);
   }
 
   /// The hypothesis that explains most of the remaining cases, alone or with one of the subsets of the found ones. Of
@@ -194,7 +195,7 @@ class HypothesisSearch {
       const auto count = static_cast<double>(fitted.size()) - static_cast<double>(std::ranges::count(fitted, 0U));
       // One mistake explains better than a choice of several.
       constexpr double worth_of_choice = 0.9;
-      const std::pair worth{hypothesis.mistakes.size() > 1 ? worth_of_choice * count : count,
+      const std::pair worth{hypothesis.is_choice ? worth_of_choice * count : count,
                             -static_cast<double>(std::accumulate(fitted.begin(), fitted.end(), Fewest{0}))};
       if (worth > most) {
         best = hypothesis;
@@ -204,8 +205,7 @@ class HypothesisSearch {
     std::vector<std::vector<Fewest>> all;
     for (const Hypothesis& hypothesis : all_hypotheses()) {
       std::vector<Fewest>& fitted = all.emplace_back(looked_at.size());
-      if (hypothesis.mistakes.size() > 1) {
-        // The hypotheses with one of the mistakes precede.
+      if (hypothesis.is_choice) {
         for (std::size_t k = 1; k <= hypothesis.mistakes.size(); ++k) {
           const std::vector<Fewest>& of_one = all[all.size() - 1 - k];
           for (std::size_t i = 0; i < looked_at.size(); ++i) {
@@ -218,7 +218,7 @@ class HypothesisSearch {
       }
       compare(hypothesis, fitted);
     }
-    for (const Fit fit : {Fit::added_restitution, Fit::length_of_impulse}) {
+    for (const Fit fit : all_fits) {
       if (const std::optional<Hypothesis> hypothesis = most_frequent(fit, subsets, looked_at)) {
         compare(*hypothesis, fitting(*hypothesis, subsets, looked_at));
       }
@@ -330,7 +330,8 @@ class HypothesisSearch {
     }
   }
 
-  std::span<const KnownCase> wrong_;
+  std::vector<KnownCase> wrong_;
+  double unit_roundoff_;  // of the subject
   std::vector<std::size_t> rest_;        // the numbers of the cases that are not explained
   std::size_t known_;                    // so many of the found hypotheses were given
   std::multiset<std::string> left_out_;  // hypotheses that others replaced
@@ -339,12 +340,12 @@ class HypothesisSearch {
 
 }  // namespace
 
-Explanation explanation_of(std::span<const KnownCase> wrong, std::vector<Hypothesis> known) {
-  return HypothesisSearch(wrong, std::move(known)).run();
+Explanation explanation_of(std::span<const KnownCase> wrong, double unit_roundoff, std::vector<Hypothesis> known) {
+  return HypothesisSearch(wrong, unit_roundoff, std::move(known)).run();
 }
 
 Hypothesis impulses_of_any_size() {
-  return {"the impulse had another size", "what the impulse depends on", {}, FittedSize{Fit::length_of_impulse, {}}};
+  return {"the impulse had another size", "what the impulse depends on", {}, FittedLength{}};
 }
 
 }  // namespace carom::properties::diagnosis

@@ -22,8 +22,9 @@ struct Explanation {
 /// Finds a hypothesis that explains many answers, takes out the answers that it explains, and explains the others anew.
 /// An answer that one hypothesis does not explain may have several of the mistakes. Precondition: the answers are
 /// visibly off. `known` are hypotheses about the subject that other evidence shows; they are the first of the found
-/// ones.
-[[nodiscard]] Explanation explanation_of(std::span<const KnownCase> wrong, std::vector<Hypothesis> known = {});
+/// ones. After the first hypothesis, the next ones explain an answer only within rounding (`rounding_distance`).
+[[nodiscard]] Explanation explanation_of(std::span<const KnownCase> wrong, double unit_roundoff,
+                                         std::vector<Hypothesis> known = {});
 
 /// The size of the impulse is wrong in each answer, and its direction is right.
 [[nodiscard]] Hypothesis impulses_of_any_size();

@@ -10,6 +10,8 @@
 #include <carom/oracles/judge/coulomb_answers.hpp>
 #include <carom/oracles/laws/equations.hpp>
 #include <carom/properties/diagnosis/fault.hpp>
+#include <carom/properties/diagnosis/fits.hpp>
+#include <carom/properties/diagnosis/where.hpp>
 
 namespace carom::properties::diagnosis {
 namespace {
@@ -73,9 +75,18 @@ struct Shares {
   double length = 0;  // ‖F‖ as computed
 };
 
+/// Friction as computed. F_T and V_T are the parts of F and V across N.
+struct Friction {
+  double of_cone = 0;      // ‖F_T‖ / (μ N·F / ‖N‖); infinite if μ = 0
+  double of_slip = 0;      // the share of ‖V_T⁻‖ that it stops; NaN if V_T⁻ = 0
+  double against_before = 0;  // the cosine of the angle between F_T and −V_T⁻; NaN if one is 0
+  double against_after = 0;   // the same for V_T⁺
+};
+
 struct Told {
   Step step = Step::none;
-  std::optional<Shares> shares;  // set if the impulse is wrong
+  std::optional<Shares> shares;      // set if the impulse is wrong and the law determines it
+  std::optional<Friction> friction;  // set if the law has friction and the contact collides
 };
 
 /// −N·V⁺ / N·V⁻. Precondition: the contact collides.
@@ -98,45 +109,68 @@ std::optional<Vector3<Rational>> right_impulse(const ViolatedCase& violated, con
   return answers[nearest_answer(exact_case, answers, std::get<ReportedOutcome>(violated.answer)).number].truth.impulse;
 }
 
+/// The cosine of the angle between x and −y; NaN if one is 0.
+double cosine_against(const Vector3<Rational>& x, const Vector3<Rational>& y) {
+  return oracles::nearest_double(-x.dot(y)) / (norm(x) * norm(y));
+}
+
+Friction friction_of(const Exact& c, const Outcome<Rational>& after) {
+  const auto across = [&](const Vector3<Rational>& v) {
+    return Vector3<Rational>(v - c.normal * Rational(c.normal.dot(v) / c.normal.dot(c.normal)));
+  };
+  const Vector3<Rational> impulse = oracles::impulse_on_a(c, after, oracles::reads_impulse_off_a(c));
+  const Vector3<Rational> tangential = across(impulse);
+  const Vector3<Rational> slip_before = across(oracles::relative_velocity<Rational>(c, unchanged(c)));
+  const Vector3<Rational> slip_after = across(oracles::relative_velocity<Rational>(c, after));
+  const double limit =
+      oracles::nearest_double(c.friction) * oracles::nearest_double(c.normal.dot(impulse)) / norm(c.normal);
+  return {norm(tangential) / limit, 1 - norm(slip_after) / norm(slip_before), cosine_against(tangential, slip_before),
+          cosine_against(tangential, slip_after)};
+}
+
 Told told_of(const ViolatedCase& violated, Law law) {
   const oracles::ExactCase exact_case(violated.one.collision);
   const Exact& c = exact_case.exact();
   const Outcome<Rational> after = oracles::lift(std::get<ReportedOutcome>(violated.answer));
   if ((c.a.immovable && moved(c.a, after.a)) || (c.b.immovable && moved(c.b, after.b))) {
-    return {Step::immovable_moved, {}};
+    return {Step::immovable_moved, {}, {}};
   }
   if (exact_case.state() != oracles::ContactState::colliding) {
-    return {moved_visibly(c.a, after.a) || moved_visibly(c.b, after.b) ? Step::moved_apart : Step::none, {}};
+    return {moved_visibly(c.a, after.a) || moved_visibly(c.b, after.b) ? Step::moved_apart : Step::none, {}, {}};
   }
   if (!moved(c.a, after.a) && !moved(c.b, after.b)) {
-    return {Step::left_as_it_was, {}};
+    return {Step::left_as_it_was, {}, {}};
   }
   if (!c.a.immovable && !c.b.immovable) {
     const auto sides = oracles::equation::LinearMomentum{}(c, after);
     if (differ(sides.left, sides.right)) {
-      return {Step::reaction, {}};
+      return {Step::reaction, {}, {}};
     }
   }
   const bool a = is_spin_wrong(c, after, true);
   const bool b = is_spin_wrong(c, after, false);
   if (a || b) {
-    return {a && b ? Step::spin_of_both : (a ? Step::spin_of_a : Step::spin_of_b), {}};
+    return {a && b ? Step::spin_of_both : (a ? Step::spin_of_a : Step::spin_of_b), {}, {}};
   }
+  const std::optional<Friction> friction =
+      law == Law::any || has_friction(law) ? std::optional(friction_of(c, after)) : std::nullopt;
   const std::optional<Vector3<Rational>> right = right_impulse(violated, exact_case, law);
   if (!right) {
     const bool is_right = std::abs(computed_restitution(c, after) - violated.one.collision.restitution) <= visible;
-    return {is_right ? Step::none : Step::restitution, {}};
+    return {is_right ? Step::none : Step::restitution, {}, friction};
   }
   const Vector3<Rational> computed = oracles::impulse_on_a(c, after, oracles::reads_impulse_off_a(c));
   if (!differ(computed, *right)) {
-    return {Step::none, {}};
+    return {Step::none, {}, {}};
   }
   const Vector3<Rational> missed = computed - *right;
   const double right_along = oracles::nearest_double(c.normal.dot(*right));
   const double length = norm(c.normal);
-  return {Step::impulse, Shares{oracles::nearest_double(c.normal.dot(computed)) / right_along,
-                                norm(c.normal.cross(missed)) / length / std::max(norm(*right), norm(computed)),
-                                violated.one.collision.restitution, computed_restitution(c, after), norm(computed)}};
+  return {Step::impulse,
+          Shares{oracles::nearest_double(c.normal.dot(computed)) / right_along,
+                 norm(c.normal.cross(missed)) / length / std::max(norm(*right), norm(computed)),
+                 violated.one.collision.restitution, computed_restitution(c, after), norm(computed)},
+          friction};
 }
 
 bool are_alike(const std::vector<double>& numbers) {
@@ -145,40 +179,80 @@ bool are_alike(const std::vector<double>& numbers) {
 }
 
 /// The one ε that all outcomes show, or the one number that all add to ε, in words. Otherwise empty.
-std::string restitution_in_words(const std::vector<Shares>& all, bool is_normal_right) {
-  if (is_normal_right) {
-    return {};
-  }
+std::string restitution_in_words(const std::vector<Shares>& all) {
   std::vector<double> added;
   std::vector<double> computed;
   for (const Shares& shares : all) {
     added.push_back(shares.computed_restitution - shares.restitution);
     computed.push_back(shares.computed_restitution);
   }
+  if (all.size() < least_alike) {
+    return {};
+  }
   if (are_alike(computed)) {
-    return fmt::format("the bodies separate as if ε were always {:.4g}, ", computed[0] + 0.0);  // −0 + 0 is 0
+    return fmt::format("The bodies separate as if ε were always {:.4g}", computed[0] + 0.0);  // −0 + 0 is 0
   }
   if (are_alike(added)) {
-    return fmt::format("the bodies separate as if {:.4g} were added to ε, ", added[0]);
+    return fmt::format("The bodies separate as if {:.4g} were added to ε", added[0]);
   }
   return {};
 }
 
-/// The size that many impulses share, in words. Empty if there is none.
+/// The length that many impulses share, in words. Empty if there is none.
 std::string limit_in_words(const std::vector<Shares>& all) {
-  constexpr std::size_t least = 5;
   for (const Shares& one : all) {
     const auto same = static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [&](const Shares& other) {
       return std::abs(other.length - one.length) <= visible * visible * one.length;
     }));
-    if (same >= std::max(least, all.size() / 4)) {
-      return fmt::format("{} of {} impulses are {:.4g} N s, as if this were a limit, ", same, all.size(), one.length);
+    if (same >= std::max(least_alike, all.size() / 4)) {
+      return fmt::format("{} of {} wrong impulses are {:.4g} N s, as if this were a limit", same, all.size(),
+                         one.length);
     }
   }
   return {};
 }
 
-std::string impulse_in_words(const std::vector<Shares>& all) {
+/// The fault of friction in most of the outcomes, in words. Empty if there is none.
+std::string friction_in_words(const std::vector<Friction>& all) {
+  const auto count_of = [&](const auto& is_such) {
+    return static_cast<std::size_t>(std::count_if(all.begin(), all.end(), is_such));
+  };
+  const auto most = [&](const auto& is_such) { return 2 * count_of(is_such) > all.size(); };
+  const auto range_of = [&](double Friction::*number) {
+    const auto [least, greatest] = std::minmax_element(
+        all.begin(), all.end(), [&](const Friction& x, const Friction& y) { return x.*number < y.*number; });
+    return std::pair((*least).*number, (*greatest).*number);
+  };
+  const auto is_along_slip = [](const Friction& one) { return one.against_before < -visible && one.against_after < visible; };
+  const auto exceeds_cone = [](const Friction& one) { return one.of_cone > 1 + visible; };
+  const auto leaves_slip = [](const Friction& one) { return one.of_cone < 1 - visible && one.of_slip < 1 - visible; };
+  const auto is_oblique = [](const Friction& one) { return one.against_after < 1 - visible; };
+  if (most(is_along_slip)) {
+    return fmt::format("Friction drives the slip in {} of {} wrong outcomes: F_T is along V_T, and not against it",
+                       count_of(is_along_slip), all.size());
+  }
+  if (most(exceeds_cone)) {
+    return fmt::format("Friction ‖F_T‖ exceeds μ F_n in {} of {} wrong outcomes, by a factor up to {:.4g}",
+                       count_of(exceeds_cone), all.size(), range_of(&Friction::of_cone).second);
+  }
+  if (most(leaves_slip)) {
+    const auto [least, greatest] = range_of(&Friction::of_slip);
+    return fmt::format("Friction below μ F_n leaves a slip in {} of {} wrong outcomes: it stops {:.3g} to {:.3g} of it",
+                       count_of(leaves_slip), all.size(), least, greatest);
+  }
+  if (most(is_oblique)) {
+    return fmt::format("Friction is not against the slip after the impulse in {} of {} wrong outcomes",
+                       count_of(is_oblique), all.size());
+  }
+  return {};
+}
+
+struct Words {
+  std::string what;
+  std::string look_at;
+};
+
+Words impulse_in_words(const std::vector<Shares>& all, const std::vector<Friction>& frictions) {
   std::vector<double> along;
   std::size_t across = 0;
   for (const Shares& shares : all) {
@@ -188,19 +262,26 @@ std::string impulse_in_words(const std::vector<Shares>& all) {
   std::sort(along.begin(), along.end());
   const double middle = along[along.size() / 2];
   const bool is_normal_right = std::abs(along.front() - 1) < visible && std::abs(along.back() - 1) < visible;
-  const bool is_constant = along.back() - along.front() < visible * std::abs(middle);
-  std::string text = "The impulse is applied correctly to both bodies, but it differs from the law's impulse: ";
-  if (is_normal_right) {
-    text += "its normal part is right, ";
-  } else if (is_constant) {
-    text += fmt::format("its normal part is {:.4g} times the right one, ", middle);
-  } else {
-    text +=
-        fmt::format("its normal part is between {:.3g} and {:.3g} times the right one, ", along.front(), along.back());
+  const std::string look_at = "the computation of the impulse: the relative velocity, K, the law, limits on any of these";
+  if (const std::string limit = limit_in_words(all); !limit.empty()) {
+    return {limit + '.', "limits on the impulse"};
   }
-  text += restitution_in_words(all, is_normal_right) + limit_in_words(all);
-  return text + (across == 0 ? "and its tangential part is right."
-                             : fmt::format("and its tangential part is wrong in {} of {}.", across, all.size()));
+  if (is_normal_right) {
+    const std::string friction = friction_in_words(frictions);
+    return {friction.empty() ? "The normal part of its impulse is right, and the tangential part is wrong."
+                             : friction + '.',
+            "friction: the slip V_T, what stops it, the limit μ F_n, the direction; " + look_at};
+  }
+  if (const std::string restitution = restitution_in_words(all); !restitution.empty()) {
+    return {restitution + '.', "the source of the coefficient of restitution; " + look_at};
+  }
+  const std::string tangential = across == 0 ? ", and its tangential part is right" : "";
+  if (along.back() - along.front() < visible * std::abs(middle)) {
+    return {fmt::format("The normal part of its impulse is {:.4g} times the right one{}.", middle, tangential), look_at};
+  }
+  return {fmt::format("The normal part of its impulse is between {:.3g} and {:.3g} times the right one{}.",
+                      along.front(), along.back(), tangential),
+          look_at};
 }
 
 }  // namespace
@@ -221,7 +302,6 @@ std::string limits_in_words(std::span<const ViolatedCase> cases, Law law) {
       }
     }
   }
-  constexpr std::size_t least = 5;
   for (const Size& one : sizes) {
     const bool is_spin =
         one.vector == OutcomeVector::angular_velocity_of_a || one.vector == OutcomeVector::angular_velocity_of_b;
@@ -231,8 +311,8 @@ std::string limits_in_words(std::span<const ViolatedCase> cases, Law law) {
                                             other.vector == OutcomeVector::angular_velocity_of_b);
       alike += of_same_kind && std::abs(other.computed - one.computed) <= visible * visible * one.computed ? 1 : 0;
     }
-    if (alike >= std::max(least, cases.size() / 4)) {
-      return fmt::format(" {} of the wrong {} are {:.6g} {}, as if this were a limit.", alike,
+    if (alike >= std::max(least_alike, cases.size() / 4)) {
+      return fmt::format("{} of the wrong {} are {:.6g} {}, as if this were a limit.", alike,
                          is_spin ? "spins" : "speeds", one.computed, is_spin ? "rad/s" : "m/s");
     }
   }
@@ -240,10 +320,7 @@ std::string limits_in_words(std::span<const ViolatedCase> cases, Law law) {
 }
 
 std::vector<std::string> lines_of(const Fault& fault) {
-  std::vector<std::string> lines{fault.what};
-  if (!fault.where.empty()) {
-    lines.push_back(fault.where);
-  }
+  std::vector<std::string> lines{in_one_sentence(fault.what, fault.where)};
   if (!fault.look_at.empty()) {
     lines.push_back("Look at: " + fault.look_at);
   }
@@ -292,54 +369,60 @@ Fault fault_of(std::span<const ViolatedCase> cases, Law law) {
   CAROM_EXPECTS(!cases.empty());
   std::array<std::size_t, all_steps.size()> counts{};
   std::vector<Shares> shares;
+  std::vector<Friction> frictions;
   for (const ViolatedCase& violated : cases) {
     const Told told = told_of(violated, law);
     ++counts[static_cast<std::size_t>(told.step)];
     if (told.shares) {
       shares.push_back(*told.shares);
     }
+    if (told.friction) {
+      frictions.push_back(*told.friction);
+    }
   }
   const auto count_of = [&](Step step) -> std::size_t& { return counts[static_cast<std::size_t>(step)]; };
   const std::size_t of_a = count_of(Step::spin_of_a);
   const std::size_t of_b = count_of(Step::spin_of_b);
-  const std::size_t of_both = count_of(Step::spin_of_both);
   count_of(Step::spin_of_both) += of_a + of_b;
   count_of(Step::spin_of_a) = count_of(Step::spin_of_b) = 0;
   const auto most = std::max_element(counts.begin(), counts.end());
-  const std::string share = fmt::format(" ({} of {} examined outcomes)", *most, cases.size());
   const std::string limits = limits_in_words(cases, law);
   switch (static_cast<Step>(most - counts.begin())) {
     case Step::immovable_moved:
-      return {"An immovable body's velocity or spin changes" + share + '.', "the treatment of bodies of infinite mass"};
+      return {"An immovable body's velocity or spin changes.", "the treatment of bodies of infinite mass"};
     case Step::moved_apart:
-      return {"It changes the velocities of contacts that do not approach" + share + '.', "the condition N·V⁻ < 0"};
+      return {"It changes the velocities of contacts that do not approach.", "the condition N·V⁻ < 0"};
     case Step::left_as_it_was:
-      return {"It does not change the velocities of colliding contacts" + share + '.',
+      return {"It does not change the velocities of colliding contacts.",
               "the condition for solving a contact: thresholds, sleeping bodies, filters"};
     case Step::reaction:
-      return {"The linear momentum is not conserved: A does not gain what B loses" + share + '.' + limits,
+      if (!limits.empty()) {
+        return {limits, "limits on the velocities"};
+      }
+      return {"A does not gain the linear momentum that B loses.",
               "the application of the impulse to each body: masses, signs, other terms"};
     case Step::spin_of_both:
     case Step::spin_of_a:
-    case Step::spin_of_b:
-      return {fmt::format("The velocities follow from an impulse, but the angular velocities do not: J Δw is not r × "
-                          "F. This concerns A in {}, B in {}, and both in {} of {} examined outcomes.",
-                          of_a, of_b, of_both, cases.size()) +
-                  limits,
-              limits.empty() ? "the lever arms, the frame of the inertia tensor, fast paths for some inertias, other "
-                               "terms of the angular velocity"
-                             : "limits on the angular velocity"};
-    case Step::impulse:
-      return {impulse_in_words(shares) + share + limits,
-              "the computation of the impulse: the relative velocity, K, the law, limits on any of these"};
+    case Step::spin_of_b: {
+      if (!limits.empty()) {
+        return {limits, "limits on the angular velocity"};
+      }
+      const char* const whose = of_b == 0 && of_a == *most ? " of A" : of_a == 0 && of_b == *most ? " of B" : "";
+      return {fmt::format("The change of spin{} does not follow from the impulse: J Δw is not r × F.", whose),
+              "the lever arms, the frame of the inertia tensor, fast paths for some inertias, other terms of the "
+              "angular velocity"};
+    }
+    case Step::impulse: {
+      const auto [what, look_at] = impulse_in_words(shares, frictions);
+      return limits.empty() ? Fault{what, look_at} : Fault{limits, "limits on the velocities; " + look_at};
+    }
     case Step::restitution:
-      return {"The velocities follow from an impulse, but the normal velocity after it is not −ε N·V⁻" + share + '.',
+      return {"The normal velocity after the impulse is not −ε N·V⁻.",
               "the restitution, and the part of the impulse along the normal"};
     case Step::none:
       break;
   }
-  return {"The error is less than a thousandth of the change of velocity: lost digits rather than a wrong formula" +
-              share + '.',
+  return {"The error is less than a thousandth of the change of velocity: lost digits rather than a wrong formula.",
           "the claimed precision (`precision`), intermediate results in single precision, cancellation, iterations "
           "that end early"};
 }

@@ -21,12 +21,12 @@ struct FaultWitness {
 struct Fault {
   std::string what;         // the fault in the answers
   std::string look_at;      // the places in a solver to check; empty if no place is likelier
-  std::string where = {};   // the cases in which it happens; empty if nothing is known
+  std::string where = {};   // the cases in which it happens, as a clause (where.hpp); empty if nothing is known
   std::uint64_t cases = 0;  // examined sampled cases in which it happens
   std::optional<FaultWitness> witness = {};
 };
 
-/// The parts of a fault, each in one line: `what`, `where` and `look_at`. Omits the empty parts.
+/// The fault in one line, with its condition, and `look_at` in a second one, unless it is empty.
 [[nodiscard]] std::vector<std::string> lines_of(const Fault& fault);
 
 /// The lines of the faults, each after `indent`, and at most `most` lines.

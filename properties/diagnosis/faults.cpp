@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <set>
 #include <utility>
@@ -243,9 +244,6 @@ class FaultSearch {
 
   /// Sorts the wrong outcomes into those that are visibly off, and those that may be rounding.
   void examine_outcomes() {
-    if (!determines_outcome(result_.subject.law)) {
-      return;
-    }
     std::size_t count = 0;
     for (const FamilyResult& family : result_.families) {
       count += family.sampled_answers.size();
@@ -263,7 +261,8 @@ class FaultSearch {
     wrong_.clear();
     places_.clear();
     const Precision precision = narrow_.are_binary32() ? Precision::binary32 : result_.subject.precision;
-    const double roundoff = unit_roundoff(precision);
+    roundoff_ = unit_roundoff(precision);
+    const std::optional<int> digits = report_.options.limits.digits;
     small_ = none();
     for (std::size_t f = 0; f < result_.families.size(); ++f) {
       for (const SampledAnswer& answer : result_.families[f].sampled_answers) {
@@ -271,11 +270,14 @@ class FaultSearch {
             std::ranges::binary_search(matrix_alone_[f], answer.index)) {
           continue;
         }
-        const auto known = known_case(
+        auto known = known_case(
             without_effects(with_outcome(answer.index, report_.sampled[f][answer.index].collision, answer.outcome),
                             result_.subject),
             result_.subject.law);
-        if (known && is_visibly_off(*known, roundoff)) {
+        if (known && digits) {
+          known->near = std::pow(10, -*digits) * energy_distance(known->collision, known->before, known->truth);
+        }
+        if (known && is_visibly_off(*known, roundoff_)) {
           places_.push_back({f, answer.index});
           wrong_.push_back(*known);
         } else {
@@ -312,7 +314,7 @@ class FaultSearch {
     std::vector<Hypothesis> known = has_state ? std::vector{impulses_of_any_size()} : std::vector<Hypothesis>();
     const std::size_t first = known.size();
     const Explanation explanation =
-        wrong_.size() < least_violated ? Explanation() : explanation_of(wrong_, std::move(known));
+        wrong_.size() < least_violated ? Explanation() : explanation_of(wrong_, roundoff_, std::move(known));
     CaseNumbers rest = none();
     for (std::size_t i = 0; i < explanation.by.size(); ++i) {
       const std::vector<std::size_t>& by = explanation.by[i];
@@ -326,7 +328,7 @@ class FaultSearch {
       std::ranges::sort(unknown[f]);
     }
     for (std::size_t h = first; h < explanation.found.size(); ++h) {
-      add_explained(explanation, h, unknown);
+      add_explained(explanation, h, unknown, size_of(rest));
     }
     const bool is_explained = explanation.found.size() > first;
     if (!add_state(rest, is_explained)) {
@@ -334,8 +336,10 @@ class FaultSearch {
     }
   }
 
-  /// Adds the fault of a hypothesis. `unknown` lists the cases that may have it.
-  void add_explained(const Explanation& explanation, std::size_t number, const CaseNumbers& unknown) {
+  /// Adds the fault of a hypothesis. `unknown` lists the cases that may have it. `unexplained` counts the wrong outcomes
+  /// that no hypothesis explains.
+  void add_explained(const Explanation& explanation, std::size_t number, const CaseNumbers& unknown,
+                     std::size_t unexplained) {
     CaseNumbers cases = none();
     CaseNumbers needing = none();  // only this hypothesis explains them, with or without others
     CaseNumbers alone = none();    // this hypothesis suffices
@@ -366,11 +370,14 @@ class FaultSearch {
       std::ranges::set_difference(maybe[f], there[f], std::back_inserter(left_out[f]));
     }
     const Hypothesis& hypothesis = explanation.found[number];
-    Fault fault{fmt::format("It answers as if {} ({} of {} examined wrong outcomes).", hypothesis.as_if, size_of(cases),
-                            wrong_.size()),
-                hypothesis.look_at};
+    const Where where = where_violated(report_, {there, violations_.judged, std::move(left_out), every_});
+    const bool is_main = 2 * size_of(cases) >= wrong_.size();
+    if (hypothesis.needs_condition && !is_main && (where.conditions.empty() || size_of(cases) < unexplained)) {
+      return;
+    }
+    Fault fault{fmt::format("It answers as if {}.", hypothesis.as_if), hypothesis.look_at};
     fault.cases = size_of(cases);
-    fault.where = in_words(where_violated(report_, {there, violations_.judged, std::move(left_out), every_}));
+    fault.where = in_words(where);
     fault.witness = witness_in(size_of(alone) > 0 ? alone : cases);
     faults_.push_back(std::move(fault));
   }
@@ -398,8 +405,8 @@ class FaultSearch {
 
   /// Adds the step of mechanics at which the outcomes fail that no hypothesis explains.
   void add_unexplained(const CaseNumbers& rest, bool is_explained) {
-    // Exceptions of the explained faults are fewer than this share of the wrong outcomes.
-    constexpr std::size_t least_share = 50;
+    // A step explains nothing. Beside hypotheses, it is named only if they leave this share of the wrong outcomes.
+    constexpr std::size_t least_share = 3;
     if (is_explained) {
       if (size_of(rest) >= std::max<std::size_t>(least_violated, wrong_.size() / least_share)) {
         add_step(outcomes_of(rest), rest, every_);
@@ -449,6 +456,7 @@ class FaultSearch {
   std::vector<Fault> faults_;
   std::vector<KnownCase> wrong_;   // visibly off
   std::vector<CasePlace> places_;  // of wrong_
+  double roundoff_ = 0;            // of the subject
   std::uint64_t every_ = 1;        // one outcome in so many is examined
   CaseNumbers matrix_alone_;       // only invariants of the matrix are violated
   CaseNumbers small_;              // wrong outcomes that are not visibly off

@@ -6,25 +6,25 @@
 
 #include <carom/collision/expects.hpp>
 #include <carom/collision/validate.hpp>
+#include <carom/oracles/laws/kinematics.hpp>
+#include <carom/properties/diagnosis/fits.hpp>
 #include <carom/properties/diagnosis/hypothesis.hpp>
 
 namespace carom::properties::diagnosis {
 namespace {
 
-/// Whether the steps, further mistakes of `rest` and the fitted size give the answer.
-bool explains_with(const Steps& steps, std::span<const Hypothesis* const> rest, const std::optional<FittedSize>& size,
-                   const KnownCase& one) {
+/// Whether the steps, further mistakes of `rest` and the fitted length give the answer.
+bool explains_with(const Steps& steps, std::span<const Hypothesis* const> rest,
+                   const std::optional<FittedLength>& length, const KnownCase& one) {
   if (rest.empty()) {
-    if (size) {
-      return gives_answer(*size, steps, one);
+    if (length) {
+      return gives_answer(*length, steps, one);
     }
     const std::optional<Impulses> impulses = impulses_by(steps, one);
     return impulses && is_explained_by(outcome_by(steps, *impulses, one), one);
   }
   const Hypothesis& first = *rest.front();
-  // A limit of the impulse comes last in a solver, so it replaces other sizes.
-  const bool replaces = first.size && (!size || first.size->fit == Fit::length_of_impulse);
-  const std::optional<FittedSize>& kept = replaces ? first.size : size;
+  const std::optional<FittedLength>& kept = first.length ? first.length : length;
   if (first.mistakes.empty()) {
     return explains_with(steps, rest.subspan(1), kept, one);
   }
@@ -39,7 +39,9 @@ bool explains_with(const Steps& steps, std::span<const Hypothesis* const> rest, 
 
 std::vector<Hypothesis> other_laws() {
   std::vector<Hypothesis> all;
-  for (const Law law : laws_with_truth) {
+  std::vector<Law> laws(laws_with_truth.begin(), laws_with_truth.end());
+  laws.push_back(Law::coulomb);
+  for (const Law law : laws) {
     all.push_back({"its law were " + std::string(name_of(law)),
                    "the claimed law: this answer is right for another `law` than the claimed one",
                    {[law](Steps& steps, const KnownCase& one) {
@@ -60,10 +62,14 @@ oracles::ContactState approach_by(ApproachTest test, const Collision& collision)
   return is_solved ? oracles::ContactState::colliding : oracles::ContactState::separating;
 }
 
+bool is_permitted(double restitution) { return restitution >= 0 && restitution <= 1; }
+
 /// No value if the law has no answer: the steps solve a contact that does not collide, and only the formulas of the
 /// linear laws extend to it.
-std::optional<Vector3<double>> impulse_on_a(const Steps& steps, const Collision& collision) {
-  if (steps.test == ApproachTest::right) {
+std::optional<Vector3<double>> first_impulse_on_a(const Steps& steps, const Collision& collision) {
+  const bool is_of_law = steps.friction == FrictionSteps{} && steps.inverse == nullptr &&
+                         is_permitted(collision.restitution);
+  if (is_of_law && steps.test == ApproachTest::right) {
     return law_impulse(collision, steps.law);
   }
   const oracles::ContactState as = approach_by(steps.test, collision);
@@ -71,7 +77,53 @@ std::optional<Vector3<double>> impulse_on_a(const Steps& steps, const Collision&
   if (is_extended && !is_linear(steps.law)) {
     return std::nullopt;
   }
-  return law_impulse(collision, steps.law, as);
+  if (is_of_law) {
+    return law_impulse(collision, steps.law, as);
+  }
+  return as == oracles::ContactState::colliding
+             ? impulse_by(collision, steps.law, steps.friction, steps.inverse ? steps.inverse : inverse_inertia)
+             : std::optional(Vector3<double>(Vector3<double>::Zero()));
+}
+
+std::optional<Vector3<double>> impulse_on_a(const Steps& steps, const Collision& collision) {
+  const std::optional<Vector3<double>> first = first_impulse_on_a(steps, collision);
+  if (!steps.is_solved_twice || !first || first->isZero(0)) {
+    return first;
+  }
+  const Outcome<double> after = pushed(collision, *first);
+  Steps again = steps;
+  again.test = ApproachTest::missing;
+  Collision second = collision;
+  second.a.velocity = after.a.velocity;
+  second.a.angular_velocity = after.a.angular_velocity;
+  second.b.velocity = after.b.velocity;
+  second.b.angular_velocity = after.b.angular_velocity;
+  const std::optional<Vector3<double>> further = first_impulse_on_a(again, second);
+  return further ? std::optional(Vector3<double>(*first + *further)) : std::nullopt;
+}
+
+/// The changes of bodies at rest by the impulse.
+Outcome<double> changes_by(const Steps& steps, const Collision& still, const Vector3<double>& on_a) {
+  if (steps.inverse == nullptr) {
+    return pushed(still, on_a);
+  }
+  using Extended = long double;
+  const BasicCollision<Extended> c = map_numbers<Extended>(still, [](double x) { return static_cast<Extended>(x); });
+  const auto of_body = [&](const BasicBody<Extended>& body, const Vector3<Extended>& impulse) -> BodyVelocity<double> {
+    if (body.immovable) {
+      return {Vector3<double>::Zero(), Vector3<double>::Zero()};
+    }
+    const Vector3<Extended> spin = steps.inverse(body) * oracles::lever_arm(body, c.point).cross(impulse);
+    return {Vector3<Extended>(impulse / body.mass).cast<double>(), spin.cast<double>()};
+  };
+  const Vector3<Extended> f = on_a.cast<Extended>();
+  return {of_body(c.a, f), of_body(c.b, Vector3<Extended>(-f))};
+}
+
+/// Whether the collision is valid but for its restitution.
+bool can_be_solved(Collision collision) {
+  collision.restitution = is_permitted(collision.restitution) ? collision.restitution : 0;
+  return validate(collision).empty();
 }
 
 }  // namespace
@@ -79,7 +131,7 @@ std::optional<Vector3<double>> impulse_on_a(const Steps& steps, const Collision&
 std::span<const Hypothesis> all_hypotheses() {
   static const std::vector<Hypothesis> all = [] {
     std::vector<Hypothesis> joined;
-    for (const auto group : {misused_impulses, misread_contacts, misread_bodies, other_laws}) {
+    for (const auto group : {misused_impulses, misread_friction, misread_contacts, misread_bodies, other_laws}) {
       std::ranges::move(group(), std::back_inserter(joined));
     }
     return joined;
@@ -88,7 +140,7 @@ std::span<const Hypothesis> all_hypotheses() {
 }
 
 std::optional<Outcome<double>> answer_of(const Hypothesis& hypothesis, const KnownCase& one) {
-  CAROM_EXPECTS(!hypothesis.mistakes.empty() && !hypothesis.size, hypothesis.as_if);
+  CAROM_EXPECTS(!hypothesis.mistakes.empty() && !hypothesis.length, hypothesis.as_if);
   Steps steps = right_steps(one);
   if (!hypothesis.mistakes.front()(steps, one)) {
     return std::nullopt;
@@ -109,7 +161,7 @@ bool explains(const Hypothesis& hypothesis, const KnownCase& one) {
 Steps right_steps(const KnownCase& one) { return {one.collision, one.collision, one.law}; }
 
 std::optional<Impulses> impulses_by(const Steps& steps, const KnownCase& one) {
-  if (!validate(steps.applied_to).empty() || !validate(steps.computed_from).empty()) {
+  if (!can_be_solved(steps.applied_to) || !can_be_solved(steps.computed_from)) {
     return std::nullopt;
   }
   if (!steps.is_each_body_alone) {
@@ -131,9 +183,9 @@ Outcome<double> outcome_by(const Steps& steps, const Impulses& impulses, const K
     body->velocity.setZero();
     body->angular_velocity.setZero();
   }
-  Outcome<double> changes = pushed(still, impulses.on_a);
+  Outcome<double> changes = changes_by(steps, still, impulses.on_a);
   if (steps.is_each_body_alone) {
-    changes.b = pushed(still, -impulses.on_b).b;
+    changes.b = changes_by(steps, still, -impulses.on_b).b;
   }
   Outcome<double> outcome = one.before;
   for (const OutcomeVector k : all_outcome_vectors) {
@@ -159,96 +211,28 @@ Mistake computed_as(std::function<void(Collision&)> change) {
   };
 }
 
+Mistake with_friction(std::function<void(FrictionSteps&)> change) {
+  return [change = std::move(change)](Steps& steps, const KnownCase& one) {
+    change(steps.friction);
+    steps.has_right_impulse = false;
+    return has_friction(steps.law) && one.approach == oracles::ContactState::colliding;
+  };
+}
+
+Mistake with_factors(const PerVector<double>& factors) {
+  return [factors](Steps& steps, const KnownCase&) {
+    for (const OutcomeVector k : all_outcome_vectors) {
+      steps.factors[k] *= factors[k];
+    }
+    return true;
+  };
+}
+
 Mistake applied_as(std::function<void(Collision&)> change) {
   return [change = std::move(change)](Steps& steps, const KnownCase&) {
     change(steps.applied_to);
     return true;
   };
-}
-
-namespace {
-
-/// The outcomes from + t (to − from). `unit` is the size that the parameter t = 1 stands for, and `offset` the size at
-/// t = 0.
-struct Line {
-  Outcome<double> from;
-  Outcome<double> to;
-  double unit;
-  double offset;
-};
-
-Outcome<double> at(const Line& line, double t) {
-  Outcome<double> outcome;
-  for (const OutcomeVector k : all_outcome_vectors) {
-    *vectors(outcome)[k] = *vectors(line.from)[k] + t * (*vectors(line.to)[k] - *vectors(line.from)[k]);
-  }
-  return outcome;
-}
-
-/// The parameter t for which the outcome is nearest to the subject's answer, if it is near enough.
-std::optional<double> nearest(const Line& line, const KnownCase& one) {
-  Outcome<double> step;
-  Outcome<double> missing;
-  for (const OutcomeVector k : all_outcome_vectors) {
-    *vectors(step)[k] = *vectors(line.to)[k] - *vectors(line.from)[k];
-    *vectors(missing)[k] = *vectors(one.answered)[k] - *vectors(line.from)[k];
-  }
-  const double t = energy_product(one.collision, step, missing) / energy_product(one.collision, step, step);
-  return std::isfinite(t) && is_explained_by(at(line, t), one) ? std::optional(t) : std::nullopt;
-}
-
-/// The law's outcome is affine in ε for these laws.
-bool is_affine_in_restitution(Law law) {
-  return law == Law::frictionless || law == Law::reflection || law == Law::sticking;
-}
-
-/// The outcomes for every size. No value if the steps do not depend on the size, or use an invalid collision.
-std::optional<Line> line_of(Fit fit, const Steps& steps, const KnownCase& one) {
-  if (fit == Fit::length_of_impulse) {
-    const std::optional<Impulses> impulses = steps.is_each_body_alone ? std::nullopt : impulses_by(steps, one);
-    return impulses ? std::optional(Line{one.before, outcome_by(steps, *impulses, one), impulses->on_a.stableNorm(), 0})
-                    : std::nullopt;
-  }
-  if (!is_affine_in_restitution(steps.law)) {
-    return std::nullopt;
-  }
-  const auto with_restitution = [&](double restitution) -> std::optional<Outcome<double>> {
-    Steps changed = steps;
-    changed.computed_from.restitution = restitution;
-    changed.has_right_impulse = false;
-    const std::optional<Impulses> impulses = impulses_by(changed, one);
-    return impulses ? std::optional(outcome_by(changed, *impulses, one)) : std::nullopt;
-  };
-  const std::optional<Outcome<double>> inelastic = with_restitution(0);
-  const std::optional<Outcome<double>> elastic = with_restitution(1);
-  return inelastic && elastic ? std::optional(Line{*inelastic, *elastic, 1, -steps.computed_from.restitution})
-                              : std::nullopt;
-}
-
-}  // namespace
-
-bool agree(double x, double y) {
-  constexpr double visible = 0x1p-10;
-  return std::abs(x - y) <= visible * std::max(std::abs(x), std::abs(y));
-}
-
-bool gives_answer(const FittedSize& size, const Steps& steps, const KnownCase& one) {
-  if (!size.value) {
-    return fitted(size.fit, steps, one).has_value();
-  }
-  const std::optional<Line> line = line_of(size.fit, steps, one);
-  const double t = line ? (*size.value - line->offset) / line->unit : 0;
-  return line && std::isfinite(t) && is_explained_by(at(*line, t), one);
-}
-
-std::optional<double> fitted(Fit fit, const Steps& steps, const KnownCase& one) {
-  const std::optional<Line> line = line_of(fit, steps, one);
-  const std::optional<double> t = line ? nearest(*line, one) : std::nullopt;
-  if (!t) {
-    return std::nullopt;
-  }
-  const double size = line->offset + *t * line->unit;
-  return fit == Fit::length_of_impulse ? std::abs(size) : size;
 }
 
 }  // namespace carom::properties::diagnosis

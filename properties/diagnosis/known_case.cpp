@@ -5,9 +5,11 @@
 
 #include <carom/collision/expects.hpp>
 #include <carom/collision/validate.hpp>
+#include <carom/oracles/bounds/quantities.hpp>
 #include <carom/oracles/laws/kinematics.hpp>
 #include <carom/oracles/truths/models.hpp>
 #include <carom/oracles/truths/sensitivity.hpp>
+#include <carom/properties/diagnosis/friction.hpp>
 #include <carom/properties/diagnosis/known_case.hpp>
 #include <carom/properties/draws/general_collision.hpp>
 #include <carom/properties/gate/declared_effects.hpp>
@@ -107,6 +109,20 @@ bool is_known(const oracles::Truth<oracles::Enclosure>& truth) {
   });
 }
 
+/// An upper bound of the growth of rounding errors, for which the impulse of `coulomb` in extended precision has a
+/// relative error below 2⁹ u · 2²⁰ ≤ 2⁻³⁴. Errors below 2⁻³³ are not visible.
+constexpr double most_growth_of_coulomb = 0x1p20;
+
+std::optional<Vector3<double>> coulomb_impulse(const oracles::ExactCase& exact_case, oracles::ContactState as) {
+  if (as != oracles::ContactState::colliding) {
+    return Vector3<double>(Vector3<double>::Zero());
+  }
+  const Collision& collision = exact_case.collision();
+  const bool is_known = exact_case.state() == as && exact_case.is_moderate() &&
+                        oracles::growth_in_collision_matrix(collision) <= most_growth_of_coulomb;
+  return is_known ? impulse_by(collision, Law::coulomb, {}) : std::nullopt;
+}
+
 }  // namespace
 
 bool is_linear(Law law) { return std::ranges::find(oracles::linear_laws, law) != oracles::linear_laws.end(); }
@@ -123,7 +139,8 @@ LawAnswer law_answer(const Collision& collision, Law law, std::optional<oracles:
   });
 }
 
-Vector3<double> law_impulse(const Collision& collision, Law law, std::optional<oracles::ContactState> approach) {
+std::optional<Vector3<double>> law_impulse(const Collision& collision, Law law,
+                                           std::optional<oracles::ContactState> approach) {
   const oracles::ExactCase exact_case(collision);
   const oracles::ContactState as = approach.value_or(exact_case.state());
   // A scalar with the unit roundoff u makes fewer than 2⁹ roundings, which grow by this factor. So the relative error
@@ -131,6 +148,9 @@ Vector3<double> law_impulse(const Collision& collision, Law law, std::optional<o
   const auto largest_growth = [](auto scalar) {
     return static_cast<double>(0x1p-51L / std::numeric_limits<decltype(scalar)>::epsilon());
   };
+  if (law == Law::coulomb) {
+    return coulomb_impulse(exact_case, as);
+  }
   const double growth = oracles::growth_in_collision_matrix(collision);
   const double allowed = is_wide_slow ? largest_growth(double{}) : largest_growth(Wide{});
   if (as != oracles::ContactState::colliding || !is_linear(law) || !exact_case.is_moderate() || !(growth <= allowed)) {
@@ -146,16 +166,26 @@ Vector3<double> law_impulse(const Collision& collision, Law law, std::optional<o
 std::optional<KnownCase> known_case(const ViolatedCase& violated, Law law) {
   const Collision& collision = violated.one.collision;
   const auto* outcome = std::get_if<ReportedOutcome>(&violated.answer);
-  if (outcome == nullptr || !oracles::is_finite(*outcome) || !determines_outcome(law) || !validate(collision).empty()) {
+  if (outcome == nullptr || !oracles::is_finite(*outcome) || !validate(collision).empty()) {
     return std::nullopt;
   }
   return known_case(collision, narrowed(*outcome), law);
 }
 
-KnownCase known_case(const Collision& collision, const Outcome<double>& answered, Law law) {
-  const LawAnswer answer = law_answer(collision, law);
-  return {collision,      law,           oracles::ExactCase(collision).state(), unchanged(collision), answered,
-          answer.outcome, answer.impulse};
+std::optional<KnownCase> known_case(const Collision& collision, const Outcome<double>& answered, Law law) {
+  std::optional<LawAnswer> answer;
+  if (law == Law::coulomb) {
+    if (const auto impulse = law_impulse(collision, law)) {
+      answer = {pushed(collision, *impulse), *impulse};
+    }
+  } else if (determines_outcome(law)) {
+    answer = law_answer(collision, law);
+  }
+  if (!answer) {
+    return std::nullopt;
+  }
+  return KnownCase{collision,       law,           oracles::ExactCase(collision).state(), unchanged(collision), answered,
+                   answer->outcome, answer->impulse};
 }
 
 double energy_product(const Collision& collision, const Outcome<double>& x, const Outcome<double>& y) {
@@ -193,8 +223,9 @@ bool is_explained_by(const Outcome<double>& outcome, const KnownCase& one) {
     return false;
   }
   constexpr double small_share = 0x1p-10;  // rounding is less than this share of a visible error
+  const double error = energy_distance(one.collision, one.truth, one.answered);
   return energy_distance(one.collision, outcome, one.answered) <=
-         small_share * energy_distance(one.collision, one.truth, one.answered);
+         std::max(one.near, std::min(one.most_distant, small_share * error));
 }
 
 bool is_visibly_off(const KnownCase& one, double unit_roundoff) {
@@ -202,7 +233,25 @@ bool is_visibly_off(const KnownCase& one, double unit_roundoff) {
   const Outcome<double> still;
   const double size =
       energy_distance(one.collision, one.before, still) + energy_distance(one.collision, one.truth, still);
-  return energy_distance(one.collision, one.truth, one.answered) > far_above_rounding * unit_roundoff * size;
+  constexpr double far_above_near = 8;
+  return energy_distance(one.collision, one.truth, one.answered) >
+         std::max(far_above_near * one.near, far_above_rounding * unit_roundoff * size);
+}
+
+double rounding_distance(const KnownCase& one, double unit_roundoff) {
+  constexpr double roundings = 0x1p10;  // of a solver, and of its steps that are computed here
+  const Collision& c = one.collision;
+  double of_arms = 1;
+  for (const Body* body : {&c.a, &c.b}) {
+    const double arm = (c.point - body->position).stableNorm();
+    const double length = oracles::length_of_lever_arm(*body, c.point);
+    of_arms = std::max(of_arms, arm > 0 ? length / arm : 1);
+  }
+  const Outcome<double> still;
+  const double size = energy_distance(c, one.before, still) + energy_distance(c, one.truth, still) +
+                      energy_distance(c, one.answered, still);
+  const double growth = has_movable_body(c) ? oracles::growth_in_collision_matrix(c) : 1;
+  return roundings * unit_roundoff * of_arms * growth * size;
 }
 
 Outcome<double> pushed(const Collision& collision, const Vector3<double>& impulse) {

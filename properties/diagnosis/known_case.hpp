@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include <carom/properties/gate/gate_report.hpp>
@@ -22,9 +23,10 @@ struct LawAnswer {
 [[nodiscard]] LawAnswer law_answer(const Collision& collision, Law law,
                                    std::optional<oracles::ContactState> approach = {});
 
-/// The impulse of `law_answer`, with a relative error below 2⁻⁴³. It takes less time.
-[[nodiscard]] Vector3<double> law_impulse(const Collision& collision, Law law,
-                                          std::optional<oracles::ContactState> approach = {});
+/// The impulse of `law_answer`, with a relative error below 2⁻⁴³. It takes less time. Of `coulomb`, the relative error
+/// is below 2⁻³⁴; there is no value if the law has several answers, or if its answer cannot be computed so well.
+[[nodiscard]] std::optional<Vector3<double>> law_impulse(const Collision& collision, Law law,
+                                                         std::optional<oracles::ContactState> approach = {});
 
 /// A case that the subject answered by an outcome, and the law's answer.
 struct KnownCase {
@@ -35,14 +37,17 @@ struct KnownCase {
   Outcome<double> answered;
   Outcome<double> truth;    // nearest binary64 numbers
   Vector3<double> impulse;  // of the law, on A
+  /// An outcome at a larger energy distance from the subject's does not explain it.
+  double most_distant = std::numeric_limits<double>::infinity();
+  double near = 0;  // an outcome at this energy distance explains it; of answers with few digits
 };
 
 /// No value if the collision is invalid, if the answer is not an outcome of finite numbers, or if the law determines no
-/// outcome.
+/// outcome of this collision.
 [[nodiscard]] std::optional<KnownCase> known_case(const ViolatedCase& violated, Law law);
 
-/// The case of a valid collision, with the subject's outcome. Precondition: the law determines an outcome.
-[[nodiscard]] KnownCase known_case(const Collision& collision, const Outcome<double>& answered, Law law);
+/// The case of a valid collision, with the subject's outcome. No value if the law determines no outcome of it.
+[[nodiscard]] std::optional<KnownCase> known_case(const Collision& collision, const Outcome<double>& answered, Law law);
 
 /// Σ m x_v·y_v + x_w·J y_w over the movable bodies, for two changes of the velocities.
 [[nodiscard]] double energy_product(const Collision& collision, const Outcome<double>& x, const Outcome<double>& y);
@@ -51,12 +56,16 @@ struct KnownCase {
 /// velocities and angular velocities comparable.
 [[nodiscard]] double energy_distance(const Collision& collision, const Outcome<double>& x, const Outcome<double>& y);
 
-/// Whether the outcome differs from the subject's by at most a thousandth of the subject's error, and not at all for an
-/// immovable body.
+/// Whether the outcome is near the subject's: within a thousandth of the subject's error and `most_distant`, or within
+/// `near`. An immovable body must have the same velocities.
 [[nodiscard]] bool is_explained_by(const Outcome<double>& outcome, const KnownCase& one);
 
 /// Whether the outcome is so far off that rounding with this unit roundoff cannot be the cause.
 [[nodiscard]] bool is_visibly_off(const KnownCase& one, double unit_roundoff);
+
+/// The energy distance that rounding with this unit roundoff causes, amplified as the case amplifies: by lever arms that
+/// are differences of large positions, and by the collision matrix.
+[[nodiscard]] double rounding_distance(const KnownCase& one, double unit_roundoff);
 
 /// The velocities after the impulse F on A and −F on B: v ± F/m, w ± J⁻¹(r × F) for movable bodies.
 [[nodiscard]] Outcome<double> pushed(const Collision& collision, const Vector3<double>& impulse);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 #include <carom/oracles/laws/kinematics.hpp>
 #include <carom/properties/diagnosis/hypothesis.hpp>
@@ -42,8 +43,17 @@ const std::array misreadings{
                [](Body& b, const Body&, const Collision&) { b.position.setZero(); }},
     Misreading{"the lever arm of {} were that of the other body", arms, true,
                [](Body& b, const Body& other, const Collision&) { b.position = other.position; }},
-    Misreading{"the lever arm of {} were zero: the contact at the centre of mass", arms, true,
+    Misreading{"the lever arm of {} were zero, with the contact at the centre of mass", arms, true,
                [](Body& b, const Body&, const Collision& c) { b.position = c.point; }},
+    Misreading{"the lever arm of {} lay on the line of the centres, with its right length", arms, true,
+               [](Body& b, const Body& other, const Collision& c) {
+                 const double length = (c.point - b.position).stableNorm();
+                 b.position = c.point - length * (other.position - b.position).stableNormalized();
+               }},
+    Misreading{"the lever arm of {} had the length 1, without the radius", arms, true,
+               [](Body& b, const Body&, const Collision& c) {
+                 b.position = c.point - (c.point - b.position).stableNormalized();
+               }},
     Misreading{"the lever arm of {} had the other sign", arms, true,
                [](Body& b, const Body&, const Collision& c) { b.position = 2 * c.point - b.position; }},
     Misreading{"the lever arm of {} were rotated into the body's frame", frames, true,
@@ -54,7 +64,7 @@ const std::array misreadings{
                [](Body& b, const Body&, const Collision&) {
                  b.orientation = {1, 0, 0, 0};
                }},
-    Misreading{"the orientation of {} were inverted: Rᵀ in place of R", frames, true,
+    Misreading{"the orientation of {} were inverted, with Rᵀ in place of R", frames, true,
                [](Body& b, const Body&, const Collision&) { b.orientation = oracles::conjugate(b.orientation); }},
     Misreading{"the quaternion of {} were read in the order x, y, z, w",
                "the order of the quaternion's components: w first", true,
@@ -107,9 +117,9 @@ const std::array misreadings{
                [](Body& b, const Body&, const Collision&) { b.principal_inertia *= 2; }},
     Misreading{"the moments of {} were halved", moments, true,
                [](Body& b, const Body&, const Collision&) { b.principal_inertia /= 2; }},
-    Misreading{"the moments of {} were multiplied by 10000: kg cm² read as kg m²", moments, true,
+    Misreading{"the moments of {} were multiplied by 10000, as kg cm² read as kg m²", moments, true,
                [](Body& b, const Body&, const Collision&) { b.principal_inertia *= 1e4; }},
-    Misreading{"the moments of {} were divided by 10000: kg m² read as kg cm²", moments, true,
+    Misreading{"the moments of {} were divided by 10000, as kg m² read as kg cm²", moments, true,
                [](Body& b, const Body&, const Collision&) { b.principal_inertia /= 1e4; }},
     Misreading{"{} had the lever arm, the moments and the orientation of the other body",
                "the body whose terms are read", true,
@@ -123,7 +133,7 @@ const std::array misreadings{
     Misreading{"the moments of {} were those of the other body", moments, true,
                [](Body& b, const Body& other, const Collision&) { b.principal_inertia = other.principal_inertia; }},
     Misreading{
-        "the moments of {} were replaced by their inverses", "I in place of 1/I", true,
+        "the moments of {} were inverted, with I in place of 1/I", "I in place of 1/I", true,
         [](Body& b, const Body&, const Collision&) { b.principal_inertia = b.principal_inertia.cwiseInverse(); }},
     Misreading{"the mass of {} were that of the other body", "the body whose mass is read", true,
                [](Body& b, const Body& other, const Collision&) {
@@ -220,6 +230,40 @@ std::string filled(const std::string& text, const char* name) {
   return result;
 }
 
+using Wide = long double;
+
+/// R, with the axes of the body as columns.
+Matrix3<Wide> axes_of(const BasicBody<Wide>& body) {
+  Matrix3<Wide> axes;
+  for (int i = 0; i < 3; ++i) {
+    axes.col(i) = oracles::turned<Wide>(body.orientation, Vector3<Wide>::Unit(i));
+  }
+  return axes;
+}
+
+Matrix3<Wide> moments_of(const BasicBody<Wide>& body) { return body.principal_inertia.asDiagonal(); }
+Matrix3<Wide> inverse_moments_of(const BasicBody<Wide>& body) {
+  return body.principal_inertia.cwiseInverse().asDiagonal();
+}
+
+/// Wrong formulas of J⁻¹ = R diag(1/I) Rᵀ, which both steps use.
+std::vector<Hypothesis> misread_inertia() {
+  const auto of = [](const char* as_if, const char* look_at, InverseInertia inverse) {
+    return Hypothesis{as_if, look_at, {[inverse](Steps& steps, const KnownCase&) {
+                        steps.inverse = inverse;
+                        steps.has_right_impulse = false;
+                        return true;
+                      }}};
+  };
+  const char* const one_side = "the inverse inertia in world axes: R diag(1/I) Rᵀ";
+  const char* const inverted = "I in place of 1/I; the inverse inertia in world axes is R diag(1/I) Rᵀ";
+  return {of("J⁻¹ were R diag(1/I)", one_side, [](const BasicBody<Wide>& b) -> Matrix3<Wide> { return axes_of(b) * inverse_moments_of(b); }),
+          of("J⁻¹ were diag(1/I) R", one_side, [](const BasicBody<Wide>& b) -> Matrix3<Wide> { return inverse_moments_of(b) * axes_of(b); }),
+          of("J⁻¹ were diag(1/I) Rᵀ", one_side, [](const BasicBody<Wide>& b) -> Matrix3<Wide> { return inverse_moments_of(b) * axes_of(b).transpose(); }),
+          of("J⁻¹ were R diag(I), with I in place of 1/I", inverted, [](const BasicBody<Wide>& b) -> Matrix3<Wide> { return axes_of(b) * moments_of(b); }),
+          of("J⁻¹ were diag(I) R, with I in place of 1/I", inverted, [](const BasicBody<Wide>& b) -> Matrix3<Wide> { return moments_of(b) * axes_of(b); })};
+}
+
 }  // namespace
 
 std::vector<Hypothesis> misread_bodies() {
@@ -230,8 +274,8 @@ std::vector<Hypothesis> misread_bodies() {
   };
   constexpr std::array steps{
       Step{"", false, misread_as},
-      Step{" in the computation of the impulse; the impulse is applied correctly", true, computed_as},
-      Step{" in the application of the impulse; the impulse itself is right", true, applied_as}};
+      Step{" in the computation of the impulse, which is applied correctly", true, computed_as},
+      Step{" in the application of the impulse, which itself is right", true, applied_as}};
   std::vector<Hypothesis> all;
   for (const Misreading& misreading : misreadings) {
     for (const Step& step : steps) {
@@ -239,6 +283,7 @@ std::vector<Hypothesis> misread_bodies() {
         continue;
       }
       Hypothesis of_any{filled(misreading.as_if, "one body or both") + step.where, misreading.look_at, {}};
+      of_any.is_choice = true;
       for (const Who& who : whom) {
         if (!(who.a && who.b && misreading.of_one_body_alone)) {
           const Mistake mistake = step.mistake([&misreading, who](Collision& c) { misread(c, misreading, who); });
@@ -249,6 +294,7 @@ std::vector<Hypothesis> misread_bodies() {
       all.push_back(std::move(of_any));
     }
   }
+  std::ranges::move(misread_inertia(), std::back_inserter(all));
   return all;
 }
 

@@ -447,6 +447,20 @@ class Solver {
     if (has("tangents_not_orthogonal")) {
       added += v - slip;
     }
+    if (has("friction_reversed")) {
+      added -= 2 * slip;
+    }
+    if (has("slip_stopped_by_two_fifths")) {
+      constexpr double too_much = 7.0 / 5;  // 2/5 in place of 2/7
+      added += slip * (too_much - 1);
+    }
+    if (has("slip_without_radius")) {
+      const auto missing = [](const ContactBody& body) -> Vector {
+        const Vector& r = body.lever_arm;
+        return body.angular_velocity.cross(Vector(r.stableNormalized() - r));
+      };
+      added += across_normal(contact, missing(contact.a) - missing(contact.b));
+    }
     return added;
   }
 
@@ -455,7 +469,38 @@ class Solver {
       constexpr double wider = 1e-9;  // the defect itself
       return contact.friction * (1 + wider);
     }
+    if (has("friction_in_degrees")) {
+      constexpr double degree = 3.14159265358979323846 / 180;
+      return std::abs(std::tan(contact.friction * degree));
+    }
+    if (has("friction_in_percent")) {
+      constexpr double percent = 0.01;
+      return contact.friction * percent;
+    }
+    if (has("friction_left_out")) {
+      return 0;
+    }
     return has("friction_multiplied") ? contact.friction * contact.friction : contact.friction;
+  }
+
+  /// Friction by the slip before or after the normal impulse, and each of both impulses once.
+  [[nodiscard]] Vector impulse_in_one_pass(const Contact& contact, const Matrix& k, double normal_velocity,
+                                           const Vector& frictionless_impulse) const {
+    const bool is_after = has("friction_after_normal");
+    const Vector velocity = relative_velocity(contact);
+    const Vector slip = across_normal(contact, is_after ? Vector(velocity + k * frictionless_impulse) : velocity);
+    if (slip.isZero(0)) {
+      return frictionless_impulse;
+    }
+    const Vector along = slip.normalized();
+    const double stopping = slip.norm() / along.dot(k * along);
+    const Vector friction = along * -std::min(friction_of(contact) * frictionless_impulse.norm(), stopping);
+    if (is_after) {
+      return frictionless_impulse + friction;
+    }
+    const Vector& n = contact.normal;
+    const double change = -(1 + restitution_of(contact, normal_velocity)) * normal_velocity;
+    return friction + n * ((change - n.dot(k * friction)) / n.dot(k * n));
   }
 
   [[nodiscard]] Vector coulomb_impulse(const Contact& contact, double normal_velocity,
@@ -474,6 +519,9 @@ class Solver {
     const impulse::detail::SlipResistance<double> law(matrix, change, lambda(contact), friction);
     Vector impulse = law.impulse(0);
     const Vector slip{0, velocity[1], velocity[2]};
+    if (has("friction_after_normal") || has("friction_before_normal")) {
+      return impulse_in_one_pass(contact, k, normal_velocity, frictionless_impulse);
+    }
     if (has("always_slides") && slip.norm() > 0) {
       const Vector along = Vector::UnitX() - slip * (friction / slip.norm());
       return impulse::times(basis, Vector(along * (change[0] / matrix.row(0).dot(along))));
@@ -484,7 +532,11 @@ class Solver {
     const auto with_tangents = [&](double x, double y) -> Vector {
       return {(change[0] - matrix(0, 1) * x - matrix(0, 2) * y) / matrix(0, 0), x, y};
     };
-    if (has("friction_along_slip") && slip.norm() > 0) {
+    if (has("friction_along_sticking")) {
+      const Vector tangential{0, impulse[1], impulse[2]};
+      const Vector along = Vector::UnitX() + tangential * (friction / tangential.norm());
+      impulse = along * (change[0] / matrix.row(0).dot(along));
+    } else if (has("friction_along_slip") && slip.norm() > 0) {
       const Vector along = Vector::UnitX() - slip * (friction / slip.norm());
       impulse = along * (change[0] / matrix.row(0).dot(along));
     } else if (has("friction_clamped_by_axis")) {

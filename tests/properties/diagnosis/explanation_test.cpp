@@ -30,7 +30,7 @@ std::vector<KnownCase> answers_of(const Fault& fault) {
       if (!validate(collision).empty()) {
         continue;
       }
-      KnownCase one = known_case(collision, unchanged(collision), Law::reflection);
+      KnownCase one = known_case(collision, unchanged(collision), Law::reflection).value();
       Steps steps = right_steps(one);
       fault(steps, one);
       one.answered = outcome_by(steps, impulses_by(steps, one).value(), one);
@@ -56,7 +56,7 @@ const char* const without_restitution = "ε were 0";
 TEST(Explanation, NamesOneFaultOnce) {
   const std::vector<KnownCase> wrong =
       answers_of([](Steps& steps, const KnownCase& one) { (void)named(body_frame).mistakes[0](steps, one); });
-  EXPECT_EQ(words_of(explanation_of(wrong)), std::set<std::string>{body_frame});
+  EXPECT_EQ(words_of(explanation_of(wrong, 0x1p-53)), std::set<std::string>{body_frame});
 }
 
 /// One fault concerns nearly all cases, the other those with ε < 1/2. Some cases have both.
@@ -67,7 +67,7 @@ TEST(Explanation, NamesARareFaultBesideAFrequentOne) {
       (void)named(without_restitution).mistakes[0](steps, one);
     }
   });
-  const Explanation explanation = explanation_of(wrong);
+  const Explanation explanation = explanation_of(wrong, 0x1p-53);
   EXPECT_EQ(words_of(explanation), (std::set<std::string>{body_frame, without_restitution}));
   std::size_t with_both = 0;
   for (std::size_t i = 0; i < wrong.size(); ++i) {
@@ -84,7 +84,7 @@ TEST(Explanation, DoesNotGuessIfNothingFits) {
     ++number;
     steps.factors = {1 + 0.01 * number, 1 - 0.02 * number, 1 + 0.03 * number, 1};
   });
-  EXPECT_TRUE(explanation_of(wrong).found.empty());
+  EXPECT_TRUE(explanation_of(wrong, 0x1p-53).found.empty());
 }
 
 }  // namespace
