@@ -46,7 +46,7 @@ packages_of() {
 program=(impulse judge report program) # `carom` and the components below it
 mapfile -t packages < <(packages_of "${program[@]}" kit scenes)
 tools=(g++ cmake ninja-build gnuplot-nox)
-engines=(libbullet-dev libode-dev) # the gate reports an engine as absent if its package is not installed
+engines=(libbullet-dev libode-dev libbox2d-dev) # the gate reports an engine as absent if its package is not installed
 batch_systems=(openmpi-bin slurm-client slurmctld slurmd) # the tests of docs/guide/scale.md run shards under these
 compilers=(clang g++-i686-linux-gnu g++-aarch64-linux-gnu qemu-user) # these build the families, too
 judged='/all$|generate|^gate/' # of the judge's benchmarks; those of one subject alone take longer

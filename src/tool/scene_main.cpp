@@ -4,5 +4,5 @@
 /// carom-scene: the commands of `carom` that know scenes.
 int main(int argc, char** argv) {
   using namespace carom::tool;
-  return run_program(argc, argv, {add_scene, add_plan_of_scenes});
+  return run_program(argc, argv, {add_scene, add_plan_of_scenes, add_steps});
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include <unistd.h>
@@ -11,6 +12,7 @@
 #include <carom/collision/json/text.hpp>
 #include <carom/subjects/engines.hpp>
 #include <carom/subjects/engines/claims.hpp>
+#include <carom/subjects/steppers.hpp>
 
 namespace carom::subjects {
 
@@ -148,6 +150,33 @@ std::vector<Subject> bullet_float() {
 }
 
 }  // namespace
+
+std::vector<Stepper> npm_steppers() {
+  const Adapters adapters = find_adapters();
+  std::vector<Stepper> steppers;
+  for (const auto& [name, package] : {std::pair("rapier", "@dimforge/rapier3d-compat"), std::pair("jolt", "jolt-physics"),
+                                      std::pair("cannon", "cannon-es"), std::pair("physx", "physx-js-webidl"),
+                                      std::pair("oimo", "oimophysics"), std::pair("mujoco", "@mujoco/mujoco"),
+                                      std::pair("planck", "planck")}) {
+    const std::string adapter = std::string("time/") + name + ".mjs";
+    for (const bool configured : {true, false}) {
+      Stepper stepper{configured ? name : std::string(name) + "-as-shipped"};
+      stepper.specification = specification(
+          {"node", (adapters.directory / adapter).string(), configured ? "configured" : "as-shipped"});
+      stepper.absent = why_absent(adapters, adapter, package);
+      steppers.push_back(std::move(stepper));
+    }
+  }
+  return steppers;
+}
+
+Stepper scene_stepper() {
+  const fs::path program = program_directory() / "carom-scene";
+  Stepper stepper{"scene"};
+  stepper.specification = specification({program.string(), "steps"});
+  stepper.absent = is_there(program) ? "" : program.string() + " does not exist: the component scenes is not built";
+  return stepper;
+}
 
 std::vector<Subject> protocol_engines() {
   std::vector<Subject> engines = bullet_float();

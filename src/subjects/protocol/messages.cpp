@@ -46,15 +46,6 @@ std::string required_text(const Json& object, const char* name, std::size_t long
   return text_of(required(object, name), std::string("/") + name, longest);
 }
 
-Precision precision_named(const std::string& name) {
-  for (const Precision precision : {Precision::binary32, Precision::binary64, Precision::extended}) {
-    if (name_of(precision) == name) {
-      return precision;
-    }
-  }
-  throw FormatError("/precision", "expected binary32, binary64 or extended, found " + name);
-}
-
 Law law_claimed(const std::string& name) {
   if (const std::optional<Law> law = law_named(name)) {
     return *law;
@@ -138,6 +129,15 @@ Numbers numbers_from(const json& form, Precision precision) {
 }
 
 }  // namespace
+
+Precision precision_named(const std::string& name) {
+  for (const Precision precision : {Precision::binary32, Precision::binary64, Precision::extended}) {
+    if (name_of(precision) == name) {
+      return precision;
+    }
+  }
+  throw FormatError("/precision", "expected binary32, binary64 or extended, found " + name);
+}
 
 void introduce(Subject& subject, const Introduction& introduction) {
   subject.name = introduction.name;

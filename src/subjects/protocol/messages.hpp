@@ -35,6 +35,9 @@ struct Introduction {
   bool operator==(const Introduction&) const = default;
 };
 
+/// The precision with this name. Throws FormatError at "/precision" if there is none.
+[[nodiscard]] Precision precision_named(const std::string& name);
+
 /// Gives the subject the name and the claims of its introduction.
 void introduce(Subject& subject, const Introduction& introduction);
 

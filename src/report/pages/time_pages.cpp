@@ -1,0 +1,393 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <utility>
+
+#include <fmt/format.h>
+#include <pugixml.hpp>
+
+#include <carom/report/pages/document.hpp>
+#include <carom/report/pages/time_pages.hpp>
+#include <carom/report/pictures/markup.hpp>
+
+namespace carom::report {
+namespace {
+
+using properties::MeasuredReading;
+using properties::Measurement;
+using properties::Phenomenon;
+using properties::Rung;
+
+/// "1/60 s", or "0.0123 s" if the step is no simple fraction.
+std::string step_in_words(double step) {
+  const double inverse = 1 / step;
+  return std::abs(inverse - std::round(inverse)) <= 1e-9 * inverse  // a few roundings of the division
+             ? fmt::format("1/{:.0f} s", inverse)
+             : fmt::format("{:g} s", step);
+}
+
+/// "0", "3.1 %", "5e+04 %". An error that rounding explains is 0.
+std::string percent(double error, double rounding) {
+  return error <= rounding ? "0" : fmt::format("{:.2g} %", 100 * error);
+}
+
+/// The error of a phenomenon at one step, as a cell: the greatest median over the readings.
+std::string error_cell(const TimedEngine& engine, std::string_view phenomenon, double step) {
+  const Measurement* const measurement = measurement_of(engine, phenomenon);
+  const MeasuredReading* const worst = measurement == nullptr ? nullptr : worst_reading(*measurement, step);
+  if (worst == nullptr) {
+    return no_number;
+  }
+  const Rung& rung = *rung_at(*worst, step);
+  return percent(rung.median, rung.rounding);
+}
+
+Row row_of(const TimedEngine& engine, const TimeRun& run, double step) {
+  Row row{{name_cell(engine.name)}};
+  for (const Phenomenon& phenomenon : properties::all_phenomena()) {
+    if (std::any_of(run.engines.begin(), run.engines.end(),
+                    [&](const TimedEngine& one) { return measurement_of(one, phenomenon.name) != nullptr; })) {
+      row.cells.emplace_back(error_cell(engine, phenomenon.name, step), "number");
+    }
+  }
+  return row;
+}
+
+Table summary_table(const TimeRun& run, double step) {
+  Table table{"The greatest median error of each phenomenon", {{"engine"}}, {}};
+  for (const Phenomenon& phenomenon : properties::all_phenomena()) {
+    if (std::any_of(run.engines.begin(), run.engines.end(),
+                    [&](const TimedEngine& one) { return measurement_of(one, phenomenon.name) != nullptr; })) {
+      table.columns.push_back({std::string(phenomenon.name), true});
+    }
+  }
+  for (const TimedEngine& engine : run.engines) {
+    if (engine.absent.empty()) {
+      table.rows.push_back(row_of(engine, run, step));
+    }
+  }
+  return table;
+}
+
+/// "height of bounce 1, ε = 0.5: 12 % too much, 3.4 steps' worth; at 1/3840 s 0.2 %, order 1.0".
+std::string reading_in_words(const MeasuredReading& reading, double step) {
+  const Rung& rung = *rung_at(reading, step);
+  std::string text = fmt::format("{}: {} off", reading.what, percent(rung.median, rung.rounding));
+  if (rung.shift != 0 && std::abs(rung.shift) > 0.9 * rung.median) {
+    text = fmt::format("{}: {} too {}", reading.what, percent(rung.median, rung.rounding),
+                       rung.shift > 0 ? "much" : "little");
+  }
+  if (rung.median_in_worths > 0) {
+    text += fmt::format(", {:.2g} steps' worth", rung.median_in_worths);
+  }
+  const Rung& finest = reading.rungs.back();
+  if (finest.step != step) {
+    text += fmt::format("; at {} {}", step_in_words(finest.step), percent(finest.median, finest.rounding));
+  }
+  return text + (reading.order ? fmt::format(", order {:.1f}", *reading.order) : "");
+}
+
+/// The reasons why runs have no answer, each with the number of runs.
+std::vector<Cell> unanswered_items(const Measurement& measurement) {
+  std::vector<Cell> items;
+  for (const properties::Unanswered& one : measurement.unanswered) {
+    items.emplace_back(fmt::format("{}, {} of {} runs {}: {}", measurement.phenomenon, one.steps.size(),
+                                   measurement.runs, one.is_failure ? "failed" : "not posed", one.why));
+  }
+  return items;
+}
+
+/// What is farthest off in each phenomenon of an engine, what it did not answer, its relations and claims.
+Document engine_part(const TimedEngine& engine, double step) {
+  List farthest;
+  List unanswered;
+  for (const Measurement& measurement : engine.measurements) {
+    if (const MeasuredReading* const worst = worst_reading(measurement, step)) {
+      const Rung& rung = *rung_at(*worst, step);
+      if (rung.median > rung.rounding) {
+        farthest.items.emplace_back(measurement.phenomenon + ": " + reading_in_words(*worst, step));
+      }
+    }
+    const std::vector<Cell> items = unanswered_items(measurement);
+    unanswered.items.insert(unanswered.items.end(), items.begin(), items.end());
+  }
+  List relations;
+  for (const properties::RelationResult& one : engine.relations) {
+    relations.items.emplace_back(fmt::format("{}: {}", one.change, properties::in_words(one)));
+  }
+  List claims;
+  for (const JudgedClaim& one : engine.claims) {
+    claims.items.emplace_back(fmt::format("claims {}: {}", one.claim,
+                                          one.verdict.is_kept ? "kept" : "NOT KEPT: " + one.verdict.why));
+  }
+  Document document;
+  const auto add_list = [&](const std::string& title, List list) {
+    if (!list.items.empty()) {
+      document.emplace_back(Paragraph{title});
+      document.emplace_back(std::move(list));
+    }
+  };
+  add_list(fmt::format("Farthest off at {}:", step_in_words(step)), std::move(farthest));
+  add_list("Twenty bodies fall into a heap, twice:", std::move(relations));
+  add_list("Claims:", std::move(claims));
+  add_list("Not answered:", std::move(unanswered));
+  return document;
+}
+
+Document absent_part(const TimeRun& run) {
+  List list;
+  for (const TimedEngine& engine : run.engines) {
+    if (!engine.absent.empty()) {
+      list.items.emplace_back(engine.name + ": " + engine.absent);
+    }
+  }
+  return list.items.empty() ? Document{} : Document{Section{"Absent", {std::move(list)}}};
+}
+
+std::string opening(const TimeRun& run) {
+  std::string steps;
+  for (const double step : run.ladder.steps) {
+    steps += (steps.empty() ? "" : ", ") + step_in_words(step);
+  }
+  return fmt::format("Carom {}: engines in time, steps {}; {} phases of an impact within a step", version, steps,
+                     run.ladder.phases);
+}
+
+std::string caption(double step) {
+  return fmt::format(
+      "Median error at {}, of the reading that is farthest off. 0: rounding explains it. {}: not posed or not answered.",
+      step_in_words(step), no_number);
+}
+
+/// The errors of one phenomenon: a row for each engine, a column for each step.
+Table phenomenon_table(const Phenomenon& phenomenon, const TimeRun& run) {
+  Table table{std::string(phenomenon.name), {{"engine"}}, {}};
+  for (const double step : run.ladder.steps) {
+    table.columns.push_back({step_in_words(step), true});
+  }
+  table.columns.push_back({"order", true});
+  table.columns.push_back({"farthest off"});
+  for (const TimedEngine& engine : run.engines) {
+    const Measurement* const measurement = measurement_of(engine, phenomenon.name);
+    if (measurement == nullptr) {
+      continue;
+    }
+    Row row{{name_cell(engine.name)}};
+    for (const double step : run.ladder.steps) {
+      row.cells.emplace_back(error_cell(engine, phenomenon.name, step), "number");
+    }
+    const MeasuredReading* const worst = worst_reading(*measurement, compared_step(run.ladder));
+    row.cells.emplace_back(worst != nullptr && worst->order ? fmt::format("{:.1f}", *worst->order) : no_number, "number");
+    row.cells.emplace_back(worst != nullptr ? worst->what : no_number, "word");
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+Facts facts_of(const Phenomenon& phenomenon) {
+  return {{{"set-up", std::string(phenomenon.set_up)},
+           {"known answer", std::string(phenomenon.answer)},
+           {"measured", std::string(phenomenon.measured)},
+           {"yardstick", std::string(phenomenon.yardstick)}}};
+}
+
+Block picture_block(const std::string& file, const std::string& text) {
+  return Picture{[file, text](pugi::xml_node parent) {
+    add(parent, "img", {{"src", file + ".svg"}, {"alt", text}, {"style", "max-width: 100%"}});
+  }};
+}
+
+struct Point {
+  double step;
+  double error;
+  double cost;  // seconds of processor time for a second of the scene
+};
+
+/// The error of the reading that is farthest off at the compared step, along the ladder.
+std::vector<Point> points_of(const TimedEngine& engine, const Phenomenon& phenomenon, double step) {
+  std::vector<Point> points;
+  const Measurement* const measurement = measurement_of(engine, phenomenon.name);
+  const MeasuredReading* const worst = measurement == nullptr ? nullptr : worst_reading(*measurement, step);
+  if (worst == nullptr) {
+    return points;
+  }
+  for (const Rung& rung : worst->rungs) {
+    for (const properties::StepTime& time : measurement->step_times) {
+      if (time.step == rung.step && rung.median > 0) {
+        points.push_back({rung.step, rung.median, time.seconds / rung.step});
+      }
+    }
+  }
+  return points;
+}
+
+constexpr std::array line_colours{blue, vermillion, green, purple, orange, sky_blue, black, grey};
+
+struct Line {
+  std::string name;
+  std::vector<std::vector<double>> points;
+};
+
+/// An axis of whole powers of ten around the values.
+Axis axis_around(const std::vector<Line>& lines, std::size_t coordinate, double first_pixel, double last_pixel) {
+  double low = std::numeric_limits<double>::infinity();
+  double high = 0;
+  for (const Line& line : lines) {
+    for (const std::vector<double>& point : line.points) {
+      low = std::min(low, point[coordinate]);
+      high = std::max(high, point[coordinate]);
+    }
+  }
+  return {std::pow(10, std::floor(std::log10(low))), std::pow(10, std::ceil(std::log10(high)) + 0.001), true, first_pixel,
+          last_pixel};
+}
+
+Plot picture_of(const std::string& name, const std::string& title, const std::string& x_name,
+                const std::vector<Line>& lines) {
+  Plot plot(name, 860, 430, 13);
+  const Panel panel{axis_around(lines, 0, 80, 640), axis_around(lines, 1, 60, 390)};
+  plot.begin(panel, title, x_name, "error / right answer");
+  plot.add(power_tics(panel.x, 'x'));
+  plot.add(power_tics(panel.y, 'y'));
+  std::vector<Label> ends;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const std::string colour(line_colours[i % line_colours.size()]);
+    const std::vector<double>& end = lines[i].points.back();
+    ends.push_back({lines[i].name, panel.place_of(end[0], end[1]), colour});
+  }
+  plot.name_ends(ends, panel);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    plot.curve(lines[i].points, fmt::format("linespoints pt 7 ps 0.5 lw 1.6 lc rgb \"{}\"{}",
+                                            line_colours[i % line_colours.size()],
+                                            i < line_colours.size() ? "" : " dt 2"));
+  }
+  plot.end();
+  return plot;
+}
+
+}  // namespace
+
+std::string time_text(const TimeRun& run) {
+  const double step = compared_step(run.ladder);
+  Document document{Paragraph{opening(run)}};
+  if (run.interrupted) {
+    document.emplace_back(Section{"", {Paragraph{"INTERRUPTED: these are the results so far"}}});
+  }
+  document.emplace_back(Section{"", {Paragraph{caption(step)}, summary_table(run, step)}});
+  for (const TimedEngine& engine : run.engines) {
+    Document part = engine_part(engine, step);
+    if (!part.empty()) {
+      document.emplace_back(Section{engine.name + (engine.version.empty() ? "" : ' ' + engine.version), std::move(part)});
+    }
+  }
+  return in_text(with(std::move(document), absent_part(run)));
+}
+
+std::string time_html(const TimeRun& run) {
+  const double step = compared_step(run.ladder);
+  Page page{"Carom: engines in time", "Carom: engines in time against known answers", {}, {}, {}};
+  page.main = {Paragraph{opening(run)}};
+  const auto add_part = [&](const std::string& anchor, const std::string& heading, Document content) {
+    page.contents.emplace_back(anchor, heading);
+    page.main.emplace_back(Section{heading, std::move(content), anchor});
+  };
+  if (run.interrupted) {
+    page.main.emplace_back(Paragraph{"Interrupted: this page shows the results so far."});
+  }
+  add_part("summary", "All phenomena", {Paragraph{caption(step)}, summary_table(run, step)});
+  for (const Phenomenon& phenomenon : properties::all_phenomena()) {
+    const std::string name(phenomenon.name);
+    Table table = phenomenon_table(phenomenon, run);
+    if (table.rows.empty()) {
+      continue;
+    }
+    Document content{Paragraph{std::string(phenomenon.question)}, facts_of(phenomenon)};
+    for (const Plot& picture : time_pictures(phenomenon, run)) {
+      content.emplace_back(picture_block(picture.name(), name + ": error against step, or against time"));
+    }
+    content.emplace_back(std::move(table));
+    add_part(name, fmt::format("{} v{}", name, phenomenon.version), std::move(content));
+  }
+  for (const TimedEngine& engine : run.engines) {
+    if (Document part = engine_part(engine, step); !part.empty()) {
+      add_part("engine-" + engine.name, engine.name + ' ' + engine.version, std::move(part));
+    }
+  }
+  page.main = with(std::move(page.main), absent_part(run));
+  return html_page(page);
+}
+
+std::string time_junit(const TimeRun& run) {
+  pugi::xml_document xml;
+  const pugi::xml_node root = add(xml, "testsuites", {{"name", "carom time"}});
+  for (const TimedEngine& engine : run.engines) {
+    const pugi::xml_node suite = add(root, "testsuite", {{"name", engine.name}});
+    const auto add_test = [&](const std::string& name) {
+      return add(suite, "testcase", {{"classname", engine.name}, {"name", name}, {"time", "0"}});
+    };
+    if (!engine.absent.empty()) {
+      add(add_test("start"), "skipped", {{"message", engine.absent}});
+    }
+    for (const Measurement& measurement : engine.measurements) {
+      const pugi::xml_node test = add_test(measurement.phenomenon);
+      const auto failure = std::find_if(measurement.unanswered.begin(), measurement.unanswered.end(),
+                                        [](const properties::Unanswered& one) { return one.is_failure; });
+      if (failure != measurement.unanswered.end()) {
+        add(test, "error", {{"message", failure->why}});
+      } else if (measurement.readings.empty()) {
+        add(test, "skipped", {{"message", "not posed"}});
+      }
+    }
+    for (const JudgedClaim& one : engine.claims) {
+      const pugi::xml_node test = add_test("claim: " + one.claim);
+      if (!one.verdict.is_kept) {
+        add(test, "failure", {{"message", one.verdict.why}, {"type", "violated"}});
+      }
+    }
+  }
+  std::ostringstream text;
+  xml.save(text, " ");
+  return text.str();
+}
+
+std::string phenomenon_page(const Phenomenon& phenomenon, const TimeRun& run) {
+  std::string page = fmt::format("# {} v{}\n\n{}\n", phenomenon.name, phenomenon.version, phenomenon.question);
+  for (const auto& [name, value] : facts_of(phenomenon).pairs) {
+    page += fmt::format("\n**{}.** {}\n", name, value.text);
+  }
+  for (const Plot& picture : time_pictures(phenomenon, run)) {
+    page += fmt::format("\n![{}: error](../../charts/time/{}.svg)\n", phenomenon.name, picture.name());
+  }
+  return page + fmt::format("\n{}\n\n{}", caption(compared_step(run.ladder)),
+                            markdown_table(phenomenon_table(phenomenon, run)));
+}
+
+std::vector<Plot> time_pictures(const Phenomenon& phenomenon, const TimeRun& run) {
+  const double step = compared_step(run.ladder);
+  std::vector<Line> by_step;
+  std::vector<Line> by_cost;
+  for (const TimedEngine& engine : run.engines) {
+    const std::vector<Point> points = points_of(engine, phenomenon, step);
+    if (points.size() < 2) {
+      continue;
+    }
+    Line& of_step = by_step.emplace_back(Line{engine.name, {}});
+    Line& of_cost = by_cost.emplace_back(Line{engine.name, {}});
+    for (const Point& point : points) {
+      of_step.points.push_back({1 / point.step, point.error});
+      of_cost.points.push_back({std::max(point.cost, 1e-9), point.error});  // the clocks' resolution
+    }
+  }
+  if (by_step.empty()) {
+    return {};
+  }
+  const std::string name(phenomenon.name);
+  return {picture_of(name + "-step", name + ": error against the steps of a second", "steps in a second", by_step),
+          picture_of(name + "-time", name + ": error against the time spent",
+                     "seconds spent for a second of the scene", by_cost)};
+}
+
+}  // namespace carom::report

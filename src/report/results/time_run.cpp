@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
+#include <cmath>
+
+#include <carom/collision/json/json.hpp>
+#include <carom/report/results/time_run.hpp>
+
+namespace carom::report {
+namespace {
+
+using nlohmann::json;
+
+json rung_record(const properties::Rung& rung) {
+  return {{"step", rung.step},
+          {"answers", rung.answers},
+          {"least", number_to_json(rung.least)},
+          {"median", number_to_json(rung.median)},
+          {"greatest", number_to_json(rung.greatest)},
+          {"median_in_step_worths", number_to_json(rung.median_in_worths)},
+          {"greatest_in_step_worths", number_to_json(rung.greatest_in_worths)},
+          {"rounding", number_to_json(rung.rounding)},
+          {"shift", number_to_json(rung.shift)}};
+}
+
+json reading_record(const properties::MeasuredReading& reading) {
+  json record{{"what", reading.what}, {"unit", reading.unit}, {"rungs", json::array()}};
+  for (const properties::Rung& rung : reading.rungs) {
+    record["rungs"].push_back(rung_record(rung));
+  }
+  if (reading.order) {
+    record["order"] = number_to_json(*reading.order);
+  }
+  return record;
+}
+
+json measurement_record(const properties::Measurement& measurement) {
+  json record{{"phenomenon", measurement.phenomenon},
+              {"version", measurement.version},
+              {"runs", measurement.runs},
+              {"readings", json::array()},
+              {"seconds_for_a_step", json::array()},
+              {"unanswered", json::array()}};
+  for (const properties::MeasuredReading& reading : measurement.readings) {
+    record["readings"].push_back(reading_record(reading));
+  }
+  for (const properties::StepTime& time : measurement.step_times) {
+    record["seconds_for_a_step"].push_back({{"step", time.step}, {"seconds", number_to_json(time.seconds)}});
+  }
+  for (const properties::Unanswered& one : measurement.unanswered) {
+    record["unanswered"].push_back({{"why", one.why}, {"failure", one.is_failure}, {"runs", one.steps.size()}});
+  }
+  return record;
+}
+
+json engine_record(const TimedEngine& engine) {
+  json record{{"name", engine.name}, {"version", engine.version}, {"precision", name_of(engine.precision)}};
+  if (!engine.absent.empty()) {
+    record["absent"] = engine.absent;
+    return record;
+  }
+  record["seconds"] = engine.seconds;
+  record["measurements"] = json::array();
+  record["relations"] = json::array();
+  record["claims"] = json::array();
+  for (const properties::Measurement& measurement : engine.measurements) {
+    record["measurements"].push_back(measurement_record(measurement));
+  }
+  for (const properties::RelationResult& relation : engine.relations) {
+    record["relations"].push_back(
+        {{"name", relation.name}, {"change", relation.change}, {"result", properties::in_words(relation)}});
+  }
+  for (const JudgedClaim& one : engine.claims) {
+    record["claims"].push_back({{"claim", one.claim},
+                                {"kept", one.verdict.is_kept},
+                                {"greatest", number_to_json(one.verdict.greatest)},
+                                {"why", one.verdict.why}});
+  }
+  return record;
+}
+
+}  // namespace
+
+bool TimedEngine::is_measured() const {
+  return std::any_of(measurements.begin(), measurements.end(),
+                     [](const properties::Measurement& one) { return !one.readings.empty(); });
+}
+
+int TimeRun::exit_status(bool strict) const {
+  const bool is_any_measured =
+      std::any_of(engines.begin(), engines.end(), [](const TimedEngine& one) { return one.is_measured(); });
+  const bool is_any_missing =
+      std::any_of(engines.begin(), engines.end(), [](const TimedEngine& one) { return !one.is_measured(); });
+  if (interrupted || !is_any_measured || (strict && is_any_missing)) {
+    return exit_usage;
+  }
+  const bool are_claims_kept = std::all_of(engines.begin(), engines.end(), [](const TimedEngine& engine) {
+    return std::all_of(engine.claims.begin(), engine.claims.end(),
+                       [](const JudgedClaim& one) { return one.verdict.is_kept; });
+  });
+  return are_claims_kept ? exit_all_hold : exit_violated;
+}
+
+const properties::Measurement* measurement_of(const TimedEngine& engine, std::string_view phenomenon) {
+  const auto found = std::find_if(engine.measurements.begin(), engine.measurements.end(),
+                                  [&](const properties::Measurement& one) { return one.phenomenon == phenomenon; });
+  return found == engine.measurements.end() ? nullptr : &*found;
+}
+
+const properties::Rung* rung_at(const properties::MeasuredReading& reading, double step) {
+  const auto found = std::find_if(reading.rungs.begin(), reading.rungs.end(),
+                                  [&](const properties::Rung& rung) { return rung.step == step; });
+  return found == reading.rungs.end() ? nullptr : &*found;
+}
+
+const properties::MeasuredReading* worst_reading(const properties::Measurement& measurement, double step) {
+  const properties::MeasuredReading* worst = nullptr;
+  for (const properties::MeasuredReading& reading : measurement.readings) {
+    const properties::Rung* const rung = rung_at(reading, step);
+    if (rung != nullptr && (worst == nullptr || rung->median > rung_at(*worst, step)->median)) {
+      worst = &reading;
+    }
+  }
+  return worst;
+}
+
+double compared_step(const properties::Ladder& ladder) {
+  const auto apart = [](double step) { return std::abs(std::log(step * 60)); };
+  return *std::min_element(ladder.steps.begin(), ladder.steps.end(),
+                           [&](double x, double y) { return apart(x) < apart(y); });
+}
+
+nlohmann::json time_record(const TimeRun& run) {
+  json record{{"carom", version},
+              {"date", run.environment.date},
+              {"processor", run.environment.processor},
+              {"interrupted", run.interrupted},
+              {"steps", run.ladder.steps},
+              {"phases", run.ladder.phases},
+              {"engines", json::array()}};
+  for (const TimedEngine& engine : run.engines) {
+    record["engines"].push_back(engine_record(engine));
+  }
+  return record;
+}
+
+}  // namespace carom::report

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <box2d/box2d.h>
+
+#include <carom/subjects/engines/advance.hpp>
+#include <carom/subjects/engines/claims.hpp>
+#include <carom/subjects/steppers.hpp>
+
+namespace carom::subjects {
+namespace {
+
+b2Vec2 to_box2d(const Vector3<double>& v) { return {static_cast<float>(v.x()), static_cast<float>(v.y())}; }
+
+/// The angle of a turn about z.
+double angle_of(const Quaternion<double>& q) { return 2 * std::atan2(q[3], q[0]); }
+
+/// Box2D mixes friction by the geometric mean, and restitution by the maximum. A half-space is a box of 200 m. Box2D
+/// stops a bounce below its threshold of 1 m/s. Configured, the fixture's threshold is 0, and bodies do not sleep.
+class World {
+ public:
+  World(const Stepping& stepping, bool configured)
+      : step_(static_cast<float>(stepping.step)), world_(to_box2d(stepping.scene.gravity)), scene_(stepping.scene) {
+    world_.SetContinuousPhysics(stepping.scene.is_continuous);
+    for (const SteppedBody& one : stepping.scene.bodies) {
+      add(one, configured);
+    }
+  }
+
+  void step() { world_.Step(step_, 8, 3); }  // the iterations of Box2D's manual
+
+  [[nodiscard]] BodyState state(std::size_t i) const {
+    const b2Body& body = *bodies_[i];
+    BodyState state = scene_.bodies[i].state;
+    if (scene_.bodies[i].is_fixed) {
+      return state;
+    }
+    const double half = body.GetAngle() / 2.0;
+    state.position = {body.GetPosition().x, body.GetPosition().y, 0};
+    state.orientation = {std::cos(half), 0, 0, std::sin(half)};
+    state.velocity = {body.GetLinearVelocity().x, body.GetLinearVelocity().y, 0};
+    state.angular_velocity = {0, 0, body.GetAngularVelocity()};
+    return state;
+  }
+
+ private:
+  void add(const SteppedBody& one, bool configured) {
+    b2BodyDef definition;
+    definition.type = one.is_fixed ? b2_staticBody : b2_dynamicBody;
+    definition.position = to_box2d(one.state.position);
+    definition.angle = static_cast<float>(angle_of(one.state.orientation));
+    definition.linearVelocity = to_box2d(one.state.velocity);
+    definition.angularVelocity = static_cast<float>(one.state.angular_velocity.z());
+    definition.allowSleep = !configured;
+    definition.bullet = scene_.is_continuous;
+    b2CircleShape circle;
+    b2PolygonShape polygon;
+    b2FixtureDef fixture;
+    fixture.shape = &polygon;
+    if (const auto* const sphere = std::get_if<SphereShape>(&one.shape)) {
+      circle.m_radius = static_cast<float>(sphere->radius);
+      fixture.shape = &circle;
+    } else if (const auto* const box = std::get_if<BoxShape>(&one.shape)) {
+      polygon.SetAsBox(static_cast<float>(box->lengths.x() / 2), static_cast<float>(box->lengths.y() / 2));
+    } else {
+      constexpr float half = 100;  // [m]
+      const Vector3<double> n = unit(std::get<HalfSpaceShape>(one.shape).normal);
+      definition.angle = static_cast<float>(std::atan2(n.y(), n.x()) - std::atan2(1.0, 0.0));
+      definition.position = to_box2d(one.state.position - half * n);
+      polygon.SetAsBox(half, half);
+    }
+    fixture.density = 1;
+    fixture.friction = static_cast<float>(scene_.friction);
+    fixture.restitution = static_cast<float>(scene_.restitution);
+    if (configured) {
+      fixture.restitutionThreshold = 0;
+    }
+    b2Body* const body = world_.CreateBody(&definition);
+    body->CreateFixture(&fixture);
+    if (!one.is_fixed) {
+      const b2MassData mass{static_cast<float>(one.mass), {0, 0}, static_cast<float>(one.principal_inertia.z())};
+      body->SetMassData(&mass);
+    }
+    bodies_.push_back(body);
+  }
+
+  float step_;
+  b2World world_;
+  const SteppedScene& scene_;
+  std::vector<b2Body*> bodies_;  // the world destroys them
+};
+
+}  // namespace
+
+std::vector<Stepper> box2d_steppers() {
+  std::vector<Stepper> steppers;
+  for (const bool configured : {true, false}) {
+    Stepper stepper{configured ? "box2d" : "box2d-as-shipped"};
+    stepper.version = std::to_string(b2_version.major) + '.' + std::to_string(b2_version.minor) + '.' +
+                      std::to_string(b2_version.revision);
+    stepper.precision = Precision::binary32;
+    stepper.is_planar = true;
+    stepper.open = [configured]() -> Stepper::Session {
+      return [configured](const Stepping& stepping) -> SteppingAnswer {
+        return advanced(stepping, [&] { return World(stepping, configured); });
+      };
+    };
+    steppers.push_back(std::move(stepper));
+  }
+  return steppers;
+}
+
+}  // namespace carom::subjects

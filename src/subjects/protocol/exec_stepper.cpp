@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <exception>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include <carom/collision/expects.hpp>
+#include <carom/collision/json/text.hpp>
+#include <carom/subjects/protocol/child.hpp>
+#include <carom/subjects/protocol/command_line.hpp>
+#include <carom/subjects/protocol/exec_stepper.hpp>
+#include <carom/subjects/protocol/messages.hpp>
+#include <carom/subjects/protocol/stepping_messages.hpp>
+
+namespace carom::subjects::protocol {
+namespace {
+
+constexpr std::size_t longest_reason_shown = 2000;  // bytes
+
+/// The longest line of a reply: it has the states of some twenty bodies at some hundred times.
+constexpr std::size_t longest_reply = std::size_t{1} << 24U;  // bytes
+
+/// A started program that steps.
+class SteppingProgram {
+ public:
+  SteppingProgram(const std::vector<std::string>& words, const ExecOptions& options)
+      : process_(words, options.limits, options.stop) {
+    process_.exchange(start_request(), 1, [&](std::string_view line) { stepper_ = stepper_from(line); });
+  }
+
+  [[nodiscard]] const Stepper& stepper() const { return stepper_; }
+
+  [[nodiscard]] SteppingAnswer run(const Stepping& stepping) {
+    SteppingAnswer answer;
+    const std::uint64_t id = next_id_++;
+    process_.exchange(run_request(id, stepping), 1,
+                      [&](std::string_view line) { answer = run_reply_from(line, id, stepping); });
+    return answer;
+  }
+
+  [[nodiscard]] std::string standard_error() { return process_.standard_error(); }
+
+ private:
+  ChildProcess process_;
+  Stepper stepper_;
+  std::uint64_t next_id_ = 1;
+};
+
+/// Starts the program when it is first asked, and again after a failure.
+class SteppingSession {
+ public:
+  SteppingSession(std::vector<std::string> words, ExecOptions options) : words_(std::move(words)), options_(std::move(options)) {}
+
+  [[nodiscard]] SteppingAnswer run(const Stepping& stepping) {
+    std::string errors;
+    try {
+      if (program_ == nullptr) {
+        program_ = std::make_unique<SteppingProgram>(words_, options_);
+      }
+      return program_->run(stepping);
+    } catch (const std::exception& error) {
+      errors = program_ == nullptr ? "" : program_->standard_error();
+      program_.reset();
+      return Failed{printable_line(error.what(), longest_reason_shown), printable(errors, errors.size())};
+    }
+  }
+
+ private:
+  std::vector<std::string> words_;
+  ExecOptions options_;
+  std::unique_ptr<SteppingProgram> program_;
+};
+
+}  // namespace
+
+Stepper exec_stepper(const std::string& specification, const ExecOptions& options) {
+  CAROM_EXPECTS(specification.starts_with(exec_prefix), specification);
+  Stepper stepper;
+  try {
+    const std::vector<std::string> words = split_words(std::string_view(specification).substr(exec_prefix.size()));
+    if (words.empty()) {
+      throw std::invalid_argument("no program is given after exec:");
+    }
+    ExecOptions patient = options;
+    patient.limits.line = longest_reply;
+    stepper = SteppingProgram(words, patient).stepper();
+    stepper.open = [words, patient]() -> Stepper::Session {
+      const auto session = std::make_shared<SteppingSession>(words, patient);
+      return [session](const Stepping& stepping) { return session->run(stepping); };
+    };
+  } catch (const std::exception& error) {
+    stepper.name = specification;
+    stepper.absent = printable_line(error.what(), longest_reason_shown);
+  }
+  stepper.specification = specification;
+  return stepper;
+}
+
+}  // namespace carom::subjects::protocol

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include <carom/collision/stepper.hpp>
+
+/// The lines of the protocol for engines in time (docs/reference/protocol.md, "In time"). Each text ends with its line
+/// end.
+namespace carom::subjects::protocol {
+
+/// Parses the reply to `start` of a program that says "time": true. Sets all fields but `specification` and `open`.
+/// Throws FormatError, also if the program does not step.
+[[nodiscard]] Stepper stepper_from(std::string_view line);
+
+[[nodiscard]] std::string run_request(std::uint64_t id, const Stepping& stepping);
+
+/// A request to a stepper, as a program reads it.
+struct RunRequest {
+  std::uint64_t id;
+  Stepping stepping;
+};
+
+/// Parses a `run` request. Throws FormatError that names the place, also for a number that a scene cannot have.
+[[nodiscard]] RunRequest run_request_from(std::string_view line);
+
+[[nodiscard]] std::string run_reply(std::uint64_t id, const SteppingAnswer& answer);
+
+/// Parses the reply to the request with this id. Throws FormatError if it is no reply, or if its states do not fit the
+/// request.
+[[nodiscard]] SteppingAnswer run_reply_from(std::string_view line, std::uint64_t id, const Stepping& stepping);
+
+}  // namespace carom::subjects::protocol

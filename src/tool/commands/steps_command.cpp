@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <cmath>
+#include <iostream>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <carom/collision/json/json.hpp>
+#include <carom/report/results/run.hpp>
+#include <carom/report/results/version.hpp>
+#include <carom/scene/sphere_simulation.hpp>
+#include <carom/scene/valid_scene.hpp>
+#include <carom/subjects/protocol/stepping_messages.hpp>
+
+#include "commands/commands.hpp"
+
+/// `carom-scene steps`: the simulation of `carom scene` as a program that steps, so that the phenomena can judge it.
+namespace carom::tool {
+namespace {
+
+using subjects::protocol::RunRequest;
+
+/// The greatest relative difference between a moment and 2/5 m R², so that the body is a uniform ball: two roundings of
+/// the product, and one of the caller.
+constexpr double rounding_of_moment = 4 * 0x1p-53;
+
+/// Why the simulation cannot pose the body. Empty if it can.
+std::string why_not(const SteppedBody& body) {
+  if (std::holds_alternative<HalfSpaceShape>(body.shape)) {
+    return {};
+  }
+  const auto* const sphere = std::get_if<SphereShape>(&body.shape);
+  if (sphere == nullptr || body.is_fixed) {
+    return "only movable spheres and fixed half-spaces are simulated in steps";
+  }
+  const double moment = 0.4 * body.mass * sphere->radius * sphere->radius;
+  const bool is_uniform = ((body.principal_inertia.array() - moment).abs() <= rounding_of_moment * moment).all();
+  return is_uniform ? "" : "only uniform spheres are simulated";
+}
+
+scene::Scene scene_of(const SteppedScene& posed) {
+  scene::Scene scene;
+  scene.law = posed.friction > 0 ? Law::coulomb : Law::frictionless;
+  scene.gravity = posed.gravity;
+  scene.materials = {"all"};
+  scene.pairs = scene::MaterialPairs(1);
+  scene.pairs.set(0, 0, {posed.restitution, posed.friction});
+  for (const SteppedBody& body : posed.bodies) {
+    const std::string name = std::to_string(scene.spheres.size() + scene.planes.size());
+    if (const auto* const sphere = std::get_if<SphereShape>(&body.shape)) {
+      const double volume = 4 * std::numbers::pi / 3 * sphere->radius * sphere->radius * sphere->radius;
+      scene.spheres.push_back({name, sphere->radius, body.mass / volume, 0, body.state.position, body.state.velocity,
+                               body.state.angular_velocity});
+    } else {
+      scene.planes.push_back({name, 0, std::get<HalfSpaceShape>(body.shape).normal, body.state.position});
+    }
+  }
+  scene::move_apart(scene);
+  return scene;
+}
+
+/// The states of the bodies at the end of the scene. The simulation knows no orientation of a sphere.
+std::vector<BodyState> states_at_end(const scene::Scene& scene, const SteppedScene& posed) {
+  scene::SphereSimulation simulation(scene);
+  while (simulation.advance() != nullptr) {
+  }
+  std::vector<BodyState> states;
+  std::size_t sphere = 0;
+  for (const SteppedBody& body : posed.bodies) {
+    BodyState state = body.state;
+    if (!body.is_fixed) {
+      const scene::Arc arc = simulation.arc(sphere++);
+      state.position = position_at(arc.path, scene.duration);
+      state.velocity = velocity_at(arc.path, scene.duration);
+      state.angular_velocity = angular_velocity_at(arc, scene.duration);
+    }
+    states.push_back(state);
+  }
+  return states;
+}
+
+SteppingAnswer answer_to(const Stepping& stepping) {
+  for (const SteppedBody& body : stepping.scene.bodies) {
+    if (std::string why = why_not(body); !why.empty()) {
+      return Skipped{std::move(why)};
+    }
+  }
+  try {
+    scene::Scene scene = scene_of(stepping.scene);
+    SteppedStates answer;
+    for (const std::uint64_t after : stepping.report) {
+      scene.duration = static_cast<double>(after) * stepping.step;
+      if (const std::optional<scene::SceneDefect> defect = first_defect(scene)) {
+        return Skipped{describe(*defect)};
+      }
+      answer.states.push_back(states_at_end(scene, stepping.scene));
+    }
+    return answer;
+  } catch (const std::exception& error) {  // the run cannot go on
+    return Skipped{error.what()};
+  }
+}
+
+std::string introduction() {
+  const nlohmann::json reply{{"protocol", 1},           {"name", "scene"},    {"version", report::version},
+                             {"precision", "binary64"}, {"model", "coulomb"}, {"time", true},
+                             {"cannot", {"box"}}};
+  return reply.dump() + '\n';
+}
+
+int serve_steps() {
+  std::string line;
+  while (std::getline(std::cin, line)) {
+    try {
+      const nlohmann::json request = parse_json(line);
+      const std::string command = request.is_object() ? request.value("cmd", "") : "";
+      if (command == "stop") {
+        break;
+      }
+      if (command == "start") {
+        std::cout << introduction() << std::flush;
+        continue;
+      }
+      const RunRequest run = subjects::protocol::run_request_from(line);
+      std::cout << subjects::protocol::run_reply(run.id, answer_to(run.stepping)) << std::flush;
+    } catch (const FormatError& error) {
+      std::cerr << "carom-scene: " << error.what() << '\n';
+      return report::exit_usage;
+    }
+  }
+  return report::exit_all_hold;
+}
+
+}  // namespace
+
+void add_steps(CLI::App& app, Chosen& chosen) {
+  CLI::App* command = app.add_subcommand(
+      "steps", "Answer requests `run` of the protocol on standard input by the simulation of `carom scene`");
+  command->callback([&chosen] { chosen = [] { return serve_steps(); }; });
+}
+
+}  // namespace carom::tool

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <carom/properties/phenomena/phenomenon.hpp>
+#include <carom/report/pages/time_pages.hpp>
+#include <carom/report/results/words.hpp>
+#include <carom/subjects/protocol/exec_stepper.hpp>
+#include <carom/subjects/steppers.hpp>
+
+#include "commands/commands.hpp"
+#include "commands/options.hpp"
+#include "io/gnuplot.hpp"
+#include "io/interrupt.hpp"
+#include "io/output.hpp"
+#include "io/this_environment.hpp"
+#include "io/usage_error.hpp"
+
+namespace carom::tool {
+namespace {
+
+struct TimeArguments {
+  std::vector<std::string> subjects;
+  std::vector<std::string> phenomena;
+  std::vector<std::string> steps;  // "1/60" or "0.01"
+  bool is_quick = false;
+  double timeout = 60;  // for each reply of a program [s]
+  std::string out;      // directory; empty for none
+  std::string pages;    // directory of the phenomena's pages; empty for none
+  std::string format = "text";
+};
+
+/// The step of a text: a number of seconds, or 1/N. Throws UsageError.
+double step_of(const std::string& text) {
+  const std::size_t slash = text.find('/');
+  char* end = nullptr;
+  const double number = std::strtod(text.c_str(), &end);
+  double step = number;
+  if (slash != std::string::npos && end == text.c_str() + slash) {
+    const char* const denominator = text.c_str() + slash + 1;
+    step = number / std::strtod(denominator, &end);
+    end = end == denominator ? nullptr : end;
+  }
+  if (end != text.c_str() + text.size() || !(step > 0 && step <= 1)) {
+    throw UsageError(report::shown(
+        fmt::format("--steps: expected a number of seconds from 0 to 1, such as 1/60, found {}", text)));
+  }
+  return step;
+}
+
+properties::Ladder ladder_of(const TimeArguments& arguments) {
+  properties::Ladder ladder = arguments.is_quick ? properties::quick_ladder() : properties::full_ladder();
+  if (!arguments.steps.empty()) {
+    ladder.steps.clear();
+    for (const std::string& text : arguments.steps) {
+      ladder.steps.push_back(step_of(text));
+    }
+    std::sort(ladder.steps.rbegin(), ladder.steps.rend());
+    ladder.steps.erase(std::unique(ladder.steps.begin(), ladder.steps.end()), ladder.steps.end());
+  }
+  return ladder;
+}
+
+/// The phenomena that were named, all of them if none was. Throws UsageError if there is none of a name.
+std::vector<const properties::Phenomenon*> chosen_phenomena(const std::vector<std::string>& names) {
+  std::vector<const properties::Phenomenon*> chosen;
+  for (const properties::Phenomenon& one : properties::all_phenomena()) {
+    if (names.empty() || std::find(names.begin(), names.end(), one.name) != names.end()) {
+      chosen.push_back(&one);
+    }
+  }
+  for (const std::string& name : names) {
+    std::string known;
+    bool is_known = false;
+    for (const properties::Phenomenon& one : properties::all_phenomena()) {
+      known += fmt::format("{}{}", known.empty() ? "" : ", ", one.name);
+      is_known = is_known || one.name == name;
+    }
+    if (!is_known) {
+      throw UsageError(report::shown(fmt::format("--phenomena: no phenomenon is named {}; there are {}", name, known)));
+    }
+  }
+  return chosen;
+}
+
+/// The engines that were named, all of them if none was. Throws UsageError if there is none of a name.
+std::vector<Stepper> chosen_engines(const TimeArguments& arguments, const std::stop_token& stop) {
+  const subjects::protocol::ExecOptions options = subjects::protocol::exec_options(arguments.timeout, stop);
+  const std::vector<Stepper> all = subjects::all_steppers();
+  std::vector<Stepper> chosen;
+  for (const std::string& name : arguments.subjects) {
+    if (name.starts_with(subjects::protocol::exec_prefix)) {
+      chosen.push_back(subjects::protocol::exec_stepper(name, options));
+      continue;
+    }
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Stepper& one) { return one.name == name; });
+    if (found == all.end()) {
+      std::string known;
+      for (const Stepper& one : all) {
+        known += (known.empty() ? "" : ", ") + one.name;
+      }
+      throw UsageError(report::shown(fmt::format(
+          "no engine in time is named {}; there are {}, and 'exec:PROGRAM ARG…' for a program", name, known)));
+    }
+    chosen.push_back(subjects::started(*found, options));
+  }
+  if (arguments.subjects.empty()) {
+    for (const Stepper& one : all) {
+      chosen.push_back(subjects::started(one, options));
+    }
+  }
+  return chosen;
+}
+
+report::TimedEngine measured(const Stepper& stepper, const TimeArguments& arguments, const properties::Ladder& ladder,
+                             const std::stop_token& stop, const std::function<void()>& on_phenomenon) {
+  report::TimedEngine engine{stepper.name, stepper.version, stepper.precision, stepper.absent};
+  if (!engine.absent.empty()) {
+    return engine;
+  }
+  const auto start = std::chrono::steady_clock::now();
+  Stepper::Session session = stepper.open();
+  for (const properties::Phenomenon* const phenomenon : chosen_phenomena(arguments.phenomena)) {
+    if (stop.stop_requested()) {
+      break;
+    }
+    engine.measurements.push_back(properties::measure(*phenomenon, stepper, session, ladder));
+    on_phenomenon();
+  }
+  if (arguments.phenomena.empty() && !stop.stop_requested()) {
+    engine.relations = properties::heap_relations(stepper, session, report::compared_step(ladder));
+  }
+  for (const std::string& text : stepper.claims) {
+    const properties::TimeClaim claim = properties::time_claim_from(text);
+    if (const properties::Measurement* const of_claim = measurement_of(engine, claim.phenomenon)) {
+      engine.claims.push_back({text, verdict_of(claim, *of_claim)});
+    }
+  }
+  engine.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return engine;
+}
+
+/// Draws the pictures into the directory. Without gnuplot there are no pictures, and the rest is written.
+void draw_pictures(const report::TimeRun& run, const std::filesystem::path& directory) {
+  std::vector<report::Plot> pictures;
+  for (const properties::Phenomenon& phenomenon : properties::all_phenomena()) {
+    for (report::Plot& picture : time_pictures(phenomenon, run)) {
+      pictures.push_back(std::move(picture));
+    }
+  }
+  if (const std::exception_ptr error = try_to_draw(pictures, directory)) {
+    try {
+      std::rethrow_exception(error);
+    } catch (const UsageError& why) {
+      fmt::print(stderr, "carom: no pictures: {}\n", why.what());
+    }
+  }
+}
+
+void write_reports(const report::TimeRun& run, const TimeArguments& arguments) {
+  const std::string record = time_record(run).dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+  if (!arguments.out.empty()) {
+    StagedOutput staged(arguments.out);
+    draw_pictures(run, staged.stage());
+    write_file(staged.stage() / "time.json", record);
+    write_file(staged.stage() / "junit.xml", time_junit(run));
+    write_file(staged.stage() / "report.html", time_html(run));
+    staged.put_in_place("report.html");
+  }
+  if (!arguments.pages.empty()) {
+    make_directories(arguments.pages);
+    for (const properties::Phenomenon* const one : chosen_phenomena(arguments.phenomena)) {
+      write_file(std::filesystem::path(arguments.pages) / fmt::format("{}.md", one->name), phenomenon_page(*one, run));
+    }
+  }
+  const std::string text = arguments.format == "json" ? record : time_text(run);
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  flush_output();
+}
+
+int measure_in_time(const TimeArguments& arguments) {
+  const std::stop_token stop = stop_on_interrupt();
+  report::TimeRun run;
+  run.environment = this_environment();
+  run.ladder = ladder_of(arguments);
+  const std::size_t phenomena = chosen_phenomena(arguments.phenomena).size();
+  const std::vector<Stepper> engines = chosen_engines(arguments, stop);
+  for (const Stepper& engine : engines) {
+    for (const std::string& claim : engine.claims) {
+      try {
+        static_cast<void>(properties::time_claim_from(claim));
+      } catch (const std::invalid_argument& error) {
+        throw UsageError(report::shown(fmt::format("{}: time_claims: {}", engine.name, error.what())));
+      }
+    }
+  }
+  const auto progress = progress_line("phenomena measured");
+  std::uint64_t done = 0;
+  for (const Stepper& engine : engines) {
+    run.engines.push_back(measured(engine, arguments, run.ladder, stop, [&] {
+      ++done;
+      if (progress) {
+        progress(done, phenomena * engines.size());
+      }
+    }));
+  }
+  run.interrupted = stop.stop_requested();
+  write_reports(run, arguments);
+  return run.exit_status(!arguments.subjects.empty());
+}
+
+}  // namespace
+
+void add_time(CLI::App& app, Chosen& chosen) {
+  const auto arguments = std::make_shared<TimeArguments>();
+  CLI::App* command = app.add_subcommand(
+      "time",
+      "Measure engines that step in time against ten phenomena with known answers; exit status 0 measured, 1 a claim is "
+      "not kept, 2 usage or environment error, or nothing measured");
+  command->add_option("SUBJECT", arguments->subjects,
+                      "A built-in engine, or 'exec:PROGRAM ARG…' for a program that answers `run` (default: all engines)");
+  command->add_option("--phenomena", arguments->phenomena, "Names of phenomena (default: all)")
+      ->delimiter(',')
+      ->type_name("NAMES");
+  command->add_option("--steps", arguments->steps, "Steps in seconds, such as 1/60,1/240 (default: 1/30 to 1/3840)")
+      ->delimiter(',')
+      ->type_name("STEPS");
+  command->add_flag("--quick", arguments->is_quick, "Two steps and six phases: some seconds for an engine");
+  command->add_option("--out", arguments->out, "Directory for report.html, time.json, junit.xml and pictures")
+      ->type_name("DIR");
+  command->add_option("--pages", arguments->pages, "Directory for a page in Markdown for each phenomenon")
+      ->type_name("DIR");
+  add_timeout(*command, arguments->timeout);
+  add_format(*command, arguments->format, {"text", "json"});
+  command->callback([&chosen, arguments] { chosen = [arguments] { return measure_in_time(*arguments); }; });
+}
+
+}  // namespace carom::tool
