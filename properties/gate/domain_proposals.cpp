@@ -23,14 +23,10 @@ constexpr double least_share = 0.1;
 /// are about 400 proposals with one condition, and some thousands with two.
 constexpr double excluded_by_one = 12;
 constexpr double excluded_by_two = 16;
-/// A part that is chosen by a trait has at least this many known cases.
-constexpr std::size_t least_with_trait = 50;
 constexpr std::size_t most_in_sample = 8000;
 
 bool is_upper(std::size_t end) { return end < all_limited_quantities.size(); }
-LimitedQuantity quantity_at(std::size_t end) {
-  return all_limited_quantities[end % all_limited_quantities.size()];
-}
+LimitedQuantity quantity_at(std::size_t end) { return all_limited_quantities[end % all_limited_quantities.size()]; }
 
 bool is_coefficient_of_restitution(LimitedQuantity quantity) {
   return quantity == LimitedQuantity::restitution || quantity == LimitedQuantity::tangential_restitution;
@@ -70,11 +66,17 @@ DomainProposals::DomainProposals(const SubjectResult& result, const GateReport& 
     valid += static_cast<std::size_t>(std::ranges::count_if(of_family, &SampledCase::is_valid));
   }
   const std::size_t every = 1 + valid / most_in_sample;
+  // A relation may fail because of the answer to another collision, which may lie outside of the right domain.
+  const std::vector<const Invariant*> broken = result.violated_invariants();
+  const bool by_answers = std::ranges::any_of(broken, [](const Invariant* one) { return one->is_of_one_answer(); });
+  const auto counts = [&](const Invariant& invariant) { return !by_answers || invariant.is_of_one_answer(); };
   std::size_t number = 0;
   for (std::size_t f = 0; f < report.sampled.size(); ++f) {
     std::set<std::uint64_t> violated;
     for (const auto& [invariant, cases] : result.families[f].violated_cases) {
-      violated.insert(cases.begin(), cases.end());
+      if (counts(*invariant)) {
+        violated.insert(cases.begin(), cases.end());
+      }
     }
     const bool is_generic = report.options.families[f]->name == "generic";
     for (std::uint64_t index = 0; index < report.sampled[f].size(); ++index) {
@@ -100,7 +102,9 @@ DomainProposals::DomainProposals(const SubjectResult& result, const GateReport& 
       }
     }
     for (const auto& [invariant, worst] : result.families[f].worst) {
-      add_violation(worst.original.collision);
+      if (counts(*invariant)) {
+        add_violation(worst.original.collision);
+      }
     }
   }
 }
@@ -144,14 +148,15 @@ double DomainProposals::share_of(const Proposal& proposal) const {
   return chosen == 0 ? 0 : static_cast<double>(inside) / static_cast<double>(chosen);
 }
 
-/// `excluded` is the number of violated cases that the last condition excludes.
+/// `excluded` is the number of violated cases that the last condition excludes. Few known cases have some kinds, but
+/// fresh cases are drawn into each kind.
 void DomainProposals::add_if_useful(Proposal proposal, std::size_t excluded, std::vector<Proposal>& all) const {
   proposal.share = share_of(proposal);
   const double needed = proposal.conditions == 1 ? excluded_by_one : excluded_by_two;
-  const bool keeps_enough = !proposal.ends.empty() ? proposal.share >= least_share
-                                                   : proposal.share * static_cast<double>(all_.size()) >=
-                                                         static_cast<double>(least_with_trait);
-  if (keeps_enough && static_cast<double>(excluded) * proposal.share >= needed) {
+  const bool is_shown = proposal.share >= (proposal.ends.empty() ? 0 : least_share) &&
+                        static_cast<double>(excluded) * proposal.share >= needed;
+  proposal.rank = 2 * proposal.conditions + (is_shown ? 0U : 1U);
+  if (is_shown || proposal.ends.empty()) {
     all.push_back(std::move(proposal));
   }
 }
@@ -239,7 +244,7 @@ std::vector<DomainProposals::Proposal> DomainProposals::proposals() const {
   add_traits(all);
   add_pairs_of_ends(all);
   std::stable_sort(all.begin(), all.end(), [](const Proposal& x, const Proposal& y) {
-    return std::pair(x.conditions, -x.share) < std::pair(y.conditions, -y.share);
+    return std::pair(x.rank, -x.share) < std::pair(y.rank, -y.share);
   });
   return all;
 }

@@ -41,7 +41,8 @@ class DomainProposals {
     std::uint32_t traits = 0;
     std::vector<std::pair<std::size_t, double>> ends = {};
     std::size_t conditions = 0;
-    double share = 0;  // of the cases that remain
+    double share = 0;      // of the cases that remain
+    std::size_t rank = 0;  // the least is tried first
   };
   using Conditions = std::pair<std::uint32_t, std::vector<std::size_t>>;  // traits and ends
 

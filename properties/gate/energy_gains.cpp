@@ -64,8 +64,8 @@ double error_of_gain(const Collision& c, const Outcome<double>& after) {
   double terms = 0;
   for (const Body* body : {&c.a, &c.b}) {
     if (body->immovable) {
-      wall_speed = oracles::norm_of(body->velocity) +
-                   oracles::norm_of(body->angular_velocity) * oracles::norm_of(Vector3<double>(c.point - body->position));
+      wall_speed = oracles::norm_of(body->velocity) + oracles::norm_of(body->angular_velocity) *
+                                                          oracles::norm_of(Vector3<double>(c.point - body->position));
     }
   }
   const auto add = [&](const Body& body, const BodyVelocity<double>& now) {
@@ -113,8 +113,7 @@ bool gains(const oracles::ExactCase& exact_case, const Claim& claim, const oracl
 
 double joules_of(const oracles::ExactCase& exact_case, const oracles::LiftedOutcome& outcome) {
   const double enclosed = gain_beyond_work(exact_case.enclosed(), outcome.enclosed()).middle();
-  return std::isfinite(enclosed) ? enclosed
-                                 : oracles::to_double(gain_beyond_work(exact_case.exact(), outcome.exact()));
+  return std::isfinite(enclosed) ? enclosed : oracles::to_double(gain_beyond_work(exact_case.exact(), outcome.exact()));
 }
 
 /// Whether the answer is one of the law: no equation of the law is violated. A deviation would hide a violation.

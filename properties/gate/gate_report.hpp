@@ -99,7 +99,7 @@ struct Witness {
   std::string not_shrunk = {};  // the failure that ended the shrinking; empty if there was none
 };
 
-/// A use in which a subject with a violation is sound, by the judgement of fresh cases.
+/// A use in which a subject with a violation has none, by the judgement of fresh cases.
 struct WayOn {
   std::optional<Domain> within;  // a domain in which it is sound; none if effects are the way
   DeclaredEffects effects = {};  // to be declared in place of the subject's own

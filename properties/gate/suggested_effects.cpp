@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <limits>
-#include <optional>
 #include <set>
 #include <vector>
 
@@ -21,7 +20,7 @@ using oracles::ContactState;
 using V = Vector3<double>;
 
 /// Fewer cases suggest nothing.
-constexpr std::size_t least_cases = 10;
+constexpr std::ptrdiff_t least_cases = 10;
 /// ε and ε N·V⁻ below this share are not told from zero.
 constexpr double visible = 0x1p-7;
 /// Answers that differ by less have one value, also in binary32.
@@ -32,8 +31,7 @@ double roundest_in(double least, double most) {
   constexpr int all_digits = 17;
   for (int digits = 1; digits < all_digits; ++digits) {
     const double unit = std::pow(10.0, std::floor(std::log10(most)) - digits + 1);
-    const double round =
-        std::strtod(fmt::format("{:.{}g}", std::floor(most / unit) * unit, digits).c_str(), nullptr);
+    const double round = std::strtod(fmt::format("{:.{}g}", std::floor(most / unit) * unit, digits).c_str(), nullptr);
     if (least <= round && round <= most) {
       return round;
     }
@@ -48,7 +46,7 @@ struct Wrong {
   const Outcome<double>& answer;
 };
 
-/// The sampled violated answers, and the slowest approach of the sampled colliding cases without a violation.
+/// The sampled violated answers, and the speeds of approach of the sampled colliding cases without a violation.
 class Sample {
  public:
   Sample(const SubjectResult& result, const GateReport& report) {
@@ -56,7 +54,10 @@ class Sample {
       const FamilyResult& family = result.families[f];
       std::set<std::uint64_t> excluded(family.skipped_cases.begin(), family.skipped_cases.end());
       for (const auto& [invariant, cases] : family.violated_cases) {
-        excluded.insert(cases.begin(), cases.end());
+        // A relation may fail because of the answer to a slower collision.
+        if (invariant->is_of_one_answer()) {
+          excluded.insert(cases.begin(), cases.end());
+        }
       }
       const std::vector<SampledCase>& cases = report.sampled[f];
       for (const SampledAnswer& answer : family.sampled_answers) {
@@ -68,33 +69,39 @@ class Sample {
         const SampledCase& one = cases[index];
         if (one.is_valid && one.approach == ContactState::colliding && one.collision.restitution > visible &&
             !excluded.contains(index)) {
-          slowest_right_ = std::min(slowest_right_, approach_of(one.collision));
+          right_.push_back(approach_of(one.collision));
         }
       }
     }
+    std::ranges::sort(right_);
   }
 
   [[nodiscard]] const std::vector<Wrong>& wrong() const { return wrong_; }
 
   /// A limit of the speed of approach, below which colliding cases are answered as `is_so` says. 0 if there is none.
+  /// At some slower cases, rounding may hide the effect.
   template <class IsSo>
   [[nodiscard]] double limit_of_approach(const IsSo& is_so) const {
     double fastest = 0;
-    std::size_t count = 0;
+    std::ptrdiff_t count = 0;
     for (const Wrong& one : wrong_) {
       if (one.sampled.approach == ContactState::colliding && is_so(one)) {
         fastest = std::max(fastest, approach_of(one.sampled.collision));
         ++count;
       }
     }
-    return count >= least_cases && fastest < slowest_right_ && std::isfinite(slowest_right_)
-               ? roundest_in(std::nextafter(fastest, slowest_right_), slowest_right_)
-               : 0;
+    const auto faster = std::upper_bound(right_.begin(), right_.end(), fastest);
+    if (count < least_cases || 2 * (faster - right_.begin()) >= count || faster == right_.end()) {
+      return 0;
+    }
+    // A case that is not judged is no right case, so the limit may be a little larger.
+    constexpr double unsharp = 1.01;
+    return roundest_in(std::nextafter(fastest, *faster), std::max(*faster, unsharp * fastest));
   }
 
  private:
   std::vector<Wrong> wrong_;
-  double slowest_right_ = std::numeric_limits<double>::infinity();
+  std::vector<double> right_;  // speeds of approach, ascending
 };
 
 bool stops(const Wrong& one) {
@@ -123,7 +130,7 @@ void for_each_movable(const Wrong& one, bool is_spin, const Use& use) {
   of_body(c.b, one.answer.b);
 }
 
-/// The fraction that contacts lose which do not collide; 0 if they do not agree.
+/// The fraction that contacts lose which do not collide; 0 if fewer than nine in ten agree.
 double damping(const Sample& sample, bool is_spin, double roundoff) {
   std::vector<double> lost;
   for (const Wrong& one : sample.wrong()) {
@@ -132,21 +139,23 @@ double damping(const Sample& sample, bool is_spin, double roundoff) {
     }
     for_each_movable(one, is_spin, [&](const V& before, const V& after) {
       const double squared = dot(before, before);
-      if (squared > 0 && std::isfinite(squared)) {
+      if (std::isnormal(squared)) {
         const double kept = dot(after, before) / squared;
         const bool is_along = length(V(after - kept * before)) <= sameness * length(before);
-        lost.push_back(is_along ? 1 - kept : std::numeric_limits<double>::quiet_NaN());
+        lost.push_back(is_along ? 1 - kept : 0);
       }
     });
   }
-  if (lost.size() < least_cases || std::ranges::any_of(lost, [](double x) { return !(x > 0 && x < 1); })) {
+  const auto all = static_cast<std::ptrdiff_t>(lost.size());
+  if (all < least_cases) {
     return 0;
   }
-  const auto [least, most] = std::minmax_element(lost.begin(), lost.end());
-  const double rounding = 8 * roundoff;
-  return *most - *least <= sameness * *most + rounding && *least > rounding
-             ? roundest_in(*least - rounding, *most + rounding)
-             : 0;
+  std::ranges::sort(lost);
+  const double median = lost[lost.size() / 2];
+  const double spread = sameness * std::abs(median) + 8 * roundoff;
+  const auto first = std::lower_bound(lost.begin(), lost.end(), median - spread);
+  const auto last = std::upper_bound(lost.begin(), lost.end(), median + spread);
+  return median > spread && 10 * (last - first) >= 9 * all ? roundest_in(median - spread, median + spread) : 0;
 }
 
 /// The greatest length of an answer, if many answers have it; 0 otherwise.
@@ -161,7 +170,7 @@ double limit_of_length(const Sample& sample, bool is_spin, double roundoff) {
   const double most = *std::max_element(lengths.begin(), lengths.end());
   const double least = most * (1 - sameness);
   const auto have_it = std::ranges::count_if(lengths, [&](double x) { return x >= least; });
-  return std::isfinite(most) && most > 0 && static_cast<std::size_t>(have_it) >= least_cases
+  return std::isfinite(most) && most > 0 && have_it >= least_cases
              ? roundest_in(most * (1 - 16 * roundoff), most * (1 + 16 * roundoff))
              : 0;
 }

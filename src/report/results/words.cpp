@@ -151,7 +151,7 @@ std::vector<std::string> ways_on(const Run& run, std::size_t subject) {
   for (const properties::WayOn& way : run.results[subject].ways_on) {
     const std::string what =
         way.within ? "sound within " + properties::to_text(*way.within)
-                   : fmt::format("sound if it declares {}: \"claims\":{} in the reply to start",
+                   : fmt::format("no violation if it declares {}: \"claims\":{} in the reply to start",
                                  properties::to_text(way.effects), Json<DeclaredEffects>::write(way.effects).dump());
     lines.push_back(fmt::format("{} ({} fresh cases)", what, way.cases));
   }

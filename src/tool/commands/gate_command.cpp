@@ -12,6 +12,7 @@
 
 #include <carom/properties/gate/by_name.hpp>
 #include <carom/properties/gate/gate.hpp>
+#include <carom/properties/gate/ways_on.hpp>
 #include <carom/report/results/words.hpp>
 #include <carom/subjects/catalogue.hpp>
 #include <carom/subjects/protocol/exec.hpp>
@@ -50,6 +51,7 @@ struct GateArguments {
   std::string baseline;               // a report.json, or the directory that holds it; empty for none
   std::vector<std::string> deviates;  // "invariant" or "invariant@family"
   std::string shard;                  // "I/N" or automatic_shard; empty for the whole
+  bool coverage = false;
 };
 
 namespace fs = std::filesystem;
@@ -214,11 +216,14 @@ int gate(const GateArguments& arguments) {
     make_directories(fs::path(out) / "witnesses");
     staged.emplace(out);
   }
-  report::Run run = report::diagnosed({properties::run_gate(selection.subjects, options), this_environment(), deviates,
-                                       posed.without_case, selection.counts, selection.absent, shard.has_value()});
+  properties::GateReport found = properties::run_gate(selection.subjects, options);
+  properties::add_ways_on(found, selection.counts);
+  report::Run run = report::diagnosed({std::move(found), this_environment(), deviates, posed.without_case,
+                                       selection.counts, selection.absent, shard.has_value()});
   return present_run(
       std::move(run), baseline,
-      {out, arguments.format, !arguments.annotations.empty(), arguments.summary, [&] { commands_stopped.reset(); }},
+      {out, arguments.format, !arguments.annotations.empty(), arguments.summary, [&] { commands_stopped.reset(); },
+       arguments.coverage},
       staged);
 }
 
@@ -292,6 +297,9 @@ void add_gate(CLI::App& app, Chosen& chosen) {
       ->check(CLI::IsMember({"github"}));
   command->add_option("--summary", arguments->summary, "File to which a summary in Markdown is appended")
       ->type_name("FILE");
+  command->add_flag("--coverage", arguments->coverage,
+                    "Also print the cases of each family by kind of contact, the families with violations, and where "
+                    "each subject fails beyond the claimed domain. report.html always has them");
   add_jobs(*command, arguments->jobs, "Number of threads");
   add_limits(*command, arguments->judged);
   add_timeout(*command, arguments->timeout);
