@@ -139,13 +139,16 @@ std::vector<DrawnDefect> threshold_and_world_axes() {
   return defects;
 }
 
-bool names(const properties::diagnosis::Fault& fault, const DrawnDefect& defect) {
+bool describes(const properties::diagnosis::Fault& fault, const DrawnDefect& defect) {
   const auto is_said = [&](const std::string& alternative) {
     return std::ranges::all_of(parts_of(alternative, '&'),
                                [&](const std::string& part) { return has_part(fault.what, part); });
   };
-  return std::ranges::any_of(parts_of(defect.named_by, '|'), is_said) &&
-         (!defect.limit || states(fault.what + ' ' + fault.where, *defect.limit));
+  return std::ranges::any_of(parts_of(defect.named_by, '|'), is_said);
+}
+
+bool names(const properties::diagnosis::Fault& fault, const DrawnDefect& defect) {
+  return describes(fault, defect) && (!defect.limit || states(fault.what + ' ' + fault.where, *defect.limit));
 }
 
 Which drawn_bodies(Random& random) {

@@ -44,7 +44,8 @@ struct DrawnDefect {
   std::string_view kind = {};
   std::string words = {};  // "ε is multiplied by 0.437"
   /// Alternatives, separated by `|`. Of one of them, a description contains every part, and parts are separated by `&`.
-  /// A part `!x` means that x is absent. `A` and `B` mean this body or both. `%x` means any word of a group (`names`).
+  /// A part `!x` means that x is absent. `A` and `B` mean this body or both. `%x` means any word of a group
+  /// (drawn_defects.cpp).
   std::string named_by = {};
   std::optional<double> limit = {};  // a number that the description states within a quarter
   Change change = {};
@@ -83,7 +84,9 @@ struct DefectKind {
 /// ε is 0 below 0.5 m/s, and the inertia of both bodies is taken along the world's axes. Somebody's solver had both.
 [[nodiscard]] std::vector<DrawnDefect> threshold_and_world_axes();
 
-/// Whether `what` of the fault names the defect, and `what` or `where` states its limit.
+/// Whether `what` of the fault says the words of the defect.
+[[nodiscard]] bool describes(const properties::diagnosis::Fault& fault, const DrawnDefect& defect);
+/// Whether the fault describes the defect, and states its limit in `what` or `where`.
 [[nodiscard]] bool names(const properties::diagnosis::Fault& fault, const DrawnDefect& defect);
 
 // Parts of several kinds.
