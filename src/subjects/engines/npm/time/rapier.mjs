@@ -28,12 +28,15 @@ function make_collider({ shape, sphere, box, half_space }) {
   }
 }
 
+const moves = ({ velocity }) => velocity.some((x) => x !== 0);
+
 function make_body(world, body, { friction, restitution, continuous }, configured) {
   const description = body.fixed ? RAPIER.RigidBodyDesc.fixed() : RAPIER.RigidBodyDesc.dynamic();
   const [w, x, y, z] = body.orientation;
   description.setTranslation(...body.position).setRotation({ w, x, y, z });
   description.setLinvel(...body.velocity).setAngvel(xyz(body.angular_velocity));
-  description.setCcdEnabled(continuous).setCanSleep(!configured);
+  // Two bodies with continuous detection would pass through each other.
+  description.setCcdEnabled(continuous && moves(body)).setCanSleep(!configured);
   const made = world.createRigidBody(description);
   const collider = make_collider(body);
   if (!body.fixed) {

@@ -46,11 +46,11 @@ function read_body(json, field) {
     position: vector(json.position, `${field}.position`),
     orientation: direction(json.orientation ?? [1, 0, 0, 0], `${field}.orientation`, 4),  // w, x, y, z
   };
+  expect(body.fixed || shape !== 'half_space', `${field}.fixed`, 'true for a half_space', json.fixed);
   for (const name of ['velocity', 'angular_velocity']) {
     body[name] = vector(body.fixed ? json[name] ?? [0, 0, 0] : json[name], `${field}.${name}`);
     expect(!body.fixed || body[name].every((x) => x === 0), `${field}.${name}`, '0 for a fixed body', json[name]);
   }
-  expect(body.fixed || shape !== 'half_space', `${field}.fixed`, 'true for a half_space', json.fixed);
   if (!body.fixed) {
     body.mass = positive(json.mass, `${field}.mass`);
     body.principal_inertia = vector(json.principal_inertia, `${field}.principal_inertia`)
