@@ -44,7 +44,7 @@ void add_missing_scene(CLI::App& app, Chosen& chosen) {
 int main(int argc, char** argv) {
   using namespace carom::tool;
   become_scene_program(argc, argv);
-  return run_program(
-      argc, argv,
-      {add_gate, add_domain, add_lists, add_chart, add_missing_scene, add_plan, add_compare, add_merge, add_replay});
+  return run_program(argc, argv,
+                     {add_gate, add_check, add_domain, add_lists, add_chart, add_missing_scene, add_plan, add_compare,
+                      add_merge, add_replay, add_time});
 }

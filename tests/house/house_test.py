@@ -13,7 +13,7 @@ import sys
 
 # A folder or file may include the standard library, and names with these beginnings. `*` is everything, and `-` takes
 # away. The longest place that fits a file applies. A name in quotes below src/tool counts as tool/NAME.
-TOOL = "carom/ CLI/ fmt/ nlohmann/ pugixml benchmark/ boost/ Eigen/ nlopt unistd.h sys/ signal.h fcntl.h poll.h"
+TOOL = "carom/ CLI/ libfccp/ fmt/ nlohmann/ pugixml benchmark/ boost/ Eigen/ nlopt unistd.h sys/ signal.h fcntl.h poll.h"
 EXACT = "carom/collision/ carom/oracles/laws/ carom/oracles/exact/"
 JUDGE = "carom/collision/ carom/oracles/"
 KIT = "fmt/ Eigen/ gtest/ rapidcheck"

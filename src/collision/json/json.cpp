@@ -10,6 +10,7 @@
 
 #include <carom/collision/json/json.hpp>
 #include <carom/collision/json/object_reader.hpp>
+#include <carom/collision/json/record.hpp>
 #include <carom/collision/json/text.hpp>
 
 namespace carom {
@@ -180,6 +181,10 @@ json parse_json(std::string_view text) {
     }
     return number;
   });
+}
+
+json parse_spelled(std::string_view text) {
+  return built<json>(text, [](const std::string& digits, long double /*wide*/) { return digits; });
 }
 
 WideJson parse_reply(std::string_view text, Precision precision) {

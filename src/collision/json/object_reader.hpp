@@ -103,16 +103,24 @@ class ObjectReader {
     read_numbers(required(name), into, [&] { return at(name); });
   }
 
-  void reject_others() const {
+  /// Calls visit(name, value) for each field that was not requested.
+  template <class Visit>
+  void for_each_other(const Visit& visit) const {
     for (const auto& [name, value] : object_.items()) {
       if (std::find(asked_.begin(), asked_.end(), name) == asked_.end()) {
-        std::string known;
-        for (const std::string& field : asked_) {
-          known += (known.empty() ? "" : ", ") + field;
-        }
-        throw FormatError(at(name), "unknown field; expected one of " + known);
+        visit(name, value);
       }
     }
+  }
+
+  void reject_others() const {
+    for_each_other([&](const std::string& name, const Json& /*value*/) {
+      std::string known;
+      for (const std::string& field : asked_) {
+        known += (known.empty() ? "" : ", ") + field;
+      }
+      throw FormatError(at(name), "unknown field; expected one of " + known);
+    });
   }
 
  private:

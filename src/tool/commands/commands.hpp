@@ -21,6 +21,7 @@ using Chosen = std::function<int()>;
 /// Each function adds a command, which sets `chosen` if the command line names it. Precondition: `chosen` outlives
 /// `app`.
 void add_gate(CLI::App& app, Chosen& chosen);
+void add_check(CLI::App& app, Chosen& chosen);  // of recorded collisions
 void add_domain(CLI::App& app, Chosen& chosen);
 void add_lists(CLI::App& app, Chosen& chosen);  // subjects, invariants, families, features
 void add_chart(CLI::App& app, Chosen& chosen);
@@ -30,6 +31,8 @@ void add_merge(CLI::App& app, Chosen& chosen);
 void add_replay(CLI::App& app, Chosen& chosen);
 void add_scene(CLI::App& app, Chosen& chosen);           // of the program carom-scene
 void add_plan_of_scenes(CLI::App& app, Chosen& chosen);  // of carom-scene; of collisions, too
+void add_steps(CLI::App& app, Chosen& chosen);           // of carom-scene
+void add_time(CLI::App& app, Chosen& chosen);
 
 /// Runs a program with these commands and returns its exit status, even if a command throws. Errors are reported on
 /// standard error. If the reader of standard output is gone, the function ends the program by SIGPIPE.

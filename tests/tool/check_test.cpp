@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "support/expect_in.hpp"
+#include "support/program.hpp"
+
+/// `carom check`, the judge of recorded collisions.
+namespace carom::tests {
+namespace {
+
+using nlohmann::json;
+using unit::expect_in;
+
+/// A ball that a wall reflects with ε = 0.8.
+json wall_record() {
+  return json::parse(R"({
+    "a": {"mass": 0.17, "sphere": 0.0286, "position": [0, 0, 0.0286], "velocity": [2, 0, 0], "angular_velocity": [0, 0, 0]},
+    "b": {"immovable": true, "position": [0.0286, 0, 0.0286], "velocity": [0, 0, 0], "angular_velocity": [0, 0, 0]},
+    "point": [0.0286, 0, 0.0286], "normal": [-1, 0, 0], "restitution": 0.8, "frame": 17,
+    "after": {"a": {"velocity": [-1.6, 0, 0], "angular_velocity": [0, 0, 0]}}})");
+}
+
+json wrong_record() {
+  json record = wall_record();
+  record["after"]["a"]["velocity"] = {-1.7, 0, 0};
+  return record;
+}
+
+/// The collision of a question on a forum (stackoverflow.com 894935), with the velocities that it prints.
+json two_balls() {
+  return json::parse(R"({
+    "a": {"mass": 12.56637, "principal_inertia": [20.106192, 20.106192, 20.106192], "position": [0, 0, 0],
+          "velocity": [1.73199439, -10.5695238, 0], "angular_velocity": [0, 0, 0]},
+    "b": {"mass": 12.56637, "principal_inertia": [20.106192, 20.106192, 20.106192],
+          "position": [-3.122715354855946, -2.499729747902141, 0], "velocity": [6.04341078, 14.2686739, 0],
+          "angular_velocity": [0, 0, 0]},
+    "point": [-1.561357677427973, -1.2498648739510705, 0], "normal": [0.7806788387139865, 0.6249324369755352, 0],
+    "restitution": 0.75,
+    "after": {"a": {"velocity": [110.004326, -10.5695238, 0.0], "angular_velocity": [0, 0, 0]},
+              "b": {"velocity": [-102.22892, -72.4030228, 0.0], "angular_velocity": [0, 0, 0]}}})");
+}
+
+TEST(Check, SaysThatMomentumIsLost) {
+  const TemporaryDirectory directory;
+  const RunResult run =
+      run_carom({"check", directory.write("balls.json", two_balls().dump(2)), "--law", "frictionless"});
+  EXPECT_EQ(run.exit_status, 1) << run.output << run.errors;
+  expect_in(run.output,
+            {"VIOLATED: 0 of 1 records hold under the law frictionless",
+             "linear momentum along y: 46.485 kg m/s before, -1042.7 after; A gains 0, and B loses 1089.1"});
+}
+
+TEST(Check, PutsTheVerdictFirstAndPrintsUnknownFieldsBack) {
+  const TemporaryDirectory directory;
+  json wrong = wrong_record();
+  wrong["engine\x1b[31m"] = "my \x1b[31mengine";
+  wrong["fricton"] = 0.5;
+  const RunResult run =
+      run_carom({"check", directory.write("log.jsonl", wall_record().dump() + '\n' + wrong.dump() + '\n')});
+  EXPECT_EQ(run.exit_status, 1) << run.output << run.errors;
+  expect_in(run.output, {"VIOLATED: 1 of 2 records hold", "(--digits N sets it)", "frame: 17", "log.jsonl:2",
+                         "ε = 0.8 demands 1.6", "did you mean 'friction'?", "median", "frictionless"});
+  EXPECT_LT(run.output.find("VIOLATED"), run.output.find("median"));
+  EXPECT_EQ(run.output.find('\x1b'), std::string::npos);
+}
+
+TEST(Check, ReadsColumns) {
+  const TemporaryDirectory directory;
+  const std::string head =
+      "frame,a.mass,a.sphere,a.position.x,a.position.y,a.position.z,a.velocity.x,a.velocity.y,a.velocity.z,"
+      "a.angular_velocity.x,a.angular_velocity.y,a.angular_velocity.z,b.immovable,b.position.x,b.position.y,"
+      "b.position.z,b.velocity.x,b.velocity.y,b.velocity.z,b.angular_velocity.x,b.angular_velocity.y,"
+      "b.angular_velocity.z,point.x,point.y,point.z,normal.x,normal.y,normal.z,restitution,after.a.velocity.x,"
+      "after.a.velocity.y,after.a.velocity.z,after.a.angular_velocity.x,after.a.angular_velocity.y,"
+      "after.a.angular_velocity.z\n";
+  const auto line = [](const std::string& frame, const std::string& after) {
+    return frame + ",0.17,0.0286,0,0,0.0286,2,0,0,0,0,0,true,0.0286,0,0.0286,0,0,0,0,0,0,0.0286,0,0.0286,-1,0,0,0.8," +
+           after + ",0,0,0,0,0\n";
+  };
+  const std::string right = directory.write("right.csv", head + line("1", "-1.6") + line("\"a \"\"b\"\", c\"", "-1.6"));
+  EXPECT_EQ(run_carom({"check", right}).exit_status, 0);
+  const RunResult wrong = run_carom({"check", directory.write("wrong.csv", head + line("\"a \"\"b\"\", c\"", "-1.7"))});
+  EXPECT_EQ(wrong.exit_status, 1);
+  expect_in(wrong.output, {"frame: \"a \\\"b\\\", c\"", "wrong.csv:2"});
+  const std::string broken = head + line("1", "-1.6") + line("2", "x");
+  expect_error(run_carom({"check", directory.write("broken.csv", broken)}),
+               {"broken.csv:3: after.a.velocity.x: expected a number, found \"x\""});
+}
+
+TEST(Check, PrintsWhatItFoundBeforeABrokenRecord) {
+  const TemporaryDirectory directory;
+  json broken = wall_record();
+  broken["after"]["a"]["velocity"] = {-1.6, "fast", 0};
+  const std::string text = wall_record().dump() + '\n' + wrong_record().dump() + '\n' + broken.dump() + '\n';
+  const RunResult run = run_carom({"check", directory.write("log.jsonl", text)});
+  expect_error(run, {"log.jsonl:3: after.a.velocity.y: expected a number, found \"fast\""});
+  expect_in(run.output, {"1 of 2 records hold"});
+}
+
+TEST(Check, NamesThePlaceOfAnError) {
+  const TemporaryDirectory directory;
+  const auto expect = [&](json record, const char* pointer, const json& value, const std::vector<std::string>& parts) {
+    const json::json_pointer place(pointer);
+    if (value.is_null()) {
+      record.at(place.parent_pointer()).erase(place.back());
+    } else {
+      record[place] = value;
+    }
+    expect_error(run_carom({"check", directory.write("one.json", record.dump())}), parts);
+  };
+  expect(wall_record(), "/a/mass", -1, {"one.json: a.mass: expected greater than 0"});
+  expect(wall_record(), "/after/a/velocity", json{1, 2}, {"after.a.velocity: expected an array of 3 numbers"});
+  expect(wall_record(), "/after", {}, {"one.json: after: is missing"});
+  expect(two_balls(), "/after/b", {}, {"one.json: after.b: is missing"});
+  expect(two_balls(), "/b/principal_inertia", {}, {"b.principal_inertia: is missing", "sphere"});
+  expect_error(run_carom({"check", directory.write("list.json", "[" + wall_record().dump() + ", {]")}), {"not JSON"});
+  expect_error(run_carom({"check", directory.write("empty.csv", "")}), {"empty.csv: the file is empty"});
+  expect_error(run_carom({"check", directory.write("other.csv", "x,y\n1,2\n")}), {"a.velocity.x"});
+  expect_error(run_carom({"check", (directory.path() / "none.jsonl").string()}), {"does not exist"});
+}
+
+TEST(Check, WritesItsReports) {
+  const TemporaryDirectory directory;
+  const std::string file =
+      directory.write("log.json", "[" + wall_record().dump() + ",\n" + wrong_record().dump() + "]");
+  const std::filesystem::path out = directory.path() / "out";
+  EXPECT_EQ(run_carom({"check", file, "--out", out.string(), "--law", "frictionless"}).exit_status, 1);
+  const json report = json::parse(content_of(out / "report.json"));
+  EXPECT_EQ(report.at("records"), 2);
+  EXPECT_EQ(report.at("violated"), 1);
+  EXPECT_EQ(report.at("violations").at("restitution"), 1);
+  EXPECT_EQ(report.at("worst").at(0).at("others").at("frame"), 17);
+  EXPECT_EQ(report.at("worst").at(0).at("place"), file + ": element 1");
+  expect_in(content_of(out / "junit.xml"), {"<failure message=\"1 of 2 records violate it\"", "failures=\"1\""});
+  expect_in(content_of(out / "report.html"), {"Recorded collisions", "ε = 0.8 demands 1.6"});
+  expect_in(run_carom({"check", file, "--format", "junit"}).output, {"<testsuites name=\"carom\""});
+  EXPECT_EQ(json::parse(run_carom({"check", file, "--format", "json"}).output).at("hold"), 1);
+}
+
+}  // namespace
+}  // namespace carom::tests
