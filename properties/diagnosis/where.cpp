@@ -457,9 +457,10 @@ std::string in_words(const Where& where) {
     return rounded == 0 && share.violated > 0 ? std::string("less than 1 %") : fmt::format("{} %", rounded);
   };
   const std::string of = where.of.empty() ? "cases" : where.of;
-  if (where.conditions.empty()) {
-    return fmt::format("in {} of the {}{}", percent(where.all), of,
-                       is_nearly_all(where.all) ? "" : ", without a common condition");
+  // A condition of which few cases fail tells a reader nothing.
+  constexpr std::uint64_t least_part = 5;
+  if (where.conditions.empty() || where.there.violated * least_part < where.there.cases) {
+    return fmt::format("in {} of the {}", percent(where.all), of);
   }
   const std::string& words = where.conditions.front().words;
   const Share others{where.all.violated - where.there.violated, where.all.cases - where.there.cases};
@@ -473,7 +474,8 @@ std::string in_one_sentence(const std::string& what, const std::string& where) {
     return what;
   }
   const bool is_one = what.ends_with('.') && what.find(". ") == std::string::npos && what.find(": ") == std::string::npos;
-  return is_one ? fmt::format("{} {}.", what.substr(0, what.size() - 1), where)
+  const char* const comma = where.starts_with("if ") ? "" : ",";
+  return is_one ? fmt::format("{}{} {}.", what.substr(0, what.size() - 1), comma, where)
                 : fmt::format("{} It happens {}.", what, where);
 }
 

@@ -151,7 +151,7 @@ TEST(Violations, AreAnnotatedWithWhatTheDiagnosisSays) {
   unit::expect_in(github_annotations(run, ""), {"::notice title=diagnosis of solver::Only 2 were examined.\n"});
   run.diagnoses[0].faults[0].where = "unless ε = 0";
   run.diagnoses[0].faults[0].look_at = "the test";
-  unit::expect_in(github_annotations(run, ""), {"examined unless ε = 0.%0ALook at: the test\n"});
+  unit::expect_in(github_annotations(run, ""), {"examined, unless ε = 0.%0ALook at: the test\n"});
 }
 
 /// A terminal has the place of the first fault only, and the case of each.
@@ -166,15 +166,15 @@ TEST(Violations, OfSeveralFaultsAreShownEachWithItsOwnWitness) {
                        {"It turns.", "the turn", "if it spins", 8,
                         properties::diagnosis::FaultWitness{slow_family, 9, properties::invariant_named("energy")}}}};
   const std::string text = run_text(run, "");
-  unit::expect_in(text, {"\nIt bounces unless it rests.\n", "\nLook at: the bounce\n",
+  unit::expect_in(text, {"\nIt bounces, unless it rests.\n", "\nLook at: the bounce\n",
                          "\nReplay: carom replay --family slow --case 0 --seed 5 --subject solver\n",
                          "\nAlso: It turns if it spins. (case 9 of slow)\n"});
   EXPECT_EQ(text.find("the turn"), std::string::npos) << text;
   for (const std::string& form : {run_markdown(run, ""), run_html(run, "")}) {
-    unit::expect_in(form, {"It bounces unless it rests.", "the bounce", "It turns if it spins.", "the turn",
+    unit::expect_in(form, {"It bounces, unless it rests.", "the bounce", "It turns if it spins.", "the turn",
                            "carom replay --family slow --case 9 --seed 5 --subject solver"});
   }
-  unit::expect_in(github_annotations(run, ""), {"It bounces unless it rests.%0ALook at: the bounce\n",
+  unit::expect_in(github_annotations(run, ""), {"It bounces, unless it rests.%0ALook at: the bounce\n",
                                                 "It turns if it spins.%0ALook at: the turn\n"});
   const nlohmann::json faults = report_record(run).at("subjects").at(0).at("diagnosis").at("faults");
   EXPECT_EQ(faults.at(1).at("witness").at("case"), 9);

@@ -223,7 +223,7 @@ TEST(FormsOfARun, PageHasEveryPartAndRunsNothing) {
   unit::expect_in(std::string(witness.select_node("pre").node().text().get()), {"carom replay "});
   EXPECT_TRUE(witness.select_node(".//tr[th='velocity of A']/td[2]")) << "what is exact beside what was computed";
   unit::expect_in(page.page, {"energy@head_on"});
-  unit::expect_in(page.run.output, {"not judged because of --deviates: energy@head_on, "});
+  unit::expect_in(page.run.output, {"not judged because of\n    --deviates: energy@head_on, "});
 }
 
 TEST(FormsOfARun, JunitHasASuiteForEachSubjectAndAFailureForEachViolation) {
@@ -261,11 +261,11 @@ TEST(FormsOfARun, SummaryHasATableOfSubjectsAndTheFirstWitnessWithItsReplay) {
   const std::string count = std::to_string(violations().size()) + " violated";
   unit::expect_in(forms().summary, {"## Carom: " + count + "\n", "| `frictionless-double` | sound | ",
                                     "| " + count + " |", "### `reflection-in-basis-double`\n",
-                                    "    carom replay " + (forms().directory.path() / witness).string(),
+                                    "\n    Replay: carom replay " + (forms().directory.path() / witness).string(),
                                     "\n### `exec:/no/such '100 %: a,b'`\n\n    could not be judged: "});
   EXPECT_EQ(forms().summary.find("### `frictionless-double`"), std::string::npos) << forms().summary;
   for (const json& violation : violations()) {
-    unit::expect_in(forms().summary, {"\n    " + violation.at("invariant").get<std::string>() + " "});
+    unit::expect_in(forms().summary, {violation.at("invariant").get<std::string>() + " in"});
   }
 }
 

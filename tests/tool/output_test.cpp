@@ -98,7 +98,7 @@ TEST(Reports, AreWrittenIfStandardOutputBreaks) {
   for (const auto& [script, errors] :
        {Broken{R"({ "$@"; echo "status $?" >&2; } | true)", "status 141\n"},
         Broken{R"("$@" > /dev/full; echo "status $?" >&2)",
-               "carom: standard output: cannot write to file: No space left on device\nstatus 2\n"}}) {
+               "carom: standard output cannot be written: No space left on device\nstatus 2\n"}}) {
     const TemporaryDirectory out;
     EXPECT_EQ(in_shell(script, finding_gate(out.path())).errors, errors);
     ASSERT_TRUE(fs::exists(out.path() / "report.json")) << script;

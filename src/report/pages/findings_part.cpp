@@ -77,6 +77,13 @@ std::string violated_in_words(const SubjectResult& result, const std::vector<con
   return listed(words);
 }
 
+/// The witness for a first look: of the invariant that explains most, but of a shown matrix only if no other is wrong.
+const Witness& first_of(const std::vector<const Witness*>& witnesses) {
+  const auto found = std::find_if(witnesses.begin(), witnesses.end(),
+                                  [](const Witness* witness) { return !witness->invariant->is_of_matrix(); });
+  return found == witnesses.end() ? *witnesses.front() : **found;
+}
+
 }  // namespace
 
 std::string not_shrunk_in_words(const Witness& witness) {
@@ -94,7 +101,7 @@ Section finding_part(const Run& run, std::size_t s, const std::string& out_direc
   const SubjectResult& result = run.results[s];
   const Diagnosis& diagnosis = run.diagnoses[s];
   const std::vector<const Witness*> witnesses = witnesses_by_telling(run, s);
-  const Witness& first = *witnesses.front();
+  const Witness& first = first_of(witnesses);
   Document content;
   if (!diagnosis.faults.empty()) {
     content.emplace_back(Paragraph{sentence_of(diagnosis.faults.front()), "fault"});
@@ -144,11 +151,12 @@ Document findings_part(const Run& run, const std::string& out_directory) {
 Document violated_families_part(const Run& run) {
   Facts facts;
   for (std::size_t s = 0; s < run.results.size(); ++s) {
-    if (run.counts[s]) {
+    if (run.counts[s] && !run.results[s].witnesses.empty()) {
       facts.pairs.emplace_back(run.results[s].subject.name, families_in_words(run, run.results[s]));
     }
   }
-  return {std::move(facts)};
+  return facts.pairs.empty() ? Document{}
+                             : Document{Section{"Families with violations", {std::move(facts)}, "", "div"}};
 }
 
 }  // namespace carom::report

@@ -67,7 +67,7 @@ enum class Form { terminal, summary, page };
 /// `finding_part` of each subject with violations, for a page.
 [[nodiscard]] Document findings_part(const Run& run, const std::string& out_directory);
 
-/// Of each subject that counts, the families with violations.
+/// Of each subject that counts, the families with violations; empty if there are none.
 [[nodiscard]] Document violated_families_part(const Run& run);
 
 /// The energy that the answers of each subject gain. Empty if none was measured.

@@ -85,7 +85,7 @@ std::string run_text(const Run& run, const std::string& out_directory, bool has_
   if (has_coverage) {
     document.emplace_back(Section{"Generated cases", {coverage_table(run)}});
     document.emplace_back(Section{"", {Paragraph{features_in_words(run)}, Paragraph{adjusted_sentences(run)}}});
-    document.emplace_back(Section{"Families with violations", violated_families_part(run)});
+    document = with(std::move(document), violated_families_part(run));
     document = with(std::move(document), beyond_domain_part(run, Subjects::counting));
   }
   document.emplace_back(

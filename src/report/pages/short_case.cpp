@@ -21,7 +21,7 @@ namespace {
 
 using properties::Verdict;
 
-constexpr const char* further_line = "          ";
+constexpr const char* further_line = "             ";
 
 /// The first number of digits is for the eye. The others show smaller differences.
 constexpr std::array numbers_of_digits{4, 8, 12, 17};
@@ -89,7 +89,7 @@ std::optional<LawAnswer> law_answer(const properties::JudgedCase& judged_case, L
                    answers.size()};
 }
 
-constexpr PerVector<const char*> names{"A velocity", "A spin", "B velocity", "B spin"};
+constexpr PerVector<const char*> short_names{"A velocity", "A spin", "B velocity", "B spin"};
 
 /// The vectors in which two outcomes differ visibly, for each kind of vector by its longest vector. If none does, all
 /// that differ at all.
@@ -130,7 +130,7 @@ std::string in_digits(const Outcome<double>& outcome, const PerVector<bool>& tol
       for (int i = 0; i < 3 && digits == numbers_of_digits[0]; ++i) {
         v[i] = std::abs(v[i]) <= negligible * length ? 0 : v[i];
       }
-      words.push_back(fmt::format("{} {}", names[k], rounded(v, digits)));
+      words.push_back(fmt::format("{} {}", short_names[k], rounded(v, digits)));
     }
   }
   return words.empty() ? "no change" : fmt::format("{}", fmt::join(words, ", "));
@@ -138,7 +138,7 @@ std::string in_digits(const Outcome<double>& outcome, const PerVector<bool>& tol
 
 void add_answers(std::vector<std::string>& lines, const Outcome<double>& before, const std::optional<LawAnswer>& law,
                  const std::optional<Outcome<double>>& answered) {
-  const std::string of_law = !law || law->answers == 1 ? "law:      " : "nearest answer of the law: ";
+  const std::string of_law = !law || law->answers == 1 ? "law gives: " : "nearest answer of the law: ";
   if (law && answered) {
     const PerVector<bool> told = differing(law->outcome, *answered);
     for (const int digits : numbers_of_digits) {
@@ -146,7 +146,7 @@ void add_answers(std::vector<std::string>& lines, const Outcome<double>& before,
       const std::string wrong = in_digits(*answered, told, digits);
       if (right != wrong) {
         lines.push_back(of_law + right);
-        lines.push_back("answered: " + wrong);
+        lines.push_back("answered:  " + wrong);
         break;
       }
     }
@@ -159,22 +159,23 @@ void add_answers(std::vector<std::string>& lines, const Outcome<double>& before,
     lines.push_back(of_law + changed(law->outcome));
   }
   if (answered) {
-    lines.push_back("answered: " + changed(*answered));
+    lines.push_back("answered:  " + changed(*answered));
   }
 }
 
-/// The first lines of what a program wrote, without the request, because the collision stands above.
+/// The last lines of what a program wrote, without the request, because the collision stands above.
 void add_said(std::vector<std::string>& lines, const std::string& said) {
   constexpr std::size_t most_lines = 3;
   constexpr std::size_t longest = 90;
   std::istringstream stream(said);
-  std::size_t count = 0;
-  for (std::string line; count < most_lines && std::getline(stream, line);) {
-    if (!line.empty() && !line.starts_with("request: ")) {
-      lines.push_back(printable_line(line, longest));
-      ++count;
+  std::vector<std::string> written;
+  for (std::string line; std::getline(stream, line);) {
+    if (line.find_first_not_of(' ') != std::string::npos && !line.starts_with("request: ")) {
+      written.push_back(further_line + printable_line(line, longest));
     }
   }
+  const std::size_t first = written.size() - std::min(written.size(), most_lines);
+  lines.insert(lines.end(), written.begin() + static_cast<std::ptrdiff_t>(first), written.end());
 }
 
 std::string in_short(const Verdict& verdict) {
@@ -208,19 +209,19 @@ std::string short_case(const properties::Witness& witness, const Subject& subjec
     answered = map_outcome<double>(Outcome<long double>(*outcome), [](long double x) { return static_cast<double>(x); });
   }
   if (!judged_case.is_valid()) {
-    lines.push_back("refuse:   " + describe(validate(collision)));
+    lines.push_back("to refuse: " + describe(validate(collision)));
   }
   add_answers(lines, unchanged(collision), law, answered);
   if (const auto* refused = std::get_if<Refused>(&witness.answer)) {
-    lines.push_back("answered: a refusal, " + refused->why);
+    lines.push_back("answered:  a refusal, " + refused->why);
   } else if (const auto* failed = std::get_if<Failed>(&witness.answer)) {
-    lines.push_back("answered: " + failed->why);
+    lines.push_back("answered:  " + failed->why);
     add_said(lines, failed->said);
   }
   lines.push_back(fmt::format("It violates {}: {}", witness.invariant->name, in_short(witness.verdict)));
   std::string text;
   for (const std::string& line : lines) {
-    text += wrapped(line, further_line) + '\n';
+    text += wrapped("  " + line, further_line) + '\n';
   }
   return text;
 }

@@ -32,7 +32,7 @@ void add_deviations(std::vector<std::string>& notes, const Subject& subject,
     notes.push_back("not judged because of --deviates: " + listed(others));
   }
   if (const auto of_matrix = properties::not_claimed_without_matrix(subject); !of_matrix.empty()) {
-    notes.push_back(fmt::format("not claimed, {}: {}", shows_no_matrix, listed(of_matrix)));
+    notes.push_back("not claimed (no collision matrix): " + listed(of_matrix));
   }
 }
 
@@ -50,6 +50,15 @@ std::string decided_cases(const properties::SubjectResult& result, const Run& ru
     }
   }
   return listed(words);
+}
+
+std::string listed_in_short(std::vector<std::string> names) {
+  constexpr std::size_t most = 6;
+  if (names.size() > most + 1) {
+    names[most] = fmt::format("and {} more", names.size() - most);
+    names.resize(most + 1);
+  }
+  return listed(names);
 }
 
 /// The notes on a subject, in a text.
@@ -73,7 +82,7 @@ std::vector<std::string> notes_on(std::size_t s, const Run& run) {
     notes.push_back("not judged: " + result.not_judged);
   }
   if (const auto never = never_judged(run, result); status == SubjectStatus::violated && !never.empty()) {
-    notes.push_back("never judged: " + listed(never));
+    notes.push_back("never judged: " + listed_in_short(names_of(never)));
   }
   // Under the other laws, an answer without a violation gains no energy.
   if (const std::string energy = energy_in_words(run, s);
