@@ -95,8 +95,8 @@ DrawnDefect moments_permuted(Random& random) {
   const auto order = random.one_of<Order>({{{1, 0, 2}, "first two moments & %swapped"},
                                            {{0, 2, 1}, "last two moments & %swapped"},
                                            {{2, 1, 0}, "first and the last moment & %swapped"},
-                                           {{1, 2, 0}, "moments & cyclic"},
-                                           {{2, 0, 1}, "moments & cyclic"}});
+                                           {{1, 2, 0}, "moments & order y, z, x"},
+                                           {{2, 0, 1}, "moments & order z, x, y"}});
   const Which which = drawn_bodies(random);
   DrawnDefect defect{.words = fmt::format("the moments of {} are taken in the order {}{}{}", which.words, order.of[0],
                                           order.of[1], order.of[2]),
