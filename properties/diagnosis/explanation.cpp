@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include <carom/oracles/laws/mechanics.hpp>
 #include <carom/properties/diagnosis/explanation.hpp>
 #include <carom/properties/diagnosis/fits.hpp>
 #include <carom/properties/diagnosis/where.hpp>
@@ -23,7 +24,7 @@ constexpr std::size_t most_left_out = 2;
 
 /// A hypothesis that explains fewer than one in so many wrong answers is an exception of another fault. If a subject
 /// keeps state, some of its answers look like another fault by chance.
-constexpr std::size_t least_explained_share = 500;
+constexpr std::size_t least_explained_share = 150;
 constexpr std::size_t least_explained_share_with_state = 50;
 
 /// The numbers of answers that are examined for the next hypothesis. The second applies if the first shows none.
@@ -69,10 +70,7 @@ std::vector<std::size_t> spread(const std::vector<std::size_t>& numbers, std::si
 class HypothesisSearch {
  public:
   HypothesisSearch(std::span<const KnownCase> wrong, double unit_roundoff, std::vector<Hypothesis> known)
-      : wrong_(wrong.begin(), wrong.end()),
-        unit_roundoff_(unit_roundoff),
-        rest_(wrong.size()),
-        known_(known.size()) {
+      : wrong_(wrong.begin(), wrong.end()), unit_roundoff_(unit_roundoff), rest_(wrong.size()), known_(known.size()) {
     std::iota(rest_.begin(), rest_.end(), std::size_t{0});
     explanation_.found = std::move(known);
     explanation_.by.resize(wrong.size());
@@ -115,6 +113,7 @@ class HypothesisSearch {
   void demand_agreement_within_rounding() {
     for (KnownCase& one : wrong_) {
       one.most_distant = rounding_distance(one, unit_roundoff_);
+      one.near = 0;
     }
   }
 
@@ -174,11 +173,22 @@ class HypothesisSearch {
       std::ranges::copy_if(values, std::back_inserter(alike), [&](double other) { return agree(value, other); });
       most = alike.size() > most.size() ? alike : most;
     }
-    if (most.empty()) {
+    if (most.empty() || (fit == Fit::length_of_impulse && is_exceeded(most.front(), most.size()))) {
       return std::nullopt;
     }
     std::ranges::sort(most);
     return with_number(fit, most[most.size() / 2]);
+  }
+
+  /// Whether more answers than `most` have longer impulses, so that the length is no limit.
+  [[nodiscard]] bool is_exceeded(double length, std::size_t most) const {
+    constexpr double clearly = 1.01;
+    const auto longer = std::ranges::count_if(wrong_, [&](const KnownCase& one) {
+      const Collision& c = one.collision;
+      return has_movable_body(c) &&
+             oracles::impulse_on_a(c, one.answered, oracles::reads_impulse_off_a(c)).stableNorm() > clearly * length;
+    });
+    return static_cast<std::size_t>(longer) > most;
   }
 
   /// The hypothesis that explains most of the remaining cases, alone or with one of the subsets of the found ones. Of
@@ -331,7 +341,7 @@ class HypothesisSearch {
   }
 
   std::vector<KnownCase> wrong_;
-  double unit_roundoff_;  // of the subject
+  double unit_roundoff_;                 // of the subject
   std::vector<std::size_t> rest_;        // the numbers of the cases that are not explained
   std::size_t known_;                    // so many of the found hypotheses were given
   std::multiset<std::string> left_out_;  // hypotheses that others replaced

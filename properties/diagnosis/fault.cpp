@@ -77,8 +77,8 @@ struct Shares {
 
 /// Friction as computed. F_T and V_T are the parts of F and V across N.
 struct Friction {
-  double of_cone = 0;      // ‖F_T‖ / (μ N·F / ‖N‖); infinite if μ = 0
-  double of_slip = 0;      // the share of ‖V_T⁻‖ that it stops; NaN if V_T⁻ = 0
+  double of_cone = 0;         // ‖F_T‖ / (μ N·F / ‖N‖); infinite if μ = 0
+  double of_slip = 0;         // the share of ‖V_T⁻‖ that it stops; NaN if V_T⁻ = 0
   double against_before = 0;  // the cosine of the angle between F_T and −V_T⁻; NaN if one is 0
   double against_after = 0;   // the same for V_T⁺
 };
@@ -223,7 +223,9 @@ std::string friction_in_words(const std::vector<Friction>& all) {
         all.begin(), all.end(), [&](const Friction& x, const Friction& y) { return x.*number < y.*number; });
     return std::pair((*least).*number, (*greatest).*number);
   };
-  const auto is_along_slip = [](const Friction& one) { return one.against_before < -visible && one.against_after < visible; };
+  const auto is_along_slip = [](const Friction& one) {
+    return one.against_before < -visible && one.against_after < visible;
+  };
   const auto exceeds_cone = [](const Friction& one) { return one.of_cone > 1 + visible; };
   const auto leaves_slip = [](const Friction& one) { return one.of_cone < 1 - visible && one.of_slip < 1 - visible; };
   const auto is_oblique = [](const Friction& one) { return one.against_after < 1 - visible; };
@@ -232,6 +234,15 @@ std::string friction_in_words(const std::vector<Friction>& all) {
                        count_of(is_along_slip), all.size());
   }
   if (most(exceeds_cone)) {
+    // A box about a circle reaches √2 radii.
+    constexpr double least_of_box = 1.2;
+    constexpr double corner_of_box = 1.4143;
+    const double greatest = range_of(&Friction::of_cone).second;
+    if (greatest > least_of_box && greatest < corner_of_box) {
+      return fmt::format(
+          "Friction exceeds μ F_n by up to {:.3g} in {} of {} wrong outcomes, as by a box in place of the cone",
+          greatest, count_of(exceeds_cone), all.size());
+    }
     return fmt::format("Friction ‖F_T‖ exceeds μ F_n in {} of {} wrong outcomes, by a factor up to {:.4g}",
                        count_of(exceeds_cone), all.size(), range_of(&Friction::of_cone).second);
   }
@@ -262,13 +273,17 @@ Words impulse_in_words(const std::vector<Shares>& all, const std::vector<Frictio
   std::sort(along.begin(), along.end());
   const double middle = along[along.size() / 2];
   const bool is_normal_right = std::abs(along.front() - 1) < visible && std::abs(along.back() - 1) < visible;
-  const std::string look_at = "the computation of the impulse: the relative velocity, K, the law, limits on any of these";
+  const bool is_restitution_right = std::all_of(all.begin(), all.end(), [](const Shares& one) {
+    return std::abs(one.computed_restitution - one.restitution) < visible;
+  });
+  const std::string look_at =
+      "the computation of the impulse: the relative velocity, K, the law, limits on any of these";
   if (const std::string limit = limit_in_words(all); !limit.empty()) {
     return {limit + '.', "limits on the impulse"};
   }
-  if (is_normal_right) {
+  if (is_normal_right || (is_restitution_right && !frictions.empty())) {
     const std::string friction = friction_in_words(frictions);
-    return {friction.empty() ? "The normal part of its impulse is right, and the tangential part is wrong."
+    return {friction.empty() ? "The normal velocity after its impulse is right, and the tangential part is wrong."
                              : friction + '.',
             "friction: the slip V_T, what stops it, the limit μ F_n, the direction; " + look_at};
   }
@@ -277,7 +292,8 @@ Words impulse_in_words(const std::vector<Shares>& all, const std::vector<Frictio
   }
   const std::string tangential = across == 0 ? ", and its tangential part is right" : "";
   if (along.back() - along.front() < visible * std::abs(middle)) {
-    return {fmt::format("The normal part of its impulse is {:.4g} times the right one{}.", middle, tangential), look_at};
+    return {fmt::format("The normal part of its impulse is {:.4g} times the right one{}.", middle, tangential),
+            look_at};
   }
   return {fmt::format("The normal part of its impulse is between {:.3g} and {:.3g} times the right one{}.",
                       along.front(), along.back(), tangential),

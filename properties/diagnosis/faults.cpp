@@ -275,7 +275,9 @@ class FaultSearch {
                             result_.subject),
             result_.subject.law);
         if (known && digits) {
-          known->near = std::pow(10, -*digits) * energy_distance(known->collision, known->before, known->truth);
+          constexpr double few_errors = 4;  // those of the claimed digits, and of the model of the mistake
+          known->near =
+              few_errors * std::pow(10, -*digits) * energy_distance(known->collision, known->before, known->truth);
         }
         if (known && is_visibly_off(*known, roundoff_)) {
           places_.push_back({f, answer.index});
@@ -327,19 +329,24 @@ class FaultSearch {
       unknown[f].insert(unknown[f].end(), small_[f].begin(), small_[f].end());
       std::ranges::sort(unknown[f]);
     }
-    for (std::size_t h = first; h < explanation.found.size(); ++h) {
-      add_explained(explanation, h, unknown, size_of(rest));
+    // A hypothesis of few wrong outcomes may be what another fault looks like in special cases. So if most wrong
+    // outcomes stay unexplained, the step at which they fail is named instead.
+    const bool is_explained = explanation.found.size() > first && (has_state || 2 * size_of(rest) <= wrong_.size());
+    for (std::size_t h = first; is_explained && h < explanation.found.size(); ++h) {
+      add_explained(explanation, h, unknown);
     }
-    const bool is_explained = explanation.found.size() > first;
-    if (!add_state(rest, is_explained)) {
-      add_unexplained(rest, is_explained);
+    if (add_state(rest, is_explained) || is_explained) {
+      return;
+    }
+    if (explanation.found.size() > first) {
+      add_step(outcomes_of(rest), rest, every_);
+    } else {
+      add_unexplained(rest);
     }
   }
 
-  /// Adds the fault of a hypothesis. `unknown` lists the cases that may have it. `unexplained` counts the wrong outcomes
-  /// that no hypothesis explains.
-  void add_explained(const Explanation& explanation, std::size_t number, const CaseNumbers& unknown,
-                     std::size_t unexplained) {
+  /// Adds the fault of a hypothesis. `unknown` lists the cases that may have it.
+  void add_explained(const Explanation& explanation, std::size_t number, const CaseNumbers& unknown) {
     CaseNumbers cases = none();
     CaseNumbers needing = none();  // only this hypothesis explains them, with or without others
     CaseNumbers alone = none();    // this hypothesis suffices
@@ -372,7 +379,7 @@ class FaultSearch {
     const Hypothesis& hypothesis = explanation.found[number];
     const Where where = where_violated(report_, {there, violations_.judged, std::move(left_out), every_});
     const bool is_main = 2 * size_of(cases) >= wrong_.size();
-    if (hypothesis.needs_condition && !is_main && (where.conditions.empty() || size_of(cases) < unexplained)) {
+    if (hypothesis.needs_condition && !is_main && where.conditions.empty()) {
       return;
     }
     Fault fault{fmt::format("It answers as if {}.", hypothesis.as_if), hypothesis.look_at};
@@ -404,15 +411,7 @@ class FaultSearch {
   }
 
   /// Adds the step of mechanics at which the outcomes fail that no hypothesis explains.
-  void add_unexplained(const CaseNumbers& rest, bool is_explained) {
-    // A step explains nothing. Beside hypotheses, it is named only if they leave this share of the wrong outcomes.
-    constexpr std::size_t least_share = 3;
-    if (is_explained) {
-      if (size_of(rest) >= std::max<std::size_t>(least_violated, wrong_.size() / least_share)) {
-        add_step(outcomes_of(rest), rest, every_);
-      }
-      return;
-    }
+  void add_unexplained(const CaseNumbers& rest) {
     std::vector<ViolatedCase> outcomes;
     for (const ViolatedCase& one : examples_) {
       if (kind_of(one.answer) == AnswerKind::outcome && validate(one.one.collision).empty()) {

@@ -105,6 +105,21 @@ std::optional<double> fitted_slip(const Steps& steps, const KnownCase& one) {
                  one);
 }
 
+/// The outcome of a linear law is affine in the spins.
+std::optional<double> fitted_spins(const Steps& steps, const KnownCase& one) {
+  if (!is_linear(steps.law) || one.approach == oracles::ContactState::inert) {
+    return std::nullopt;
+  }
+  return nearest(line_of(steps, one,
+                         [](Steps& changed, double t) {
+                           changed.computed_from.a.angular_velocity *= t;
+                           changed.computed_from.b.angular_velocity *= t;
+                           changed.test = ApproachTest::missing;
+                           changed.has_right_impulse = false;
+                         }),
+                 one);
+}
+
 /// The answer's ‖F_T‖ / F_n.
 std::optional<double> fitted_friction(const Steps& steps, const KnownCase& one) {
   const bool has_cone = steps.law == Law::rough || steps.law == Law::coulomb;
@@ -129,7 +144,10 @@ std::string in_words(double number) {
       return fmt::format("{:g}/{}", whole, divisor);
     }
   }
-  return fmt::format("{:.4g}", number);
+  constexpr double readable = 5e-4;
+  return number != 1 && std::abs(number - 1) < readable
+             ? fmt::format("1 {} {:.2g}", number < 1 ? "−" : "+", std::abs(number - 1))
+             : fmt::format("{:.4g}", number);
 }
 
 Mistake with_restitution(double (*changed)(double restitution, double number), double number) {
@@ -143,8 +161,8 @@ Mistake with_restitution(double (*changed)(double restitution, double number), d
 }  // namespace
 
 bool agree(double x, double y) {
-  constexpr double visible = 0x1p-10;
-  return std::abs(x - y) <= visible * std::max(std::abs(x), std::abs(y));
+  constexpr double alike = 0x1p-10;
+  return std::abs(x - y) <= alike * std::max(std::abs(x), std::abs(y));
 }
 
 bool gives_answer(const FittedLength& length, const Steps& steps, const KnownCase& one) {
@@ -181,8 +199,12 @@ std::optional<double> fitted(Fit fit, const Steps& steps, const KnownCase& one) 
       const double given = steps.computed_from.restitution;
       return whole && given > 0 ? std::optional(*whole / given) : std::nullopt;
     }
+    case Fit::spins_before:
+      return fitted_spins(steps, one);
     case Fit::stopped_slip:
       return fitted_slip(steps, one);
+    case Fit::tangential_part:
+      return nearest(line_of(steps, one, [](Steps& changed, double t) { changed.tangential *= t; }), one);
     case Fit::constant_friction:
       return fitted_friction(steps, one);
     case Fit::factor_of_friction: {
@@ -231,6 +253,20 @@ Hypothesis with_number(Fit fit, double number) {
     case Fit::constant_restitution:
       return of(fmt::format("ε were always {}", words), restitution,
                 with_restitution([](double, double x) { return x; }, number));
+    case Fit::spins_before:
+      return of(fmt::format("the spins in V⁻ were multiplied by {}", words),
+                "the term w × r in the velocity of the contact point: its factors, the unit of w",
+                computed_as([number](Collision& c) {
+                  c.a.angular_velocity *= number;
+                  c.b.angular_velocity *= number;
+                }));
+    case Fit::tangential_part:
+      return of(fmt::format("the tangential part of the impulse were multiplied by {}", words),
+                "the tangential part of the impulse: its factors and its sign",
+                [number](Steps& steps, const KnownCase&) {
+                  steps.tangential *= number;
+                  return true;
+                });
     case Fit::stopped_slip:
       return of(fmt::format("friction stopped {} of the slip that it should", words),
                 "the impulse that stops the slip: for a solid sphere 2/7 m ‖V_T‖; its factors, and what resists",
@@ -244,8 +280,11 @@ Hypothesis with_number(Fit fit, double number) {
     case Fit::length_of_impulse:
       break;
   }
-  return {fmt::format("impulses were limited to {:.4g} N s", number), "limits on the impulse", {},
-          FittedLength{number}, true};
+  return {fmt::format("impulses were limited to {:.4g} N s", number),
+          "limits on the impulse",
+          {},
+          FittedLength{number},
+          true};
 }
 
 }  // namespace carom::properties::diagnosis

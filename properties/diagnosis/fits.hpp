@@ -17,15 +17,18 @@ enum class Fit {
   added_restitution,  // the number that is added to ε
   factor_of_restitution,
   constant_restitution,
+  spins_before,        // the factor of both spins in V⁻
   stopped_slip,        // the share of the slip that friction stops
+  tangential_part,     // the factor of the impulse across N
   factor_of_friction,  // of μ
   constant_friction,
   length_of_impulse,  // ‖F‖ [N s]
 };
-inline constexpr std::array all_fits{
-    Fit::factor_of_impulse, Fit::factor_of_spins,       Fit::factor_of_spin_of_a,  Fit::factor_of_spin_of_b,
-    Fit::added_restitution, Fit::factor_of_restitution, Fit::constant_restitution, Fit::stopped_slip,
-    Fit::factor_of_friction, Fit::constant_friction,     Fit::length_of_impulse};
+inline constexpr std::array all_fits{Fit::factor_of_impulse,    Fit::factor_of_spins,    Fit::factor_of_spin_of_a,
+                                     Fit::factor_of_spin_of_b,  Fit::added_restitution,  Fit::factor_of_restitution,
+                                     Fit::constant_restitution, Fit::spins_before,       Fit::stopped_slip,
+                                     Fit::tangential_part,      Fit::factor_of_friction, Fit::constant_friction,
+                                     Fit::length_of_impulse};
 
 /// A fitted number is a fault only if so many cases show it.
 inline constexpr std::size_t least_alike = 10;

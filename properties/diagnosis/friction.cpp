@@ -275,8 +275,8 @@ std::optional<Vector> rough_together(const Numbers& of, const FrictionSteps& ste
     return whole_normal + *limited(of, steps, across(of, whole * d), limit);
   }
   const Wide divisor = across(of, d).norm() - of.friction * of.normal.dot(d);
-  const bool is_limited = steps.limit == FrictionLimit::always ||
-                          (steps.limit == FrictionLimit::cone && whole * divisor > limit);
+  const bool is_limited =
+      steps.limit == FrictionLimit::always || (steps.limit == FrictionLimit::cone && whole * divisor > limit);
   if (is_limited && !(divisor > 0)) {
     return std::nullopt;
   }
@@ -301,8 +301,7 @@ std::optional<Vector> coulomb_together(const Numbers& of, const FrictionSteps& s
       return along_direction(of, of.normal - slip.stableNormalized() * of.friction);
     case FrictionLimit::box:
     case FrictionLimit::pyramid:
-      return sticks ? sticking
-                    : with_normal_part(of, *limited(of, steps, tangential, of.friction * std::abs(along)));
+      return sticks ? sticking : with_normal_part(of, *limited(of, steps, tangential, of.friction * std::abs(along)));
     case FrictionLimit::cone:
       break;
   }
@@ -356,8 +355,7 @@ std::optional<Vector> in_one_pass(const Numbers& of, Law law, FrictionSteps step
     steps.limit = FrictionLimit::none;
   }
   const Wide share = static_cast<Wide>(steps.stopped) * (law == Law::rough ? 1 + of.tangential_restitution : 1);
-  const std::optional<Vector> tangential =
-      limited(of, steps, stopping(of, steps, slip) * share, of.friction * normal);
+  const std::optional<Vector> tangential = limited(of, steps, stopping(of, steps, slip) * share, of.friction * normal);
   if (!tangential) {
     return std::nullopt;
   }
@@ -366,8 +364,7 @@ std::optional<Vector> in_one_pass(const Numbers& of, Law law, FrictionSteps step
   }
   if (steps.order == FrictionOrder::before_approach) {
     const Wide approach = of.approach + of.normal.dot(of.k * *tangential);
-    return Vector(*tangential +
-                  of.normal * (-(1 + of.restitution) * approach / of.normal.dot(of.k * of.normal)));
+    return Vector(*tangential + of.normal * (-(1 + of.restitution) * approach / of.normal.dot(of.k * of.normal)));
   }
   return Vector(*tangential + of.normal * normal);
 }

@@ -67,8 +67,8 @@ bool is_permitted(double restitution) { return restitution >= 0 && restitution <
 /// No value if the law has no answer: the steps solve a contact that does not collide, and only the formulas of the
 /// linear laws extend to it.
 std::optional<Vector3<double>> first_impulse_on_a(const Steps& steps, const Collision& collision) {
-  const bool is_of_law = steps.friction == FrictionSteps{} && steps.inverse == nullptr &&
-                         is_permitted(collision.restitution);
+  const bool is_of_law =
+      steps.friction == FrictionSteps{} && steps.inverse == nullptr && is_permitted(collision.restitution);
   if (is_of_law && steps.test == ApproachTest::right) {
     return law_impulse(collision, steps.law);
   }
@@ -165,7 +165,15 @@ std::optional<Impulses> impulses_by(const Steps& steps, const KnownCase& one) {
     return std::nullopt;
   }
   if (!steps.is_each_body_alone) {
-    const auto on_a = steps.has_right_impulse ? one.impulse : impulse_on_a(steps, steps.computed_from);
+    std::optional<Vector3<double>> on_a = one.impulse;
+    if (!steps.has_right_impulse) {
+      on_a = impulse_on_a(steps, steps.computed_from);
+    }
+    if (on_a && steps.tangential != 1) {
+      const Vector3<double> normal = steps.computed_from.normal.stableNormalized();
+      const Vector3<double> along = normal * normal.dot(*on_a);
+      on_a = along + steps.tangential * (*on_a - along);
+    }
     return on_a ? std::optional(Impulses{*on_a, -*on_a}) : std::nullopt;
   }
   Collision of_a = steps.computed_from;

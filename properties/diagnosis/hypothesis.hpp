@@ -29,6 +29,7 @@ struct Steps {
   bool is_solved_twice = false;           // whether a second impulse follows, without a test for approach
   FrictionSteps friction = {};            // of the laws with friction
   InverseInertia inverse = nullptr;       // J⁻¹ in both steps; nullptr: as given
+  double tangential = 1;                  // the factor of the impulse across the normal
   PerVector<double> factors{1, 1, 1, 1};  // of the changes of the outcome vectors
   bool has_right_impulse = true;          // whether no mistake changes the computation of the impulse
 };

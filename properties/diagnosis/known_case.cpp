@@ -184,8 +184,9 @@ std::optional<KnownCase> known_case(const Collision& collision, const Outcome<do
   if (!answer) {
     return std::nullopt;
   }
-  return KnownCase{collision,       law,           oracles::ExactCase(collision).state(), unchanged(collision), answered,
-                   answer->outcome, answer->impulse};
+  return KnownCase{
+      collision,      law, oracles::ExactCase(collision).state(), unchanged(collision), answered, answer->outcome,
+      answer->impulse};
 }
 
 double energy_product(const Collision& collision, const Outcome<double>& x, const Outcome<double>& y) {
@@ -233,7 +234,7 @@ bool is_visibly_off(const KnownCase& one, double unit_roundoff) {
   const Outcome<double> still;
   const double size =
       energy_distance(one.collision, one.before, still) + energy_distance(one.collision, one.truth, still);
-  constexpr double far_above_near = 8;
+  constexpr double far_above_near = 4;
   return energy_distance(one.collision, one.truth, one.answered) >
          std::max(far_above_near * one.near, far_above_rounding * unit_roundoff * size);
 }

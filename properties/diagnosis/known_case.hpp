@@ -63,8 +63,8 @@ struct KnownCase {
 /// Whether the outcome is so far off that rounding with this unit roundoff cannot be the cause.
 [[nodiscard]] bool is_visibly_off(const KnownCase& one, double unit_roundoff);
 
-/// The energy distance that rounding with this unit roundoff causes, amplified as the case amplifies: by lever arms that
-/// are differences of large positions, and by the collision matrix.
+/// The energy distance that rounding with this unit roundoff causes, amplified as the case amplifies: by lever arms
+/// that are differences of large positions, and by the collision matrix.
 [[nodiscard]] double rounding_distance(const KnownCase& one, double unit_roundoff);
 
 /// The velocities after the impulse F on A and −F on B: v ± F/m, w ± J⁻¹(r × F) for movable bodies.

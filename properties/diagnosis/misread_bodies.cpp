@@ -113,6 +113,16 @@ const std::array misreadings{
     Misreading{
         "the first and the last moment of {} were swapped", moments, true,
         [](Body& b, const Body&, const Collision&) { std::swap(b.principal_inertia[0], b.principal_inertia[2]); }},
+    Misreading{"the moments of {} were in the order y, z, x", moments, true,
+               [](Body& b, const Body&, const Collision&) {
+                 const Vector3<double> given = b.principal_inertia;
+                 b.principal_inertia = {given[1], given[2], given[0]};
+               }},
+    Misreading{"the moments of {} were in the order z, x, y", moments, true,
+               [](Body& b, const Body&, const Collision&) {
+                 const Vector3<double> given = b.principal_inertia;
+                 b.principal_inertia = {given[2], given[0], given[1]};
+               }},
     Misreading{"the moments of {} were doubled", moments, true,
                [](Body& b, const Body&, const Collision&) { b.principal_inertia *= 2; }},
     Misreading{"the moments of {} were halved", moments, true,
@@ -246,6 +256,18 @@ Matrix3<Wide> inverse_moments_of(const BasicBody<Wide>& body) {
   return body.principal_inertia.cwiseInverse().asDiagonal();
 }
 
+/// I + 2w [u] + 2 [u]² of the quaternion (w, u), which is R only if its length is 1.
+Matrix3<Wide> axes_of_unit_quaternion(const BasicBody<Wide>& body) {
+  const Wide w = body.orientation[0];
+  const Vector3<Wide> u = body.orientation.tail<3>();
+  Matrix3<Wide> axes;
+  for (int i = 0; i < 3; ++i) {
+    const Vector3<Wide> axis = Vector3<Wide>::Unit(i);
+    axes.col(i) = axis + 2 * w * u.cross(axis) + 2 * u.cross(u.cross(axis));
+  }
+  return axes;
+}
+
 /// Wrong formulas of J⁻¹ = R diag(1/I) Rᵀ, which both steps use.
 std::vector<Hypothesis> misread_inertia() {
   const auto of = [](const char* as_if, const char* look_at, InverseInertia inverse) {
@@ -257,11 +279,21 @@ std::vector<Hypothesis> misread_inertia() {
   };
   const char* const one_side = "the inverse inertia in world axes: R diag(1/I) Rᵀ";
   const char* const inverted = "I in place of 1/I; the inverse inertia in world axes is R diag(1/I) Rᵀ";
-  return {of("J⁻¹ were R diag(1/I)", one_side, [](const BasicBody<Wide>& b) -> Matrix3<Wide> { return axes_of(b) * inverse_moments_of(b); }),
-          of("J⁻¹ were diag(1/I) R", one_side, [](const BasicBody<Wide>& b) -> Matrix3<Wide> { return inverse_moments_of(b) * axes_of(b); }),
-          of("J⁻¹ were diag(1/I) Rᵀ", one_side, [](const BasicBody<Wide>& b) -> Matrix3<Wide> { return inverse_moments_of(b) * axes_of(b).transpose(); }),
-          of("J⁻¹ were R diag(I), with I in place of 1/I", inverted, [](const BasicBody<Wide>& b) -> Matrix3<Wide> { return axes_of(b) * moments_of(b); }),
-          of("J⁻¹ were diag(I) R, with I in place of 1/I", inverted, [](const BasicBody<Wide>& b) -> Matrix3<Wide> { return moments_of(b) * axes_of(b); })};
+  return {of("J⁻¹ were R diag(1/I)", one_side,
+             [](const BasicBody<Wide>& b) -> Matrix3<Wide> { return axes_of(b) * inverse_moments_of(b); }),
+          of("J⁻¹ were diag(1/I) R", one_side,
+             [](const BasicBody<Wide>& b) -> Matrix3<Wide> { return inverse_moments_of(b) * axes_of(b); }),
+          of("J⁻¹ were diag(1/I) Rᵀ", one_side,
+             [](const BasicBody<Wide>& b) -> Matrix3<Wide> { return inverse_moments_of(b) * axes_of(b).transpose(); }),
+          of("the matrix R were I + 2w [q] + 2 [q]² of a quaternion whose length is not 1",
+             "the orientation: normalise the quaternion",
+             [](const BasicBody<Wide>& b) -> Matrix3<Wide> {
+               return axes_of_unit_quaternion(b) * inverse_moments_of(b) * axes_of_unit_quaternion(b).transpose();
+             }),
+          of("J⁻¹ were R diag(I), with I in place of 1/I", inverted,
+             [](const BasicBody<Wide>& b) -> Matrix3<Wide> { return axes_of(b) * moments_of(b); }),
+          of("J⁻¹ were diag(I) R, with I in place of 1/I", inverted,
+             [](const BasicBody<Wide>& b) -> Matrix3<Wide> { return moments_of(b) * axes_of(b); })};
 }
 
 }  // namespace
@@ -272,10 +304,9 @@ std::vector<Hypothesis> misread_bodies() {
     bool of_mechanics_alone;
     Mistake (*mistake)(std::function<void(Collision&)> change);
   };
-  constexpr std::array steps{
-      Step{"", false, misread_as},
-      Step{" in the computation of the impulse, which is applied correctly", true, computed_as},
-      Step{" in the application of the impulse, which itself is right", true, applied_as}};
+  constexpr std::array steps{Step{"", false, misread_as},
+                             Step{" in the computation of the impulse, which is applied correctly", true, computed_as},
+                             Step{" in the application of the impulse, which itself is right", true, applied_as}};
   std::vector<Hypothesis> all;
   for (const Misreading& misreading : misreadings) {
     for (const Step& step : steps) {

@@ -103,14 +103,17 @@ std::vector<Hypothesis> misread_order() {
 
 std::vector<Hypothesis> misread_limit() {
   const std::string limit = "the limit of friction: ‖F_T‖ ≤ μ F_n, for the vector F_T";
-  const std::string stop = "the impulse that stops the slip: V_T over 1/m and r × J⁻¹ (r × t), for a solid sphere 2/7 m";
+  const std::string stop =
+      "the impulse that stops the slip: V_T over 1/m and r × J⁻¹ (r × t), for a solid sphere 2/7 m";
   return {
-      {"friction were ignored", "the tangential impulse: it is missing, or μ is not read",
+      {"friction were ignored",
+       "the tangential impulse: it is missing, or μ is not read",
        {computed_as([](Collision& c) { c.friction = 0; }), with_friction([](FrictionSteps& steps) {
           steps.order = FrictionOrder::of_slip_before;
           steps.stopped = 0;
         })}},
-      {"friction always stopped the slip", "the limit of friction: it is missing, or static friction always acts",
+      {"friction always stopped the slip",
+       "the limit of friction: it is missing, or static friction always acts",
        {of_limit(FrictionLimit::none), of_limit(FrictionLimit::none, FrictionOrder::after_normal),
         of_limit(FrictionLimit::none, FrictionOrder::of_slip_before)}},
       {"friction were always μ F_n, even if less stops the slip",

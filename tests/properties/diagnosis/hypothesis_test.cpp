@@ -107,6 +107,30 @@ TEST(Hypotheses, FitTheNumberThatIsAddedToTheRestitution) {
   EXPECT_GT(fitted_cases, 50);
 }
 
+/// Friction on spheres stops 2/7 of the slip over λ. A solver with 2/5 stops 7/5 of the slip.
+TEST(Hypotheses, FitTheShareOfTheSlipThatFrictionStops) {
+  constexpr double share = 1.4;
+  int fitted_cases = 0;
+  for (KnownCase one : right_answers(Law::coulomb)) {
+    Steps steps = right_steps(one);
+    steps.friction.stopped = share;
+    steps.friction.limit = FrictionLimit::none;
+    steps.has_right_impulse = false;
+    const std::optional<Impulses> impulses = impulses_by(steps, one);
+    if (one.approach != oracles::ContactState::colliding || !impulses || one.collision.friction == 0) {
+      continue;
+    }
+    one.answered = outcome_by(right_steps(one), *impulses, one);
+    if (is_visibly_off(one, 0x1p-53)) {
+      const std::optional<double> stopped = fitted(Fit::stopped_slip, right_steps(one), one);
+      ASSERT_TRUE(stopped);
+      EXPECT_NEAR(*stopped, share, 0x1p-10);
+      ++fitted_cases;
+    }
+  }
+  EXPECT_GT(fitted_cases, 20);
+}
+
 TEST(Hypotheses, NothingIsVisiblyOffInARightAnswer) {
   for (const Law law : all_laws) {
     for (const KnownCase& one : right_answers(law)) {
