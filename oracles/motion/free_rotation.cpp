@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <carom/oracles/motion/free_rotation.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -9,6 +7,7 @@
 
 #include <carom/collision/expects.hpp>
 #include <carom/oracles/bounds/enclosure.hpp>
+#include <carom/oracles/motion/free_rotation.hpp>
 
 namespace carom::oracles {
 namespace {
@@ -71,8 +70,9 @@ Elliptic elliptic(Enclosure u, const Enclosure& m) {
     u *= Enclosure(0.5);
   }
   constexpr std::size_t terms = 36;
-  const Three at_u = sum_of(series({Enclosure(1), Enclosure(-1), -m}, {Enclosure(0), Enclosure(1), Enclosure(1)}, terms),
-                            u, rest_of(0.1251, terms));
+  const Three at_u =
+      sum_of(series({Enclosure(1), Enclosure(-1), -m}, {Enclosure(0), Enclosure(1), Enclosure(1)}, terms), u,
+             rest_of(0.1251, terms));
   Elliptic result{at_u[0], at_u[1], at_u[2]};
   for (; doublings > 0; --doublings) {
     result = sum(result, result, m);
@@ -80,7 +80,8 @@ Elliptic elliptic(Enclosure u, const Enclosure& m) {
   return result;
 }
 
-/// w as amplitudes of cn, sn and dn of p t + u₀, for axes first, 1 and last. The last axis is the one that w stays near.
+/// w as amplitudes of cn, sn and dn of p t + u₀, for axes first, 1 and last. The last axis is the one that w stays
+/// near.
 struct Jacobi {
   std::size_t first = 0;
   std::size_t last = 2;
@@ -115,8 +116,8 @@ Jacobi jacobi(const FreeBody& body) {
   }
   const Enclosure first = j(result.first);
   const Enclosure last = j(result.last);
-  const Enclosure to_last = energy * last - squared;     // 2 E J_last − L²
-  const Enclosure to_first = squared - energy * first;   // L² − 2 E J_first
+  const Enclosure to_last = energy * last - squared;    // 2 E J_last − L²
+  const Enclosure to_first = squared - energy * first;  // L² − 2 E J_first
   result.amplitude = {sqrt(to_last / (first * (last - first))), sqrt(to_last / (j(1) * (last - j(1)))),
                       sqrt(to_first / (last * (last - first)))};
   result.rate = sqrt((last - j(1)) * to_first / (first * j(1) * last));
@@ -186,9 +187,8 @@ KnownAttitude free_attitude(const FreeBody& body, double time) {
     const auto at = [&](std::size_t k) { return Enclosure(j[static_cast<Eigen::Index>(k % 3)]); };
     factors[i] = (at(i + 1) - at(i + 2)) / at(i);
   }
-  const double greatest =
-      std::max({motion.amplitude[0].magnitude_above(), motion.amplitude[1].magnitude_above(),
-                motion.amplitude[2].magnitude_above()});
+  const double greatest = std::max({motion.amplitude[0].magnitude_above(), motion.amplitude[1].magnitude_above(),
+                                    motion.amplitude[2].magnitude_above()});
   // One part of the time is at most 1/8 of 1 / greatest. Coefficient n of the quaternion is at most greatestⁿ, because
   // Q' = (√3/2) a / (1 − a t) Q, Q(0) = 1 has the solution (1 − a t) to the power −√3/2.
   const auto parts = static_cast<std::size_t>(std::ceil(std::abs(time) * greatest * 8)) + 1;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <carom/oracles/motion/impacts.hpp>
-
 #include <Eigen/Geometry>
 
 #include <carom/collision/expects.hpp>
 #include <carom/oracles/bounds/enclosure.hpp>
+#include <carom/oracles/motion/impacts.hpp>
 
 namespace carom::oracles {
 namespace {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <carom/oracles/motion/known.hpp>
-
 #include <cmath>
 
 #include <carom/oracles/bounds/enclosure.hpp>
+#include <carom/oracles/motion/known.hpp>
 
 namespace carom::oracles {
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <carom/oracles/motion/sliding.hpp>
-
 #include <carom/oracles/bounds/enclosure.hpp>
+#include <carom/oracles/motion/sliding.hpp>
 
 namespace carom::oracles {
 namespace {
@@ -35,8 +34,6 @@ Enclosure rolling_speed(const SlideToRoll& roll) {
 }
 
 }  // namespace
-
-Known stopping_time(const Slide& slide) { return known(stop(slide)); }
 
 Known slide_speed(const Slide& slide, const StepTime& time) {
   const Enclosure t = exact(time);

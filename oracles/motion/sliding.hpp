@@ -13,9 +13,6 @@ struct Slide {
   double gravity = 0;   // g > 0 [m/s²]
 };
 
-/// v₀ / (μ g), at which it stops [s].
-[[nodiscard]] Known stopping_time(const Slide& slide);
-
 /// v₀ − μ g t until it stops, then 0 [m/s].
 [[nodiscard]] Known slide_speed(const Slide& slide, const StepTime& time);
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
+#include <cmath>
+
 #include <carom/oracles/motion/impacts.hpp>
 #include <carom/properties/phenomena/phenomena.hpp>
 #include <carom/properties/phenomena/posing.hpp>
-
-#include <algorithm>
-#include <cmath>
 
 namespace carom::properties {
 namespace {
@@ -97,21 +97,21 @@ PosedRun posed(const Directions& d, double step, unsigned phase, double share, d
 std::vector<PosedRun> runs(const Ladder& ladder, bool planar) {
   const Directions d = directions(planar);
   std::vector<PosedRun> all;
-  for (std::size_t rung = 0; rung < ladder.steps.size(); ++rung) {
-    for (unsigned phase = 0; phase < ladder.phases; ++phase) {
-      for (const double restitution : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-        all.push_back(posed(d, ladder.steps[rung], phase, share_of(phase, ladder), restitution,
-                            restitution == 1 && rung < 3));
-      }
+  const double shortest_long = ladder.steps[std::min<std::size_t>(ladder.steps.size(), 3) - 1];
+  each_phase(ladder, [&](double step, unsigned phase, double share) {
+    for (const double restitution : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+      all.push_back(posed(d, step, phase, share, restitution, restitution == 1 && step >= shortest_long));
     }
-  }
+  });
   return all;
 }
 
 }  // namespace
 
 Phenomenon bounce() {
-  return {"bounce", 1, "Does a ball bounce as high as it should?",
+  return {"bounce",
+          1,
+          "Does a ball bounce as high as it should?",
           "A sphere of 1 kg and R = 0.5 m falls from about 1 m above a floor, with g = 9.81 m/s² and without friction. "
           "The restitution ε is 0, 1/4, 1/2, 3/4 or 1. The height of the fall puts the first impact at each phase of a "
           "step. The plane has a disc.",

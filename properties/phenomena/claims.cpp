@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <carom/properties/phenomena/claims.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -12,6 +10,7 @@
 
 #include <carom/collision/expects.hpp>
 #include <carom/properties/gate/by_name.hpp>
+#include <carom/properties/phenomena/claims.hpp>
 
 namespace carom::properties {
 namespace {
@@ -39,13 +38,12 @@ bool is_step(double step, double other) { return std::abs(step - other) <= 0x1p-
 TimeClaim time_claim_from(std::string_view text) {
   std::istringstream in{std::string(text)};
   const std::vector<std::string> words{std::istream_iterator<std::string>(in), {}};
-  const bool has_form = words.size() == 6 && words[1] == "within" && words[2].back() == '%' && words[3] == "at" &&
-                        words[5] == "s";
+  const bool has_form =
+      words.size() == 6 && words[1] == "within" && words[2].back() == '%' && words[3] == "at" && words[5] == "s";
   const double percent = has_form ? positive_number(words[2].substr(0, words[2].size() - 1)) : 0;
   const double step = has_form ? positive_number(words[4]) : 0;
   if (percent == 0 || step == 0) {
-    throw std::invalid_argument(
-        fmt::format("the claim '{}' is not written as 'bounce within 5% at 1/60 s'", text));
+    throw std::invalid_argument(fmt::format("the claim '{}' is not written as 'bounce within 5% at 1/60 s'", text));
   }
   std::vector<std::string> names;
   std::transform(all_phenomena().begin(), all_phenomena().end(), std::back_inserter(names),

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <cmath>
+#include <numbers>
+
 #include <carom/oracles/motion/impacts.hpp>
 #include <carom/properties/phenomena/phenomena.hpp>
 #include <carom/properties/phenomena/posing.hpp>
-
-#include <cmath>
-#include <numbers>
 
 namespace carom::properties {
 namespace {
@@ -34,11 +34,11 @@ PosedRun posed(const Directions& d, double step, unsigned phase, double share, d
     const double z = d.up.dot(now.position) - half_height;
     const double v = d.up.dot(now.velocity);
     const Vector3<double> beside = now.position - d.up * d.up.dot(now.position);
-    return std::vector{reading("height of the bounce" + at, "m", z + v * v / (2 * gravity),
-                               oracles::bounce_height(fall, 1), fall.height, speed * step,
-                               std::abs(z) + half_height + v * v / gravity),
-                       reading("turn" + at, "rad", turn_between(box.state.orientation, now.orientation), {}, 1, 0, 1),
-                       reading("drift" + at, "m", beside.norm(), {}, fall.height, 0, 0)};
+    return std::vector{
+        reading("height of the bounce" + at, "m", z + v * v / (2 * gravity), oracles::bounce_height(fall, 1),
+                fall.height, speed * step, std::abs(z) + half_height + v * v / gravity),
+        reading("turn" + at, "rad", turn_between(box.state.orientation, now.orientation), {}, 1, 0, 1),
+        reading("drift" + at, "m", beside.norm(), {}, fall.height, 0, 0)};
   };
   return run;
 }
@@ -46,32 +46,33 @@ PosedRun posed(const Directions& d, double step, unsigned phase, double share, d
 std::vector<PosedRun> runs(const Ladder& ladder, bool planar) {
   const Directions d = directions(planar);
   std::vector<PosedRun> all;
-  for (const double step : ladder.steps) {
-    for (unsigned phase = 0; phase < ladder.phases; ++phase) {
-      for (const double restitution : {0.0, 0.5}) {
-        for (const double degrees : {0.0, 30.0}) {
-          if (degrees == 0 || !planar) {
-            all.push_back(posed(d, step, phase, share_of(phase, ladder), restitution, degrees));
-          }
-        }
+  each_phase(ladder, [&](double step, unsigned phase, double share) {
+    for (const double restitution : {0.0, 0.5}) {
+      all.push_back(posed(d, step, phase, share, restitution, 0));
+      if (!planar) {
+        all.push_back(posed(d, step, phase, share, restitution, 30));
       }
     }
-  }
+  });
   return all;
 }
 
 }  // namespace
 
 Phenomenon flat_landing() {
-  return {"flat-landing", 1, "Does a box that lands flat stay flat?",
-          "A box of 1.2 m × 0.8 m × 0.5 m and 1 kg falls from about 0.6 m and lands flat, turned by 0° or 30° about the "
-          "vertical, with ε = 0 or 1/2, μ = 0.3 and g = 9.81 m/s². The height of the fall puts the impact at each phase "
-          "of a step. The plane has a rectangle, turned by 0°.",
-          "By symmetry, the box does not turn and does not drift. It rebounds to ε² H. Source: Newton's law of "
-          "restitution at each corner.",
-          "The height z + v²/(2g) near the apex, or 0.1 s after the impact for ε = 0; turn and drift at this time. Errors "
-          "of lengths are relative to H.",
-          "One step's worth is v h in height, as for `bounce`. Nothing explains a turn or a drift.", runs};
+  return {
+      "flat-landing",
+      1,
+      "Does a box that lands flat stay flat?",
+      "A box of 1.2 m × 0.8 m × 0.5 m and 1 kg falls from about 0.6 m and lands flat, turned by 0° or 30° about the "
+      "vertical, with ε = 0 or 1/2, μ = 0.3 and g = 9.81 m/s². The height of the fall puts the impact at each phase "
+      "of a step. The plane has a rectangle, turned by 0°.",
+      "By symmetry, the box does not turn and does not drift. It rebounds to ε² H. Source: Newton's law of "
+      "restitution at each corner.",
+      "The height z + v²/(2g) near the apex, or 0.1 s after the impact for ε = 0; turn and drift at this time. Errors "
+      "of lengths are relative to H.",
+      "One step's worth is v h in height, as for `bounce`. Nothing explains a turn or a drift.",
+      runs};
 }
 
 }  // namespace carom::properties

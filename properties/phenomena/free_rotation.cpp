@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
+#include <array>
+
 #include <carom/oracles/laws/kinematics.hpp>
 #include <carom/oracles/motion/free_rotation.hpp>
 #include <carom/properties/phenomena/phenomena.hpp>
 #include <carom/properties/phenomena/posing.hpp>
-
-#include <algorithm>
-#include <array>
 
 namespace carom::properties {
 namespace {
@@ -28,7 +28,7 @@ struct KnownTurn {
   oracles::FreeBody body;
   oracles::KnownAttitude early_attitude;
   oracles::KnownAttitude late_attitude;
-  double greatest_torque = 0;  // ‖w × J w‖, which changes J w in body axes [N m]
+  double greatest_torque = 0;        // ‖w × J w‖, which changes J w in body axes [N m]
   double greatest_acceleration = 0;  // ‖J⁻¹ (w × J w)‖ [rad/s²]
 
   explicit KnownTurn(Eigen::Index axis)
@@ -76,7 +76,8 @@ PosedRun posed(double step, Eigen::Index axis) {
       // The time is rounded, too.
       return reading("error of the attitude" + std::string(when) + name, "rad",
                      turn_between(right.value, now.bodies[0].orientation), {0, right.bound}, 1,
-                     known.greatest_acceleration * step * now.seconds(), 1 + body.state.angular_velocity.norm() * now.seconds());
+                     known.greatest_acceleration * step * now.seconds(),
+                     1 + body.state.angular_velocity.norm() * now.seconds());
     };
     const Reported end = reported_at(states, report, late, step);
     const Vector3<double> after = momentum(body, end.bodies[0]);
@@ -84,8 +85,8 @@ PosedRun posed(double step, Eigen::Index axis) {
         attitude_at(reported_at(states, report, early, step), " at 1 s"), attitude_at(end, " at 10 s"),
         reading("energy at 10 s" + name, "J", after.dot(end.bodies[0].angular_velocity) / 2,
                 {energy, rounding_of(energy)}, energy, of_momentum * body.state.angular_velocity.norm(), energy),
-        reading("change of the angular momentum at 10 s" + name, "kg m²/s", (after - before).norm(), {},
-                before.norm(), of_momentum, 4 * before.norm())};
+        reading("change of the angular momentum at 10 s" + name, "kg m²/s", (after - before).norm(), {}, before.norm(),
+                of_momentum, 4 * before.norm())};
   };
   return run;
 }
@@ -103,17 +104,20 @@ std::vector<PosedRun> runs(const Ladder& ladder, bool planar) {
 }  // namespace
 
 Phenomenon free_rotation() {
-  return {"free-rotation", 1, "Does a brick that turns freely tumble as it should?",
-          "A brick of 1 m × 0.6 m × 0.3 m and 1 kg turns without gravity and contacts for 10 s, with 5 rad/s about its "
-          "long, middle or short axis and 0.1 rad/s about each other axis.",
-          "Energy and angular momentum stay. Euler's equations J₁w₁' = (J₂ − J₃)w₂w₃, … have the solution w₁, w₂, w₃ in "
-          "multiples of cn, sn and dn, Jacobi's elliptic functions; the attitude follows by q' = ½ q w. Source: L. Landau, "
-          "E. Lifshitz, Mechanics, §37.",
-          "The angle between the attitude and the exact one, at 1 s and 10 s; energy and angular momentum at 10 s, "
-          "relative to the first ones.",
-          "One step's worth is the greatest w × J w times h in angular momentum, and the greatest w' times h times the "
-          "time in attitude.",
-          runs};
+  return {
+      "free-rotation",
+      1,
+      "Does a brick that turns freely tumble as it should?",
+      "A brick of 1 m × 0.6 m × 0.3 m and 1 kg turns without gravity and contacts for 10 s, with 5 rad/s about its "
+      "long, middle or short axis and 0.1 rad/s about each other axis.",
+      "Energy and angular momentum stay. Euler's equations J₁w₁' = (J₂ − J₃)w₂w₃, … have the solution w₁, w₂, w₃ in "
+      "multiples of cn, sn and dn, Jacobi's elliptic functions; the attitude follows by q' = ½ q w. Source: L. Landau, "
+      "E. Lifshitz, Mechanics, §37.",
+      "The angle between the attitude and the exact one, at 1 s and 10 s; energy and angular momentum at 10 s, "
+      "relative to the first ones.",
+      "One step's worth is the greatest w × J w times h in angular momentum, and the greatest w' times h times the "
+      "time in attitude.",
+      runs};
 }
 
 }  // namespace carom::properties

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <carom/properties/phenomena/measure.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <map>
 #include <utility>
+
+#include <carom/properties/phenomena/measure.hpp>
 
 namespace carom::properties {
 namespace {
@@ -16,26 +16,29 @@ double median(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
 }
 
-/// The readings of one `what` at one step.
-struct Gathered {
-  std::vector<Reading> readings;
-  double rounding = 0;
+/// A reading of a run, and the relative error that rounding explains.
+struct Read {
+  double step;
+  Reading reading;
+  double rounding;
 };
 
 template <class F>
-std::vector<double> each(const std::vector<Reading>& readings, F f) {
-  std::vector<double> values(readings.size());
-  std::transform(readings.begin(), readings.end(), values.begin(), f);
+std::vector<double> each(const std::vector<const Read*>& reads, F f) {
+  std::vector<double> values(reads.size());
+  std::transform(reads.begin(), reads.end(), values.begin(), [&](const Read* read) { return f(*read); });
   return values;
 }
 
-Rung rung_of(double step, const Gathered& gathered) {
-  const auto shift = each(gathered.readings, [](const Reading& r) { return (r.measured - r.right) / r.scale; });
-  const auto errors = each(gathered.readings, [](const Reading& r) { return std::abs(r.measured - r.right) / r.scale; });
-  const auto worths = each(gathered.readings, [](const Reading& r) {
-    return r.step_worth > 0 ? std::abs(r.measured - r.right) / r.step_worth : 0.0;
+double shift(const Read& read) { return (read.reading.measured - read.reading.right) / read.reading.scale; }
+
+Rung rung_of(double step, const std::vector<const Read*>& reads) {
+  const auto errors = each(reads, [](const Read& read) { return std::abs(shift(read)); });
+  const auto worths = each(reads, [](const Read& read) {
+    const Reading& one = read.reading;
+    return one.step_worth > 0 ? std::abs(one.measured - one.right) / one.step_worth : 0.0;
   });
-  const auto expected = each(gathered.readings, [](const Reading& r) { return r.right / r.scale; });
+  const auto roundings = each(reads, [](const Read& read) { return read.rounding; });
   return {step,
           static_cast<unsigned>(errors.size()),
           *std::min_element(errors.begin(), errors.end()),
@@ -43,9 +46,35 @@ Rung rung_of(double step, const Gathered& gathered) {
           *std::max_element(errors.begin(), errors.end()),
           median(worths),
           *std::max_element(worths.begin(), worths.end()),
-          gathered.rounding,
-          median(expected),
-          median(shift)};
+          *std::max_element(roundings.begin(), roundings.end()),
+          median(each(reads, [](const Read& read) { return read.reading.right / read.reading.scale; })),
+          median(each(reads, shift))};
+}
+
+/// The readings in the order in which they were first read, with the rungs in the order of the ladder.
+std::vector<MeasuredReading> gathered(const std::vector<Read>& reads, const std::vector<double>& steps) {
+  std::vector<MeasuredReading> all;
+  for (const Read& read : reads) {
+    const auto is_same = [&](const auto& other) { return other.what == read.reading.what; };
+    if (std::any_of(all.begin(), all.end(), is_same)) {
+      continue;
+    }
+    MeasuredReading measured{read.reading.what, read.reading.unit, {}, {}};
+    for (const double step : steps) {
+      std::vector<const Read*> here;
+      for (const Read& other : reads) {
+        if (other.step == step && is_same(other.reading)) {
+          here.push_back(&other);
+        }
+      }
+      if (!here.empty()) {
+        measured.rungs.push_back(rung_of(step, here));
+      }
+    }
+    measured.order = fitted_order(measured.rungs);
+    all.push_back(std::move(measured));
+  }
+  return all;
 }
 
 /// The relative error of a reading that rounding explains: that of the answer, and one rounding of the state a step.
@@ -53,54 +82,6 @@ double rounding_of(const Reading& reading, const Stepping& stepping, Precision p
   const double size = std::max(std::abs(reading.right), reading.scale);
   return (reading.bound + static_cast<double>(steps_of(stepping)) * unit_roundoff(precision) * size) / reading.scale;
 }
-
-/// Collects the answers to all runs.
-class Gathering {
- public:
-  explicit Gathering(const Ladder& ladder) : steps_(ladder.steps) {}
-
-  void add(const PosedRun& run, const SteppedStates& states, Precision precision) {
-    times_[run.step].push_back(states.seconds / static_cast<double>(steps_of(run.stepping)));
-    for (const Reading& reading : run.read(states)) {
-      auto place = std::find_if(all_.begin(), all_.end(), [&](const One& one) { return one.what == reading.what; });
-      if (place == all_.end()) {
-        place = all_.insert(all_.end(), {reading.what, reading.unit, {}});
-      }
-      Gathered& gathered = place->at[run.step];
-      gathered.readings.push_back(reading);
-      gathered.rounding = std::max(gathered.rounding, rounding_of(reading, run.stepping, precision));
-    }
-  }
-
-  void finish(Measurement& measurement) const {
-    for (const One& one : all_) {
-      MeasuredReading reading{one.what, one.unit, {}, {}};
-      for (const double step : steps_) {
-        if (const auto found = one.at.find(step); found != one.at.end()) {
-          reading.rungs.push_back(rung_of(step, found->second));
-        }
-      }
-      reading.order = fitted_order(reading.rungs);
-      measurement.readings.push_back(std::move(reading));
-    }
-    for (const double step : steps_) {
-      if (const auto found = times_.find(step); found != times_.end()) {
-        measurement.step_times.push_back({step, median(found->second)});
-      }
-    }
-  }
-
- private:
-  struct One {
-    std::string what;
-    std::string unit;
-    std::map<double, Gathered> at;
-  };
-
-  std::vector<double> steps_;
-  std::vector<One> all_;
-  std::map<double, std::vector<double>> times_;
-};
 
 void note(std::vector<Unanswered>& all, const std::string& why, bool is_failure, double step) {
   auto place = std::find_if(all.begin(), all.end(), [&](const Unanswered& one) { return one.why == why; });
@@ -140,7 +121,8 @@ SteppingAnswer checked(SteppingAnswer answer, const Stepping& stepping) {
   }
   const std::size_t bodies = stepping.scene.bodies.size();
   if (states->states.size() != stepping.report.size() ||
-      std::any_of(states->states.begin(), states->states.end(), [&](const auto& all) { return all.size() != bodies; })) {
+      std::any_of(states->states.begin(), states->states.end(),
+                  [&](const auto& all) { return all.size() != bodies; })) {
     return Failed{"the answer has not a state for each body at each time"};
   }
   if (!std::all_of(states->states.begin(), states->states.end(),
@@ -178,7 +160,8 @@ std::optional<double> fitted_order(std::span<const Rung> rungs) {
 Measurement measure(const Phenomenon& phenomenon, const Stepper& stepper, Stepper::Session& session,
                     const Ladder& ladder) {
   Measurement result{std::string(phenomenon.name), phenomenon.version, {}, {}, {}, 0};
-  Gathering gathering(ladder);
+  std::vector<Read> reads;
+  std::map<double, std::vector<double>> seconds;  // of a step
   constexpr unsigned most_failures = 3;
   unsigned failures = 0;
   for (const PosedRun& run : phenomenon.runs(ladder, stepper.is_planar)) {
@@ -201,10 +184,20 @@ Measurement measure(const Phenomenon& phenomenon, const Stepper& stepper, Steppe
     } else if (const auto* refused = std::get_if<Refused>(&answer)) {
       note(result.unanswered, "refused: " + refused->why, false, run.step);
     } else {
-      gathering.add(run, std::get<SteppedStates>(answer), stepper.precision);
+      const auto& states = std::get<SteppedStates>(answer);
+      seconds[run.step].push_back(states.seconds / static_cast<double>(steps_of(run.stepping)));
+      for (Reading& reading : run.read(states)) {
+        const double rounding = rounding_of(reading, run.stepping, stepper.precision);
+        reads.push_back({run.step, std::move(reading), rounding});
+      }
     }
   }
-  gathering.finish(result);
+  result.readings = gathered(reads, ladder.steps);
+  for (const double step : ladder.steps) {
+    if (const auto found = seconds.find(step); found != seconds.end()) {
+      result.step_times.push_back({step, median(found->second)});
+    }
+  }
   return result;
 }
 

@@ -40,7 +40,7 @@ struct StepTime {
 /// Runs without an answer, for one reason.
 struct Unanswered {
   std::string why;
-  bool is_failure = false;  // otherwise the subject skipped or refused them, or was not asked
+  bool is_failure = false;    // otherwise the subject skipped or refused them, or was not asked
   std::vector<double> steps;  // of each run
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
+
 #include <carom/properties/phenomena/phenomena.hpp>
 #include <carom/properties/phenomena/posing.hpp>
-
-#include <algorithm>
 
 namespace carom::properties {
 namespace {
@@ -57,34 +57,36 @@ std::vector<PosedRun> runs(const Ladder& ladder, bool planar) {
   const Directions d = directions(planar);
   std::vector<PosedRun> all;
   // The answer depends on the diameters a step and hardly on the step.
-  for (std::size_t rung = 0; rung < std::min<std::size_t>(ladder.steps.size(), 2); ++rung) {
-    for (unsigned phase = 0; phase < ladder.phases; ++phase) {
-      for (const double diameters : {0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0}) {
-        for (const bool at_wall : {true, false}) {
-          for (const bool is_continuous : {false, true}) {
-            all.push_back(posed(d, ladder.steps[rung], phase, share_of(phase, ladder),
-                                {diameters, at_wall, is_continuous}));
-          }
+  Ladder longest = ladder;
+  longest.steps.resize(std::min<std::size_t>(ladder.steps.size(), 2));
+  each_phase(longest, [&](double step, unsigned phase, double share) {
+    for (const double diameters : {0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0}) {
+      for (const bool at_wall : {true, false}) {
+        for (const bool is_continuous : {false, true}) {
+          all.push_back(posed(d, step, phase, share, {diameters, at_wall, is_continuous}));
         }
       }
     }
-  }
+  });
   return all;
 }
 
 }  // namespace
 
 Phenomenon pass_through() {
-  return {"pass-through", 1, "Does a fast ball pass through a thin wall?",
-          "A sphere of 1 kg and R = 0.1 m flies at a fixed wall that is 0.1 m thick, or at an equal sphere that flies as "
-          "fast towards it, with ε = 1/2 and without gravity and friction. In a step, they approach by 1/4, 1/2, 1, … 64 "
-          "diameters. They meet in the fourth step, at each phase. Continuous detection is off and on. The two longest "
-          "steps are measured. The plane has discs.",
-          "The sphere does not pass, and leaves at −ε v. Source: Newton's law of restitution.",
-          "Whether the sphere is beyond the wall or the other sphere (1) or not (0), and its velocity, relative to the "
-          "velocity before, 0.02 s after the impact and at least 6 steps after it.",
-          "Nothing explains an error but rounding, because the sphere is as fast at the end of a step as at the impact.",
-          runs};
+  return {
+      "pass-through",
+      1,
+      "Does a fast ball pass through a thin wall?",
+      "A sphere of 1 kg and R = 0.1 m flies at a fixed wall that is 0.1 m thick, or at an equal sphere that flies as "
+      "fast towards it, with ε = 1/2 and without gravity and friction. In a step, they approach by 1/4, 1/2, 1, … 64 "
+      "diameters. They meet in the fourth step, at each phase. Continuous detection is off and on. The two longest "
+      "steps are measured. The plane has discs.",
+      "The sphere does not pass, and leaves at −ε v. Source: Newton's law of restitution.",
+      "Whether the sphere is beyond the wall or the other sphere (1) or not (0), and its velocity, relative to the "
+      "velocity before, 0.02 s after the impact and at least 6 steps after it.",
+      "Nothing explains an error but rounding, because the sphere is as fast at the end of a step as at the impact.",
+      runs};
 }
 
 }  // namespace carom::properties

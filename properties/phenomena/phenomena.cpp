@@ -10,8 +10,8 @@ Ladder full_ladder() {
 Ladder quick_ladder() { return {{1.0 / 60, 1.0 / 240}, 6}; }
 
 std::span<const Phenomenon> all_phenomena() {
-  static const std::vector<Phenomenon> all{bounce(),        slow_bounce(),  slide(), slide_to_roll(), stick(), spin(),
-                                           free_rotation(), flat_landing(), stack(), pass_through()};
+  static const std::vector<Phenomenon> all{bounce(), slow_bounce(),   slide(),        slide_to_roll(), stick(),
+                                           spin(),   free_rotation(), flat_landing(), stack(),         pass_through()};
   return all;
 }
 

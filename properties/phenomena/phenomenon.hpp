@@ -14,8 +14,8 @@ namespace carom::properties {
 
 /// A number that a run shows, beside the known answer.
 struct Reading {
-  std::string what;       // "height of bounce 1, ε = 0.5"
-  std::string unit;       // "m"; empty for a ratio
+  std::string what;  // "height of bounce 1, ε = 0.5"
+  std::string unit;  // "m"; empty for a ratio
   double measured = 0;
   double right = 0;
   double bound = 0;       // of the rounding of `right`, and of what reading it off rounded states may cost
@@ -46,7 +46,7 @@ struct Ladder {
 
 /// A named set-up in time with a known answer. It is frozen: another set-up has another version.
 struct Phenomenon {
-  std::string_view name;      // "slide-to-roll"
+  std::string_view name;  // "slide-to-roll"
   unsigned version = 1;
   std::string_view question;  // "Does a ball that slides end up rolling at 5/7 of its speed?"
   std::string_view set_up;    // in numbers

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <carom/properties/phenomena/posing.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,10 +7,13 @@
 #include <fmt/format.h>
 
 #include <carom/oracles/laws/kinematics.hpp>
+#include <carom/properties/phenomena/posing.hpp>
 
 namespace carom::properties::posing {
 
-Vector3<double> Directions::at(double to_the_right, double upwards) const { return to_the_right * right + upwards * up; }
+Vector3<double> Directions::at(double to_the_right, double upwards) const {
+  return to_the_right * right + upwards * up;
+}
 
 Directions directions(bool planar) {
   return planar ? Directions{true, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}} : Directions{};
@@ -39,7 +40,8 @@ double rolling_inertia(const Directions& d, const SteppedBody& ball) {
 
 SteppedBody block(const Directions& d, double along, double across, double high, double mass) {
   SteppedBody body;
-  const Vector3<double> lengths = d.is_planar ? Vector3<double>{along, high, across} : Vector3<double>{along, across, high};
+  const Vector3<double> lengths =
+      d.is_planar ? Vector3<double>{along, high, across} : Vector3<double>{along, across, high};
   body.shape = BoxShape{lengths};
   body.mass = mass;
   const Vector3<double> squares = lengths.cwiseProduct(lengths);
@@ -71,10 +73,6 @@ Reported reported_at(const SteppedStates& states, const std::vector<std::uint64_
   const std::uint64_t steps = steps_to(time, step);
   const auto place = std::lower_bound(report.begin(), report.end(), steps) - report.begin();
   return {{step, steps}, states.states.at(static_cast<std::size_t>(place))};
-}
-
-double share_of(unsigned phase, const Ladder& ladder) {
-  return static_cast<double>(phase) / static_cast<double>(ladder.phases);
 }
 
 double height_of_fall(double height, double step, double share) {

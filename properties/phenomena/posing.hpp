@@ -56,8 +56,15 @@ struct Reported {
 [[nodiscard]] Reported reported_at(const SteppedStates& states, const std::vector<std::uint64_t>& report, double time,
                                    double step);
 
-/// A share of a step in [0, 1) for each phase.
-[[nodiscard]] double share_of(unsigned phase, const Ladder& ladder);
+/// Calls f(step, phase, share of a step) for each step of the ladder and each phase.
+template <class F>
+void each_phase(const Ladder& ladder, F f) {
+  for (const double step : ladder.steps) {
+    for (unsigned phase = 0; phase < ladder.phases; ++phase) {
+      f(step, phase, static_cast<double>(phase) / static_cast<double>(ladder.phases));
+    }
+  }
+}
 
 /// A height near `height`. A fall from it takes a whole number of steps and the share of one.
 [[nodiscard]] double height_of_fall(double height, double step, double share);

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <carom/properties/phenomena/relations.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -9,6 +7,7 @@
 
 #include <carom/properties/phenomena/measure.hpp>
 #include <carom/properties/phenomena/posing.hpp>
+#include <carom/properties/phenomena/relations.hpp>
 
 namespace carom::properties {
 namespace {
@@ -17,8 +16,8 @@ using namespace posing;
 
 constexpr double duration = 2;
 constexpr double between_reports = 0.05;
-constexpr double shift = 8;           // [m] to the right
-constexpr double tolerance = 1e-3;    // [m] and [rad]
+constexpr double shift = 8;         // [m] to the right
+constexpr double tolerance = 1e-3;  // [m] and [rad]
 
 /// Maps a body without rounding: polar vectors, axial vectors and lengths along the axes.
 template <class Polar, class Axial, class Lengths>
@@ -79,9 +78,7 @@ std::vector<Related> related_heaps(bool planar) {
       {"reflection_symmetry", "mirrored in x = 0", [](SteppedScene& scene) { map_movable(scene, mirror); },
        [](std::vector<BodyState>& states) { map_states(states, mirror); }},
       {"translation", "moved by 8 m",
-       [](SteppedScene& scene) {
-         map_movable(scene, [](SteppedBody& body) { body.state.position[0] += shift; });
-       },
+       [](SteppedScene& scene) { map_movable(scene, [](SteppedBody& body) { body.state.position[0] += shift; }); },
        [](std::vector<BodyState>& states) {
          std::for_each(states.begin() + 1, states.end(), [](BodyState& state) { state.position[0] -= shift; });
        }},
@@ -93,11 +90,10 @@ std::vector<Related> related_heaps(bool planar) {
        },
        [](std::vector<BodyState>& states) { states.pop_back(); }}};
   if (!planar) {
-    all.push_back({"rotation", "turned by 90° about the vertical",
-                   [](SteppedScene& scene) { map_movable(scene, [](SteppedBody& body) { turn(body, true); }); },
-                   [](std::vector<BodyState>& states) {
-                     map_states(states, [](SteppedBody& body) { turn(body, false); });
-                   }});
+    all.push_back(
+        {"rotation", "turned by 90° about the vertical",
+         [](SteppedScene& scene) { map_movable(scene, [](SteppedBody& body) { turn(body, true); }); },
+         [](std::vector<BodyState>& states) { map_states(states, [](SteppedBody& body) { turn(body, false); }); }});
   }
   return all;
 }
@@ -126,7 +122,8 @@ std::variant<SteppedStates, std::string> states_of(const Stepper& stepper, Stepp
   return failed != nullptr ? failed->why : refused != nullptr ? refused->why : std::get<Skipped>(answer).why;
 }
 
-void compare(RelationResult& result, const Stepping& stepping, const SteppedStates& first, const SteppedStates& second) {
+void compare(RelationResult& result, const Stepping& stepping, const SteppedStates& first,
+             const SteppedStates& second) {
   bool is_same_so_far = true;
   double greatest = 0;
   for (std::size_t k = 0; k < stepping.report.size(); ++k) {

@@ -13,7 +13,7 @@ namespace carom::properties {
 enum class Likeness { same_bits, same_digits, differs, unanswered };
 
 struct RelationResult {
-  std::string_view name;   // of the relation of impulses, if there is one
+  std::string_view name;    // of the relation of impulses, if there is one
   std::string_view change;  // "with the bodies in another order"
   Likeness likeness = Likeness::unanswered;
   int digits = 0;   // if `same_digits`: places and attitudes agree to 10 to the power −digits, in m and rad
@@ -25,7 +25,8 @@ struct RelationResult {
 [[nodiscard]] SteppedScene heap(bool planar);
 
 /// Poses the heap, and each related heap, with this step.
-[[nodiscard]] std::vector<RelationResult> heap_relations(const Stepper& stepper, Stepper::Session& session, double step);
+[[nodiscard]] std::vector<RelationResult> heap_relations(const Stepper& stepper, Stepper::Session& session,
+                                                         double step);
 
 /// "same bits", "same to 6 digits until 2 s", "differs from 0.65 s on", or the reason for no answer.
 [[nodiscard]] std::string in_words(const RelationResult& result);

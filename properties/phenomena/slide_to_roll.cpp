@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
+#include <iterator>
+
 #include <carom/oracles/motion/sliding.hpp>
 #include <carom/properties/phenomena/phenomena.hpp>
 #include <carom/properties/phenomena/posing.hpp>
-
-#include <algorithm>
-#include <iterator>
 
 namespace carom::properties {
 namespace {
@@ -54,17 +54,20 @@ std::vector<PosedRun> runs(const Ladder& ladder, bool planar) {
 }  // namespace
 
 Phenomenon slide_to_roll() {
-  return {"slide-to-roll", 1, "Does a ball that slides end up rolling at 5/7 of its speed?",
-          "A solid sphere of 1 kg and R = 0.5 m stands on a floor and starts at v₀ = 2 m/s without spin, with μ = 0.3, "
-          "ε = 0 and g = 9.81 m/s². The plane has a disc.",
-          "The sphere slips until 2v₀/(7μg), with the speed v₀ − μ g t and the spin 5μgt/(2R). Then it rolls at 5v₀/7 for "
-          "ever. The disc slips until v₀/(3μg), and then rolls at 2v₀/3. Source: Coulomb's law of friction, and the "
-          "angular momentum about the point of contact.",
-          "Speed and spin at 0.1 s, in the slip, and at 2 s; the distance at 2 s. Errors of speeds are relative to v₀, "
-          "and the error of the distance to the distance.",
-          "One step's worth of friction is μ g h in speed in the slip, and this speed times the slip's duration in "
-          "distance. The rolling speed does not depend on the step, because the angular momentum does not.",
-          runs};
+  return {
+      "slide-to-roll",
+      1,
+      "Does a ball that slides end up rolling at 5/7 of its speed?",
+      "A solid sphere of 1 kg and R = 0.5 m stands on a floor and starts at v₀ = 2 m/s without spin, with μ = 0.3, "
+      "ε = 0 and g = 9.81 m/s². The plane has a disc.",
+      "The sphere slips until 2v₀/(7μg), with the speed v₀ − μ g t and the spin 5μgt/(2R). Then it rolls at 5v₀/7 for "
+      "ever. The disc slips until v₀/(3μg), and then rolls at 2v₀/3. Source: Coulomb's law of friction, and the "
+      "angular momentum about the point of contact.",
+      "Speed and spin at 0.1 s, in the slip, and at 2 s; the distance at 2 s. Errors of speeds are relative to v₀, "
+      "and the error of the distance to the distance.",
+      "One step's worth of friction is μ g h in speed in the slip, and this speed times the slip's duration in "
+      "distance. The rolling speed does not depend on the step, because the angular momentum does not.",
+      runs};
 }
 
 }  // namespace carom::properties

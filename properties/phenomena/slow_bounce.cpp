@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
+
 #include <carom/properties/phenomena/phenomena.hpp>
 #include <carom/properties/phenomena/posing.hpp>
-
-#include <algorithm>
 
 namespace carom::properties {
 namespace {
@@ -31,27 +31,28 @@ PosedRun posed(const Directions& d, double step, unsigned phase, double share, d
 std::vector<PosedRun> runs(const Ladder& ladder, bool planar) {
   const Directions d = directions(planar);
   std::vector<PosedRun> all;
-  for (const double step : ladder.steps) {
-    for (unsigned phase = 0; phase < ladder.phases; ++phase) {
-      for (const double speed : {0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0}) {
-        all.push_back(posed(d, step, phase, share_of(phase, ladder), speed));
-      }
+  each_phase(ladder, [&](double step, unsigned phase, double share) {
+    for (const double speed : {0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0}) {
+      all.push_back(posed(d, step, phase, share, speed));
     }
-  }
+  });
   return all;
 }
 
 }  // namespace
 
 Phenomenon slow_bounce() {
-  return {"slow-bounce", 1, "Does a slow ball bounce, too?",
-          "A sphere of 1 kg and R = 0.5 m meets a wall at 0.01, 0.03, 0.1, 0.3, 1, 3 and 10 m/s, head-on, with ε = 1/2, "
-          "and without gravity and friction. It meets the wall in the fifth step, at each phase of a step. The plane has "
-          "a disc.",
-          "The sphere leaves at ε v at every speed. Source: Newton's law of restitution.",
-          "The speed 0.1 s after the impact, and at least 8 steps after it. Errors are relative to ε v.",
-          "Nothing explains an error but rounding, because the sphere is as fast at the end of a step as at the impact.",
-          runs};
+  return {
+      "slow-bounce",
+      1,
+      "Does a slow ball bounce, too?",
+      "A sphere of 1 kg and R = 0.5 m meets a wall at 0.01, 0.03, 0.1, 0.3, 1, 3 and 10 m/s, head-on, with ε = 1/2, "
+      "and without gravity and friction. It meets the wall in the fifth step, at each phase of a step. The plane has "
+      "a disc.",
+      "The sphere leaves at ε v at every speed. Source: Newton's law of restitution.",
+      "The speed 0.1 s after the impact, and at least 8 steps after it. Errors are relative to ε v.",
+      "Nothing explains an error but rounding, because the sphere is as fast at the end of a step as at the impact.",
+      runs};
 }
 
 }  // namespace carom::properties

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
+#include <cmath>
+
 #include <carom/oracles/motion/impacts.hpp>
 #include <carom/properties/phenomena/phenomena.hpp>
 #include <carom/properties/phenomena/posing.hpp>
-
-#include <algorithm>
-#include <cmath>
 
 namespace carom::properties {
 namespace {
@@ -17,20 +17,26 @@ constexpr double approach = 2;  // [m/s]
 /// A way to meet the wall.
 struct Meeting {
   const char* name;
-  double right, across;                           // velocity along the wall [m/s]
+  double right, across;                             // velocity along the wall [m/s]
   double spin_across, spin_right = 0, spin_up = 0;  // [rad/s]
 };
 
 // A sphere sticks if its contact point slips with at most 7/2 μ (1 + ε) · 2 m/s = 3.15 m/s, and a disc with 2.7 m/s.
 constexpr Meeting planar_meetings[] = {
     {"gripping", 1.5, 0, 0}, {"slipping", 6, 0, 0}, {"with backspin", 1, 0, -8}, {"with topspin", 1, 0, 12}};
-constexpr Meeting spatial_meetings[] = {{"gripping, diagonal", 1.2, 1.6, 0, 0, 5}, {"slipping, diagonal", 3, 4, 0, 0, 5}};
+constexpr Meeting spatial_meetings[] = {{"gripping, diagonal", 1.2, 1.6, 0, 0, 5},
+                                        {"slipping, diagonal", 3, 4, 0, 0, 5}};
 
 PosedRun posed(const Directions& d, double step, unsigned phase, double share, const Meeting& meeting) {
   PosedRun run{step, phase, {}, d.is_planar, {}};
   SteppedBody flying = ball(d, radius);
   const oracles::WallImpact impact{
-      flying.mass, rolling_inertia(d, flying), radius, 0.5, 0.3, d.up,
+      flying.mass,
+      rolling_inertia(d, flying),
+      radius,
+      0.5,
+      0.3,
+      d.up,
       meeting.right * d.right + meeting.across * d.across - approach * d.up,
       meeting.spin_right * d.right + meeting.spin_across * d.across + meeting.spin_up * d.up};
   flying.state.position = d.at(0, radius + approach * (4 + share) * step);
@@ -72,36 +78,35 @@ PosedRun posed(const Directions& d, double step, unsigned phase, double share, c
 std::vector<PosedRun> runs(const Ladder& ladder, bool planar) {
   const Directions d = directions(planar);
   std::vector<PosedRun> all;
-  for (const double step : ladder.steps) {
-    for (unsigned phase = 0; phase < ladder.phases; ++phase) {
-      const auto add = [&](const Meeting& meeting) {
-        all.push_back(posed(d, step, phase, share_of(phase, ladder), meeting));
-      };
-      std::for_each(std::begin(planar_meetings), std::end(planar_meetings), add);
-      if (!planar) {
-        std::for_each(std::begin(spatial_meetings), std::end(spatial_meetings), add);
-      }
+  each_phase(ladder, [&](double step, unsigned phase, double share) {
+    const auto add = [&](const Meeting& meeting) { all.push_back(posed(d, step, phase, share, meeting)); };
+    std::for_each(std::begin(planar_meetings), std::end(planar_meetings), add);
+    if (!planar) {
+      std::for_each(std::begin(spatial_meetings), std::end(spatial_meetings), add);
     }
-  }
+  });
   return all;
 }
 
 }  // namespace
 
 Phenomenon spin() {
-  return {"spin", 1, "Does a ball leave an oblique bounce with the right spin?",
-          "A solid sphere of 1 kg and R = 0.5 m meets a wall with 2 m/s along the normal, with ε = 1/2, μ = 0.3 and no "
-          "gravity. Along the wall it has 1.5 m/s, 6 m/s, 1 m/s with a spin of −8 or 12 rad/s, or (1.2, 1.6) or (3, 4) m/s "
-          "with a spin of 5 rad/s about the normal. The plane has a disc, and not the last two. The impact happens in the "
-          "fifth step, at each phase of a step.",
-          "The contact point slips with V_t, and λ_t = 1/m + R²/J (7/(2m) for the sphere, 3/m for the disc). It sticks if "
-          "‖V_t‖ ≤ λ_t m μ (1 + ε) |V_n|, with the impulse −V_t/λ_t. Otherwise the impulse is μ F_n against V_t. Source: "
-          "Coulomb's law; O. Walton and R. Braun, J. Rheol. 30 (1986).",
-          "Velocity and spin 0.1 s after the impact, and at least 8 steps after it. Errors are relative to the speed "
-          "before the impact, and to this speed divided by R.",
-          "Nothing explains an error but rounding, because velocity and spin are the same at the end of a step as at the "
-          "impact.",
-          runs};
+  return {
+      "spin",
+      1,
+      "Does a ball leave an oblique bounce with the right spin?",
+      "A solid sphere of 1 kg and R = 0.5 m meets a wall with 2 m/s along the normal, with ε = 1/2, μ = 0.3 and no "
+      "gravity. Along the wall it has 1.5 m/s, 6 m/s, 1 m/s with a spin of −8 or 12 rad/s, or (1.2, 1.6) or (3, 4) m/s "
+      "with a spin of 5 rad/s about the normal. The plane has a disc, and not the last two. The impact happens in the "
+      "fifth step, at each phase of a step.",
+      "The contact point slips with V_t, and λ_t = 1/m + R²/J (7/(2m) for the sphere, 3/m for the disc). It sticks if "
+      "‖V_t‖ ≤ λ_t m μ (1 + ε) |V_n|, with the impulse −V_t/λ_t. Otherwise the impulse is μ F_n against V_t. Source: "
+      "Coulomb's law; O. Walton and R. Braun, J. Rheol. 30 (1986).",
+      "Velocity and spin 0.1 s after the impact, and at least 8 steps after it. Errors are relative to the speed "
+      "before the impact, and to this speed divided by R.",
+      "Nothing explains an error but rounding, because velocity and spin are the same at the end of a step as at the "
+      "impact.",
+      runs};
 }
 
 }  // namespace carom::properties

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
+
 #include <carom/properties/phenomena/phenomena.hpp>
 #include <carom/properties/phenomena/posing.hpp>
-
-#include <algorithm>
 
 namespace carom::properties {
 namespace {
@@ -41,7 +41,8 @@ PosedRun posed(const Directions& d, double step, const Pile& pile) {
       scale += bodies[i].mass * gravity;
     }
     const double top = d.up.dot(states.states.at(0).back().position - bodies.back().state.position);
-    return std::vector{reading("drift" + name, "m", drift, {}, 1, 0, 0), reading("turn" + name, "rad", turn, {}, 1, 0, 1),
+    return std::vector{reading("drift" + name, "m", drift, {}, 1, 0, 0),
+                       reading("turn" + name, "rad", turn, {}, 1, 0, 1),
                        reading("rise of the highest cube" + name, "m", top, {}, 1, 0, 5),
                        reading("kinetic energy" + name, "J", energy, {}, scale, 0, 0)};
   };
@@ -50,8 +51,8 @@ PosedRun posed(const Directions& d, double step, const Pile& pile) {
 
 std::vector<PosedRun> runs(const Ladder& ladder, bool planar) {
   const Directions d = directions(planar);
-  const std::vector<Pile> piles{{"five equal cubes", {1, 1, 1, 1, 1}}, {"10 kg on 1 kg", {1, 10}},
-                                {"100 kg on 1 kg", {1, 100}}};
+  const std::vector<Pile> piles{
+      {"five equal cubes", {1, 1, 1, 1, 1}}, {"10 kg on 1 kg", {1, 10}}, {"100 kg on 1 kg", {1, 100}}};
   std::vector<PosedRun> all;
   for (const double step : ladder.steps) {
     for (const Pile& pile : piles) {
@@ -64,13 +65,17 @@ std::vector<PosedRun> runs(const Ladder& ladder, bool planar) {
 }  // namespace
 
 Phenomenon stack() {
-  return {"stack", 1, "Does a stack stand?",
-          "Cubes with edges of 1 m stand on each other and on a floor for 10 s, with ε = 0, μ = 1/2 and g = 9.81 m/s²: "
-          "five of 1 kg, 10 kg on 1 kg, and 100 kg on 1 kg. The plane has squares.",
-          "Nothing moves, because forces up at the corners carry each cube. Source: statics.",
-          "After 10 s: the greatest drift and turn of a cube, the rise of the highest cube (negative if the stack sinks), "
-          "and the kinetic energy, relative to an edge, a radian, and the energy m g of one edge.",
-          "Nothing explains an error but rounding, because nothing moves.", runs};
+  return {
+      "stack",
+      1,
+      "Does a stack stand?",
+      "Cubes with edges of 1 m stand on each other and on a floor for 10 s, with ε = 0, μ = 1/2 and g = 9.81 m/s²: "
+      "five of 1 kg, 10 kg on 1 kg, and 100 kg on 1 kg. The plane has squares.",
+      "Nothing moves, because forces up at the corners carry each cube. Source: statics.",
+      "After 10 s: the greatest drift and turn of a cube, the rise of the highest cube (negative if the stack sinks), "
+      "and the kinetic energy, relative to an edge, a radian, and the energy m g of one edge.",
+      "Nothing explains an error but rounding, because nothing moves.",
+      runs};
 }
 
 }  // namespace carom::properties

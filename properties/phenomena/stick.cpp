@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <cmath>
+#include <numbers>
+
 #include <carom/oracles/motion/sliding.hpp>
 #include <carom/properties/phenomena/phenomena.hpp>
 #include <carom/properties/phenomena/posing.hpp>
-
-#include <cmath>
-#include <numbers>
 
 namespace carom::properties {
 namespace {
@@ -60,14 +60,18 @@ std::vector<PosedRun> runs(const Ladder& ladder, bool planar) {
 }  // namespace
 
 Phenomenon stick() {
-  return {"stick", 1, "Does a box on a slope rest if it should, and slide as fast as it should?",
-          "A box of 1 m × 1 m × 0.5 m and 1 kg stands on a floor. Gravity, 9.81 m/s², is tilted by θ = 10°, 20°, 30° or "
-          "40°, so that the floor is a slope. μ is 0.2, 0.4 or 0.8, and ε = 0.",
-          "The box rests if tan θ ≤ μ. Otherwise its acceleration is g (sin θ − μ cos θ). Source: Coulomb's law of "
-          "friction.",
-          "Between 0.5 s and 1 s: the speed of creep if the box should rest, otherwise the acceleration. Errors are "
-          "relative to g sin θ, in a second.",
-          "Nothing explains an error but rounding, because the acceleration is constant.", runs};
+  return {
+      "stick",
+      1,
+      "Does a box on a slope rest if it should, and slide as fast as it should?",
+      "A box of 1 m × 1 m × 0.5 m and 1 kg stands on a floor. Gravity, 9.81 m/s², is tilted by θ = 10°, 20°, 30° or "
+      "40°, so that the floor is a slope. μ is 0.2, 0.4 or 0.8, and ε = 0.",
+      "The box rests if tan θ ≤ μ. Otherwise its acceleration is g (sin θ − μ cos θ). Source: Coulomb's law of "
+      "friction.",
+      "Between 0.5 s and 1 s: the speed of creep if the box should rest, otherwise the acceleration. Errors are "
+      "relative to g sin θ, in a second.",
+      "Nothing explains an error but rounding, because the acceleration is constant.",
+      runs};
 }
 
 }  // namespace carom::properties

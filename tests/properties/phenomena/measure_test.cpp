@@ -118,8 +118,9 @@ TEST(TimeClaims, AreRead) {
 }
 
 TEST(TimeClaims, ThatAreNoneAreRefused) {
-  for (const char* text : {"", "bounce", "bounce within 5 at 1/60 s", "bounce within 5% at 1/0 s", "bounce within -5% at 1 s",
-                           "bounce within 5% at 1/60 ms", "bounce within 5%% at 1 s", "bounce within 5% at 1/60/2 s"}) {
+  for (const char* text :
+       {"", "bounce", "bounce within 5 at 1/60 s", "bounce within 5% at 1/0 s", "bounce within -5% at 1 s",
+        "bounce within 5% at 1/60 ms", "bounce within 5%% at 1 s", "bounce within 5% at 1/60/2 s"}) {
     EXPECT_THROW((void)time_claim_from(text), std::invalid_argument) << text;
   }
   EXPECT_EQ(unit::message_of<std::invalid_argument>([] { return time_claim_from("bonce within 5% at 1/60 s"); }),

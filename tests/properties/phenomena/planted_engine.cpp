@@ -54,7 +54,7 @@ struct Contact {
   V point;
   V normal;
   double gap;
-  double target = 0;     // the least normal velocity after the impulse
+  double target = 0;  // the least normal velocity after the impulse
   bool bounces = false;
   double normal_impulse = 0;
   V friction{0, 0, 0};
@@ -155,10 +155,9 @@ class World {
   /// The contacts of two bodies. A sphere stands before a box, and a box before a half-space.
   void find(std::size_t a, std::size_t b, double h, std::vector<Contact>& all) {
     const std::size_t first = all.size();
-    const double reach =
-        defect_ == Defect::speculative_contacts
-            ? h * (bodies_[a].posed.state.velocity - bodies_[b].posed.state.velocity).norm()
-            : touching;
+    const double reach = defect_ == Defect::speculative_contacts
+                             ? h * (bodies_[a].posed.state.velocity - bodies_[b].posed.state.velocity).norm()
+                             : touching;
     const auto add = [&](int feature, const V& point, const V& normal, double gap) {
       if (gap < reach) {
         all.push_back({{a, b, feature}, &bodies_[a], &bodies_[b], point, normal, gap});
@@ -205,7 +204,7 @@ class World {
     }
   }
 
-  /// The corners of each box in the other, with the face normal along which the boxes overlap least.
+  /// The corners of a box in the other, with the face normal along which the boxes overlap least.
   template <class Add>
   static void find_corners(const Body& one, const Body& other, Add add) {
     const V between = one.posed.state.position - other.posed.state.position;
@@ -227,13 +226,18 @@ class World {
       return;
     }
     int feature = 0;
+    bool has_contact = false;
     for (const auto& [box, around, sign] : {std::tuple(&one, &other, 1.0), std::tuple(&other, &one, -1.0)}) {
       const double face = (around->axes.transpose() * normal).cwiseAbs().dot(around->half());
       for (const V& corner : corners(*box)) {
         const V out = corner - around->posed.state.position;
         const V in_box = (around->axes.transpose() * out).cwiseAbs();
+        if (sign < 0 && has_contact) {
+          return;  // the corners of the other box would say the same again
+        }
         ++feature;
         if ((in_box.array() <= around->half().array() + touching).all()) {
+          has_contact = true;
           add(feature, corner, normal, sign * normal.dot(out) - face);
         }
       }
@@ -264,7 +268,8 @@ class World {
       }
     }
     double change = 1;
-    for (int round = 0; round < 2000 && change > 1e-9; ++round) {
+    const std::size_t rounds = 50 + 20000 / (contacts.size() + 1);
+    for (std::size_t round = 0; round < rounds && change > 1e-9; ++round) {
       change = 0;
       for (Contact& contact : contacts) {
         change = std::max({change, push_apart(contact), rub(contact)});
@@ -320,7 +325,9 @@ class World {
       state.velocity *= 1 - 0.1 * h;
       w *= 1 - 0.1 * h;
     }
-    const auto momentum = [&] { return V(body.axes * body.posed.principal_inertia.cwiseProduct(body.axes.transpose() * w)); };
+    const auto momentum = [&] {
+      return V(body.axes * body.posed.principal_inertia.cwiseProduct(body.axes.transpose() * w));
+    };
     const V before = momentum();
     if (defect_ == Defect::explicit_gyroscopic_term) {
       w -= h * body.over_inertia(w.cross(before));
@@ -329,7 +336,8 @@ class World {
     const double half_angle = w.norm() * h / 2;
     const V turn = w.norm() > 0 ? V(std::sin(half_angle) * w.normalized()) : V(0, 0, 0);
     const Eigen::Quaterniond q(state.orientation[0], state.orientation[1], state.orientation[2], state.orientation[3]);
-    const Eigen::Quaterniond turned = (Eigen::Quaterniond(std::cos(half_angle), turn[0], turn[1], turn[2]) * q).normalized();
+    const Eigen::Quaterniond turned =
+        (Eigen::Quaterniond(std::cos(half_angle), turn[0], turn[1], turn[2]) * q).normalized();
     state.orientation = {turned.w(), turned.x(), turned.y(), turned.z()};
     body.axes = axes_of(state.orientation);
     if (defect_ != Defect::no_gyroscopic_term && defect_ != Defect::explicit_gyroscopic_term) {
