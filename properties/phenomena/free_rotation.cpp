@@ -81,12 +81,17 @@ PosedRun posed(double step, Eigen::Index axis) {
     };
     const Reported end = reported_at(states, report, late, step);
     const Vector3<double> after = momentum(body, end.bodies[0]);
-    return std::vector{
-        attitude_at(reported_at(states, report, early, step), " at 1 s"), attitude_at(end, " at 10 s"),
+    std::vector readings{
+        attitude_at(reported_at(states, report, early, step), " at 1 s"),
         reading("energy at 10 s" + name, "J", after.dot(end.bodies[0].angular_velocity) / 2,
                 {energy, rounding_of(energy)}, energy, of_momentum * body.state.angular_velocity.norm(), energy),
         reading("change of the angular momentum at 10 s" + name, "kg m²/s", (after - before).norm(), {}, before.norm(),
                 of_momentum, 4 * before.norm())};
+    // About the middle axis, an error grows by e^2.7 a second, so the attitude at 10 s tells engines apart no more.
+    if (axis != 1) {
+      readings.push_back(attitude_at(end, " at 10 s"));
+    }
+    return readings;
   };
   return run;
 }
@@ -113,8 +118,8 @@ Phenomenon free_rotation() {
       "Energy and angular momentum stay. Euler's equations J₁w₁' = (J₂ − J₃)w₂w₃, … have the solution w₁, w₂, w₃ in "
       "multiples of cn, sn and dn, Jacobi's elliptic functions; the attitude follows by q' = ½ q w. Source: L. Landau, "
       "E. Lifshitz, Mechanics, §37.",
-      "The angle between the attitude and the exact one, at 1 s and 10 s; energy and angular momentum at 10 s, "
-      "relative to the first ones.",
+      "The angle between the attitude and the exact one, at 1 s, and about the stable axes at 10 s; energy and angular "
+      "momentum at 10 s, relative to the first ones.",
       "One step's worth is the greatest w × J w times h in angular momentum, and the greatest w' times h times the "
       "time in attitude.",
       runs};
