@@ -102,7 +102,9 @@ struct TextWriter {
         names += (i == 0 ? "  " : ", ") + rows[i];
       }
       names += rows.size() > most_named ? " and " + std::to_string(rows.size() - most_named) + " more" : "";
-      text += wrapped(names + ": " + lines_of(note), "    ") + '\n';
+      const std::string whole = names + ": " + lines_of(note);
+      const bool has_lines = note.find('\n') != std::string::npos;  // such as a request, which a reader may copy
+      text += (has_lines ? whole : wrapped(whole, "    ")) + '\n';
     }
   }
 
