@@ -5,8 +5,7 @@ import { serve_runs } from './serve_runs.mjs';
 
 const { PxPairFlagEnum: PairFlag, PxRigidBodyFlagEnum: BodyFlag } = PhysX;
 const collides = new PhysX.PxFilterData(1, 1, 0, 0);
-// The default filter asks for no continuous detection.
-const continuous_filter = new PhysX.PassThroughFilterShaderImpl();
+const continuous_filter = new PhysX.PassThroughFilterShaderImpl();  // the default one asks for no such detection
 continuous_filter.filterShader = () => {
   continuous_filter.outputPairFlags = PairFlag.eCONTACT_DEFAULT | PairFlag.eDETECT_CCD_CONTACT;
   return 0;
