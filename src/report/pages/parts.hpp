@@ -60,14 +60,14 @@ void add_subject_rows(Table& table, const Run& run, Subjects which, const std::f
 /// A terminal has no room for everything.
 enum class Form { terminal, summary, page };
 
-/// Of the subject at this place, which has violations: its first fault in a sentence, a short case, the place to check,
-/// the command that replays it, its other faults, violated invariants, energy and ways on.
+/// What is wrong with the subject at this place. It begins with the first fault in a sentence, a short case, the place to
+/// check, and the command that replays it. Precondition: the subject has violations.
 [[nodiscard]] Section finding_part(const Run& run, std::size_t s, const std::string& out_directory, Form form);
 
 /// `finding_part` of each subject with violations, for a page.
 [[nodiscard]] Document findings_part(const Run& run, const std::string& out_directory);
 
-/// Of each subject that counts, the families with violations; empty if there are none.
+/// The families with violations of each subject that counts; empty if there are none.
 [[nodiscard]] Document violated_families_part(const Run& run);
 
 /// The energy that the answers of each subject gain. Empty if none was measured.

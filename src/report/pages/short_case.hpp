@@ -8,9 +8,9 @@
 
 namespace carom::report {
 
-/// A witness for a first look, at most six lines of it if the subject answered: A, B, the contact, the law's answer,
-/// the subject's answer, and the violated invariant. Numbers are rounded, and defaults are left out. Of the answers, it
-/// has only the vectors that differ. The law's answer is missing for `any`.
+/// A witness for a first look: A, B, the contact, the law's answer, the subject's answer, and the violated invariant.
+/// These are six lines, longer ones wrapped. Numbers are rounded, and defaults are left out. The answers have only the
+/// vectors that differ. The law's answer is missing for `any`.
 [[nodiscard]] std::string short_case(const properties::Witness& witness, const Subject& subject);
 
 }  // namespace carom::report
