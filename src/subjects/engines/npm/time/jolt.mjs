@@ -5,6 +5,7 @@ import * as engine from '../jolt_engine.mjs';
 import { serve_runs } from './serve_runs.mjs';
 
 const { Jolt, engine_vector, numbers_of } = engine;
+const plane = new Jolt.Plane(engine_vector([0, 0, 1]), 0);  // reused
 
 function make_shape({ shape, sphere, box, half_space }, configured) {
   if (shape === 'sphere') {
@@ -14,10 +15,8 @@ function make_shape({ shape, sphere, box, half_space }, configured) {
     const half = box.map((x) => x / 2);
     return new Jolt.BoxShape(engine_vector(half), configured ? 0 : Math.min(0.05, ...half));  // rounds the edges
   }
-  const plane = new Jolt.Plane(engine_vector(half_space), 0);
-  const made = new Jolt.PlaneShape(plane);
-  Jolt.destroy(plane);
-  return made;
+  plane.SetNormal(engine_vector(half_space));
+  return new Jolt.PlaneShape(plane);
 }
 
 function make_body(bodies, body, { friction, restitution, continuous }, configured) {
