@@ -77,10 +77,11 @@ struct Shares {
 
 /// Friction as computed. F_T and V_T are the parts of F and V across N.
 struct Friction {
-  double of_cone = 0;         // ‖F_T‖ / (μ N·F / ‖N‖); infinite if μ = 0
-  double of_slip = 0;         // the share of ‖V_T⁻‖ that it stops; NaN if V_T⁻ = 0
-  double against_before = 0;  // the cosine of the angle between F_T and −V_T⁻; NaN if one is 0
-  double against_after = 0;   // the same for V_T⁺
+  double of_cone = 0;           // ‖F_T‖ / (μ N·F / ‖N‖); infinite if μ = 0
+  double of_slip = 0;           // the share of ‖V_T⁻‖ that it stops; NaN if V_T⁻ = 0
+  double against_before = 0;    // the cosine of the angle between F_T and −V_T⁻; NaN if one is 0
+  double against_after = 0;     // the same for V_T⁺
+  double against_reversed = 0;  // the same for the slip before with the spins reversed
 };
 
 struct Told {
@@ -122,10 +123,14 @@ Friction friction_of(const Exact& c, const Outcome<Rational>& after) {
   const Vector3<Rational> tangential = across(impulse);
   const Vector3<Rational> slip_before = across(oracles::relative_velocity<Rational>(c, unchanged(c)));
   const Vector3<Rational> slip_after = across(oracles::relative_velocity<Rational>(c, after));
+  Outcome<Rational> reversed = unchanged(c);
+  reversed.a.angular_velocity = -reversed.a.angular_velocity;
+  reversed.b.angular_velocity = -reversed.b.angular_velocity;
+  const Vector3<Rational> slip_of_reversed = across(oracles::relative_velocity<Rational>(c, reversed));
   const double limit =
       oracles::nearest_double(c.friction) * oracles::nearest_double(c.normal.dot(impulse)) / norm(c.normal);
   return {norm(tangential) / limit, 1 - norm(slip_after) / norm(slip_before), cosine_against(tangential, slip_before),
-          cosine_against(tangential, slip_after)};
+          cosine_against(tangential, slip_after), cosine_against(tangential, slip_of_reversed)};
 }
 
 Told told_of(const ViolatedCase& violated, Law law) {
@@ -229,6 +234,14 @@ std::string friction_in_words(const std::vector<Friction>& all) {
   const auto exceeds_cone = [](const Friction& one) { return one.of_cone > 1 + visible; };
   const auto leaves_slip = [](const Friction& one) { return one.of_cone < 1 - visible && one.of_slip < 1 - visible; };
   const auto is_oblique = [](const Friction& one) { return one.against_after < 1 - visible; };
+  const auto is_of_reversed_spin = [](const Friction& one) { return one.against_reversed > 1 - visible; };
+  const auto is_of_slip = [](const Friction& one) {
+    return std::max(one.against_before, one.against_after) > 1 - visible;
+  };
+  if (most(is_of_reversed_spin) && !most(is_of_slip)) {
+    return fmt::format("The spin has the wrong sign in the slip that friction opposes, in {} of {} wrong outcomes",
+                       count_of(is_of_reversed_spin), all.size());
+  }
   if (most(is_along_slip)) {
     return fmt::format("Friction drives the slip in {} of {} wrong outcomes: F_T is along V_T, and not against it",
                        count_of(is_along_slip), all.size());

@@ -329,9 +329,9 @@ class FaultSearch {
       unknown[f].insert(unknown[f].end(), small_[f].begin(), small_[f].end());
       std::ranges::sort(unknown[f]);
     }
-    // A hypothesis of few wrong outcomes may be what another fault looks like in special cases. So if most wrong
-    // outcomes stay unexplained, the step at which they fail is named instead.
-    const bool is_explained = explanation.found.size() > first && (has_state || 2 * size_of(rest) <= wrong_.size());
+    // A hypothesis of few wrong outcomes may be what another fault looks like in special cases. So if two thirds of the
+    // wrong outcomes stay unexplained, the step at which they fail is named instead.
+    const bool is_explained = explanation.found.size() > first && (has_state || 3 * size_of(rest) <= 2 * wrong_.size());
     for (std::size_t h = first; is_explained && h < explanation.found.size(); ++h) {
       add_explained(explanation, h, unknown);
     }
