@@ -363,7 +363,7 @@ Share share_of(const CaseSet& cases, const Sample& sample) {
 Where where_in(const Sample& sample, double left_out) {
   Where where;
   where.violated = sample.violated().size();
-  where.all = where.there = share_of(sample.everything(), sample);
+  where.all = share_of(sample.everything(), sample);
   if (where.violated == 0) {
     return where;
   }
@@ -374,11 +374,12 @@ Where where_in(const Sample& sample, double left_out) {
     const Share share = share_of(here & approach.cases, sample);
     if (static_cast<double>(share.violated) >= needed) {
       where.of = approach.words;
-      where.all = where.there = share;
+      where.all = share;
       here = here & approach.cases;
       break;
     }
   }
+  const CaseSet of_kind = here;
   Where telling = where;
   Share now = where.all;  // of the cases that meet all conditions
   bool has_sizes_alone = true;
@@ -411,8 +412,7 @@ Where where_in(const Sample& sample, double left_out) {
         greatest_chance) {
       break;
     }
-    where.conditions.push_back({best->words, best->usual_cause});
-    where.there = where.conditions.size() == 1 ? of_best : where.there;
+    where.conditions.push_back({best->words, best->usual_cause, share_of(of_kind & best->cases, sample)});
     has_sizes_alone = has_sizes_alone && best->plainness == Plainness::size;
     now = of_best;
     here = here & best->cases;
@@ -457,16 +457,24 @@ std::string in_words(const Where& where) {
     return rounded == 0 && share.violated > 0 ? std::string("less than 1 %") : fmt::format("{} %", rounded);
   };
   const std::string of = where.of.empty() ? "cases" : where.of;
-  // A condition of which few cases fail tells a reader nothing.
-  constexpr std::uint64_t least_part = 5;
-  if (where.conditions.empty() || where.there.violated * least_part < where.there.cases) {
+  const auto is_exception = [](const Condition& condition) { return condition.words.starts_with("unless "); };
+  // A condition of which few cases fail, and hardly more than of all, tells a reader nothing.
+  const auto tells = [&](const Condition& condition) {
+    constexpr std::uint64_t least_part = 5;
+    constexpr std::uint64_t least_gain = 3;
+    const Share& there = condition.there;
+    return there.violated * least_part >= there.cases ||
+           there.violated * where.all.cases >= least_gain * where.all.violated * there.cases;
+  };
+  const std::vector<Condition>& all = where.conditions;
+  auto told = std::find_if(all.begin(), all.end(), [&](const Condition& one) { return tells(one) && !is_exception(one); });
+  told = told == all.end() ? std::find_if(all.begin(), all.end(), tells) : told;
+  if (told == all.end()) {
     return fmt::format("in {} of the {}", percent(where.all), of);
   }
-  const std::string& words = where.conditions.front().words;
-  const Share others{where.all.violated - where.there.violated, where.all.cases - where.there.cases};
-  const bool is_exception = words.starts_with("unless ");
-  return fmt::format("{} ({} of such {} fail, else {})", words, percent(is_exception ? others : where.there), of,
-                     percent(is_exception ? where.there : others));
+  const Share others{where.all.violated - told->there.violated, where.all.cases - told->there.cases};
+  return fmt::format("{} ({} of such {} fail, else {})", told->words, percent(is_exception(*told) ? others : told->there),
+                     of, percent(is_exception(*told) ? told->there : others));
 }
 
 std::string in_one_sentence(const std::string& what, const std::string& where) {

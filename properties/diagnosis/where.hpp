@@ -13,14 +13,15 @@ namespace carom::properties::diagnosis {
 /// ones all have it with a probability of at most 2⁻⁵ < 1/20. For four, the bound is 1/16.
 inline constexpr std::uint64_t least_violated = 5;
 
-struct Condition {
-  std::string words;        // "if A or B is immovable", "unless ε = 0"
-  std::string usual_cause;  // of such violations, as a place in a solver to check; empty if none is known
-};
-
 struct Share {
   std::uint64_t violated = 0;  // sampled cases
   std::uint64_t cases = 0;     // sampled cases, violated or not
+};
+
+struct Condition {
+  std::string words;        // "if A or B is immovable", "unless ε = 0"
+  std::string usual_cause;  // of such violations, as a place in a solver to check; empty if none is known
+  Share there = {};         // of the cases that meet this condition
 };
 
 /// The conditions that nearly all violated cases meet, and few others.
@@ -30,7 +31,6 @@ struct Where {
   std::vector<Condition> conditions;
   std::uint64_t violated = 0;  // sampled cases in which something is violated
   Share all;                   // of the kind
-  Share there;                 // of the kind, and as the first condition says
 };
 
 /// The violated cases of a run, or those of one fault. For each family, `violated` lists the numbers of violated
@@ -51,9 +51,9 @@ struct Violations {
 /// of the cases that meet all conditions are violated.
 [[nodiscard]] Where where_violated(const GateReport& report, const Violations& violations);
 
-/// The first condition and the shares that it separates, as a clause that follows the fault: "if the speed of approach
-/// is at most 0.5 m/s (93 % of such colliding contacts fail, else 0 %)". Empty if there are fewer than `least_violated`
-/// violated cases.
+/// The condition that tells most and the shares that it separates, as a clause that follows the fault: "if the speed of
+/// approach is at most 0.5 m/s (93 % of such colliding contacts fail, else 0 %)". An exception ("unless") tells less,
+/// because it may only hide the fault. Empty if there are fewer than `least_violated` violated cases.
 [[nodiscard]] std::string in_words(const Where& where);
 
 /// A fault (`Fault::what`) and the clause that says where it happens (`Fault::where`), as one sentence if it can be one.
