@@ -39,7 +39,7 @@ TEST(Diagnosis, OfASingleViolatedCaseSaysThatItIsTooFewForAHint) {
 TEST(Diagnosis, OfSlenderBodiesNamesTheInverseInertiaInWorldAxes) {
   const Diagnosis slender =
       diagnosis_of(unit::subject_of("frictionless-world-double"), unit::gate_options(200, {"physical", "structured"}));
-  EXPECT_NE(slender.faults.at(0).where.find("If a body's greatest moment over its least is at least "),
+  EXPECT_NE(slender.faults.at(0).where.find("if a body's greatest moment over its least is at least "),
             std::string::npos)
       << slender.faults.at(0).where;
   EXPECT_TRUE(slender.faults.at(0).look_at.starts_with("the inverse inertia: J⁻¹ as a matrix in world axes "))
