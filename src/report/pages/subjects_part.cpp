@@ -165,7 +165,7 @@ Table subjects_table(const Run& run, Subjects which) {
   Table table{"Subjects and their verdicts",
               {{"subject"},
                {"verdict", true},
-               {"backward error [ulps]", true},
+               {"backward error", true},
                {.name = "in family", .is_in_text = false},
                {"digits p50/p99/worst", true},
                {"ns/solve", true},
