@@ -63,7 +63,7 @@ DomainProposals::DomainProposals(const SubjectResult& result, const GateReport& 
     : within_(report.options.within), traits_(traits_beside(within_)) {
   std::size_t valid = 0;
   for (const std::vector<SampledCase>& of_family : report.sampled) {
-    valid += static_cast<std::size_t>(std::ranges::count_if(of_family, &SampledCase::is_valid));
+    valid += static_cast<std::size_t>(std::ranges::count(of_family, true, &SampledCase::is_valid));
   }
   const std::size_t every = 1 + valid / most_in_sample;
   // A relation may fail because of the answer to another collision, which may lie outside of the right domain.

@@ -118,7 +118,7 @@ double joules_of(const oracles::ExactCase& exact_case, const oracles::LiftedOutc
 
 /// Whether the answer is one of the law: no equation of the law is violated. A deviation would hide a violation.
 bool is_answer_of_law(const Claim& claim, const Judgement& judgement) {
-  return claim.deviations.empty() && std::ranges::none_of(judgement.verdicts, [](const NamedVerdict& named) {
+  return claim.deviations.empty() && !std::ranges::any_of(judgement.verdicts, [](const NamedVerdict& named) {
            return named.invariant->is_of_one_answer() && named.verdict.status == Status::violated;
          });
 }
