@@ -260,7 +260,7 @@ Plot picture_of(const std::string& name, const std::string& title, const std::st
   }
   plot.name_ends(ends, panel);
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    plot.curve(lines[i].points, fmt::format("linespoints pt 7 ps 0.5 lw 1.6 lc rgb \"{}\"{}",
+    plot.curve(lines[i].points, fmt::format("with linespoints pt 7 ps 0.5 lw 1.6 lc rgb \"{}\"{}",
                                             line_colours[i % line_colours.size()],
                                             i < line_colours.size() ? "" : " dt 2"));
   }
