@@ -40,7 +40,7 @@ test('assertSound', async () => {
   await assert.rejects(carom.assertSound(wrong, { law, cases: 4, families: 'generic' }), (error) => {
     assert.strictEqual(error.name, 'AssertionError');
     assert.match(error.message, /^solve violates [a-z_, ]*restitution/);
-    assert.match(error.message, /contact point \(.*\), normal \(.*\), restitution/);
+    assert.match(error.message, /contact at \(.*\), normal \(.*\), restitution/);
     assert.match(error.message, /N·V⁺ and −ε N·V⁻/);
     assert.ok(violated(error.report.subjects[0]).includes('restitution'));
     return true;
