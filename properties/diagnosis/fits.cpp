@@ -136,7 +136,7 @@ std::optional<double> fitted_friction(const Steps& steps, const KnownCase& one) 
 /// The quotient of small integers that equals the number, or its first four digits.
 std::string in_words(double number) {
   constexpr int most = 9;
-  constexpr double nearness = 1e-6;
+  constexpr double nearness = 1e-6;  // two quotients of numbers up to 18 and 9 are further apart: at least 1/72
   for (int divisor = 2; divisor <= most; ++divisor) {
     const double whole = std::round(number * divisor);
     const bool is_whole = std::abs(number - std::round(number)) <= nearness * std::abs(number);

@@ -115,7 +115,7 @@ struct SubjectResult {
   std::vector<Witness> witnesses;      // one for each violated invariant
   /// Why too few cases were judged to call the subject sound. Empty if enough were, or if an invariant is violated.
   std::string not_judged;
-  /// What a subject answers that violates an invariant and skips too many cases (`what_it_answers`); otherwise empty.
+  /// The contacts that the subject answers (`what_it_answers`), if it violates an invariant and skips too many cases.
   std::string answers_alone;
   std::vector<FamilyResult> beyond_domain;  // for options.beyond_domain; empty if none was posed
   std::string error_beyond_domain;          // why the subject was not judged there to the end; empty if it was

@@ -14,7 +14,7 @@ namespace equation = oracles::equation;
 
 /// To five digits. Numbers that are only rounding of `size` are 0.
 std::string shown(double number, double size) {
-  constexpr double negligible = 1e-9;
+  constexpr double negligible = 1e-9;  // far below the five digits shown, far above the rounding of binary64
   return fmt::format("{:.5g}", std::abs(number) < negligible * size ? 0 : number);
 }
 

@@ -60,7 +60,7 @@ void add_subject_rows(Table& table, const Run& run, Subjects which, const std::f
 /// A terminal has no room for everything.
 enum class Form { terminal, summary, page };
 
-/// What is wrong with the subject at this place. It begins with the first fault in a sentence, a short case, the place to
+/// The faults of the subject at this place. The section begins with the first fault in a sentence, a short case, the place to
 /// check, and the command that replays it. Precondition: the subject has violations.
 [[nodiscard]] Section finding_part(const Run& run, std::size_t s, const std::string& out_directory, Form form);
 
