@@ -103,9 +103,7 @@ cross() { printf '%s\n' -isystem "$work/$1/usr/include/$2" -isystem "$work/$1/us
 
 include
 agree gcc "" g++ -O2
-agree gcc-O0 "" g++ -O0
-agree without-packets "" g++ -O2 -DEIGEN_DONT_VECTORIZE
-agree native "" g++ -O3 -march=native
+agree gcc-O0-without-packets "" g++ -O0 -DEIGEN_DONT_VECTORIZE
 agree clang-native "" clang++ -O3 -march=native
 if foreign_libraries; then
   mapfile -t options < <(cross i386 i386-linux-gnu)
