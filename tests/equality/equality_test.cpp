@@ -76,7 +76,7 @@ TEST(FilteredJudge, EqualsTheRationalJudgeOnNumbersOfFewDigits) {
 
 /// Both verdicts, holds and violated, must occur near the limit.
 TEST(FilteredJudge, EqualsTheRationalJudgeNearTheLimit) {
-  constexpr int full = 6;
+  constexpr int full = 4;
   const bool is_sampled = unit::effort(full) < full;
   std::vector<Examined> examined = is_sampled
                                        ? planting_in({Precision::binary64})
@@ -103,7 +103,7 @@ TEST(FilteredJudge, EqualsTheRationalJudgeOnBuiltInSubjectsAndMutants) {
   for (const mutants::Mutant& mutant : mutants::all_mutants()) {
     defective.emplace_back(mutants::subject_of(mutant));
   }
-  constexpr int full = 15;
+  constexpr int full = 8;
   const int cases = unit::effort(full) < full ? 1 : unit::effort(full);  // all subjects together take 0.2 s for a case
   Agreement agreement;
   compare_on_families(examined, cases, {}, agreement);
