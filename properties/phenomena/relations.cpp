@@ -15,6 +15,7 @@ namespace {
 using namespace posing;
 
 constexpr double duration = 2;
+constexpr double saved_at = 1;
 constexpr double between_reports = 0.05;
 constexpr double shift = 8;         // [m] to the right
 constexpr double tolerance = 1e-3;  // [m] and [rad]
@@ -36,7 +37,7 @@ void map_body(SteppedBody& body, Polar polar, Axial axial, Lengths lengths) {
 struct Related {
   std::string_view name;
   std::string_view change;
-  std::function<void(SteppedScene&)> to;
+  std::function<void(Stepping&)> to;
   std::function<void(std::vector<BodyState>&)> back;
 };
 
@@ -68,32 +69,37 @@ void map_movable(SteppedScene& scene, F f) {
   std::for_each(scene.bodies.begin() + 1, scene.bodies.end(), f);
 }
 
-std::vector<Related> related_heaps(bool planar) {
+std::vector<Related> related_heaps(const Stepper& stepper) {
+  const bool planar = stepper.is_planar;
   const auto nothing = [](auto&) {};
   std::vector<Related> all{
       {"memoryless", "run twice", nothing, nothing},
       {"swap", "with the bodies in another order",
-       [](SteppedScene& scene) { std::reverse(scene.bodies.begin() + 1, scene.bodies.end()); },
+       [](Stepping& heap) { std::reverse(heap.scene.bodies.begin() + 1, heap.scene.bodies.end()); },
        [](std::vector<BodyState>& states) { std::reverse(states.begin() + 1, states.end()); }},
-      {"reflection_symmetry", "mirrored in x = 0", [](SteppedScene& scene) { map_movable(scene, mirror); },
+      {"reflection_symmetry", "mirrored in x = 0", [](Stepping& heap) { map_movable(heap.scene, mirror); },
        [](std::vector<BodyState>& states) { map_states(states, mirror); }},
       {"translation", "moved by 8 m",
-       [](SteppedScene& scene) { map_movable(scene, [](SteppedBody& body) { body.state.position[0] += shift; }); },
+       [](Stepping& heap) { map_movable(heap.scene, [](SteppedBody& body) { body.state.position[0] += shift; }); },
        [](std::vector<BodyState>& states) {
          std::for_each(states.begin() + 1, states.end(), [](BodyState& state) { state.position[0] -= shift; });
        }},
       {"local", "with a bystander 64 m away",
-       [planar](SteppedScene& scene) {
+       [planar](Stepping& heap) {
          SteppedBody bystander = ball(directions(planar), 0.5);
          bystander.state.position = directions(planar).at(64, 32);  // it does not land within two seconds
-         scene.bodies.push_back(bystander);
+         heap.scene.bodies.push_back(bystander);
        },
        [](std::vector<BodyState>& states) { states.pop_back(); }}};
   if (!planar) {
     all.push_back(
         {"rotation", "turned by 90° about the vertical",
-         [](SteppedScene& scene) { map_movable(scene, [](SteppedBody& body) { turn(body, true); }); },
+         [](Stepping& heap) { map_movable(heap.scene, [](SteppedBody& body) { turn(body, true); }); },
          [](std::vector<BodyState>& states) { map_states(states, [](SteppedBody& body) { turn(body, false); }); }});
+  }
+  if (stepper.restores) {
+    all.push_back({"restored", "saved at 1 s, run to the end, and restored",
+                   [](Stepping& heap) { heap.restored = steps_to(saved_at, heap.step); }, nothing});
   }
   return all;
 }
@@ -143,6 +149,42 @@ void compare(RelationResult& result, const Stepping& stepping, const SteppedStat
   result.digits = greatest > 0 ? static_cast<int>(std::floor(-std::log10(greatest))) : 16;
 }
 
+double energy(const std::vector<SteppedBody>& posed, const std::vector<BodyState>& states) {
+  double sum = 0;
+  for (std::size_t i = 0; i < posed.size(); ++i) {
+    sum += posed[i].mass * states[i].velocity.squaredNorm() / 2 +
+           posed[i].principal_inertia.dot(states[i].angular_velocity.cwiseAbs2()) /
+               2;  // the moments of a sphere are equal
+  }
+  return sum;
+}
+
+/// A ball hits a row of four balls that touch, at 1 m/s, without friction and gravity. Each bounce keeps the energy.
+RelationResult row_of_balls(const Stepper& stepper, Stepper::Session& session, double step) {
+  const Directions d = directions(stepper.is_planar);
+  constexpr double radius = 0.125;
+  constexpr double end = 1;  // after the impact at 1/4 s
+  Stepping row{{{0, 0, 0}, 1, 0, false, {}}, step, report_at({end}, step)};
+  for (int n = -1; n < 4; ++n) {
+    SteppedBody one = ball(d, radius);
+    one.state.position = (n < 0 ? -0.5 : n * 2 * radius) * d.right;
+    one.state.velocity = (n < 0 ? 1 : 0) * d.right;
+    row.scene.bodies.push_back(one);
+  }
+  RelationResult result{"energy", "a ball hits a row of balls, ε = 1", Likeness::unanswered, 0, end, {}};
+  const auto answer = states_of(stepper, session, row);
+  if (const auto* states = std::get_if<SteppedStates>(&answer)) {
+    std::vector<BodyState> before;
+    std::transform(row.scene.bodies.begin(), row.scene.bodies.end(), std::back_inserter(before),
+                   [](const SteppedBody& body) { return body.state; });
+    result.energy = energy(row.scene.bodies, states->states.at(0)) / energy(row.scene.bodies, before);
+    result.likeness = result.energy > 1 + tolerance ? Likeness::differs : Likeness::same_digits;
+  } else {
+    result.why = std::get<std::string>(answer);
+  }
+  return result;
+}
+
 }  // namespace
 
 SteppedScene heap(bool planar) {
@@ -174,10 +216,10 @@ std::vector<RelationResult> heap_relations(const Stepper& stepper, Stepper::Sess
   const Stepping plain{heap(stepper.is_planar), step, report_at(times, step)};
   const auto first = states_of(stepper, session, plain);
   std::vector<RelationResult> results;
-  for (const Related& related : related_heaps(stepper.is_planar)) {
+  for (const Related& related : related_heaps(stepper)) {
     RelationResult result{related.name, related.change, Likeness::unanswered, 0, 0, {}};
     Stepping changed = plain;
-    related.to(changed.scene);
+    related.to(changed);
     auto second = first.index() == 0 ? states_of(stepper, session, changed) : first;
     if (auto* states = std::get_if<SteppedStates>(&second)) {
       std::for_each(states->states.begin(), states->states.end(), related.back);
@@ -187,10 +229,14 @@ std::vector<RelationResult> heap_relations(const Stepper& stepper, Stepper::Sess
     }
     results.push_back(std::move(result));
   }
+  results.push_back(row_of_balls(stepper, session, step));
   return results;
 }
 
 std::string in_words(const RelationResult& result) {
+  if (result.energy > 0) {
+    return fmt::format("{:.3g} times the energy", result.energy);
+  }
   switch (result.likeness) {
     case Likeness::same_bits:
       return "same bits";

@@ -31,17 +31,17 @@ using Shape = std::variant<SphereShape, BoxShape, HalfSpaceShape>;
 
 /// The state of a body, in world axes.
 struct BodyState {
-  Vector3<double> position{0, 0, 0};             // of the centre of mass [m]
-  Quaternion<double> orientation{1, 0, 0, 0};    // body axes to world axes
-  Vector3<double> velocity{0, 0, 0};             // of the centre of mass [m/s]
-  Vector3<double> angular_velocity{0, 0, 0};     // [rad/s]
+  Vector3<double> position{0, 0, 0};           // of the centre of mass [m]
+  Quaternion<double> orientation{1, 0, 0, 0};  // body axes to world axes
+  Vector3<double> velocity{0, 0, 0};           // of the centre of mass [m/s]
+  Vector3<double> angular_velocity{0, 0, 0};   // [rad/s]
 };
 
 struct SteppedBody {
   Shape shape;
-  bool is_fixed = false;                             // it has an infinite mass, and is at rest
-  double mass = 1;                                   // > 0 [kg]
-  Vector3<double> principal_inertia{1, 1, 1};        // along the body axes, > 0 [kg m²]
+  bool is_fixed = false;                       // it has an infinite mass, and is at rest
+  double mass = 1;                             // > 0 [kg]
+  Vector3<double> principal_inertia{1, 1, 1};  // along the body axes, > 0 [kg m²]
   BodyState state = {};
 };
 
@@ -56,8 +56,11 @@ struct SteppedScene {
 /// The engine advances the scene by steps of equal length.
 struct Stepping {
   SteppedScene scene;
-  double step = 0;                     // h > 0 [s]
-  std::vector<std::uint64_t> report;   // after so many steps the states are reported; ascending, not empty
+  double step = 0;                    // h > 0 [s]
+  std::vector<std::uint64_t> report;  // after so many steps the states are reported; ascending, not empty
+  /// If it is not 0, it is in `report`: the engine saves its state after so many steps, advances to the end, restores
+  /// the state, and advances again. What it reports after the restored state is of the second time.
+  std::uint64_t restored = 0;
 };
 
 struct SteppedStates {
@@ -73,11 +76,12 @@ struct Stepper {
   std::string specification = {};  // on the command line, if it differs from `name`: "exec:PROGRAM ARG…"
   std::string version = {};
   Precision precision = Precision::binary64;
-  bool is_planar = false;           // it poses only scenes in the plane z = 0
-  std::vector<std::string> cannot = {};  // "sphere", "box", "half_space", "continuous", "friction": it skips such scenes
-  bool restores = false;            // whether it saves and restores its state in the middle of a run
+  bool is_planar = false;  // it poses only scenes in the plane z = 0
+  std::vector<std::string> cannot =
+      {};                 // "sphere", "box", "half_space", "continuous", "friction": it skips such scenes
+  bool restores = false;  // whether it takes a `Stepping` with `restored`
   std::vector<std::string> claims = {};  // "bounce within 5% at 1/60 s"
-  std::string absent = {};          // why it cannot run here; empty if it can
+  std::string absent = {};               // why it cannot run here; empty if it can
 
   using Session = std::function<SteppingAnswer(const Stepping&)>;
   /// Opens a session. Only the thread that opened it may use it.

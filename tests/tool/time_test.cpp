@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <pugixml.hpp>
 
 #include "support/expect_in.hpp"
 #include "support/program.hpp"
@@ -10,9 +14,57 @@
 namespace carom::tests {
 namespace {
 
-TEST(TimeCommand, MeasuresAnEngineAndWritesItsReports) {
-  const TemporaryDirectory directory;
-  const std::string out = directory.path() / "time";
+using nlohmann::json;
+
+/// An engine in which nothing moves. Its spins count the steps. Arguments are its fault and its claims.
+const char* const unmoving = R"(
+import json, sys, time
+fault, claims = sys.argv[1], sys.argv[2:]
+for line in sys.stdin:
+    request = json.loads(line)
+    reply = {"id": request.get("id")}
+    if request["cmd"] == "stop":
+        break
+    if request["cmd"] == "start":
+        reply = {"protocol": 1, "name": "unmoving", "precision": "binary64", "time": True, "time_claims": claims,
+                 "restores": True}
+    elif request["cmd"] == "save":
+        saved = done
+    elif request["cmd"] == "restore":
+        done = done if fault == "forget" else saved
+    else:
+        if "scene" in request:
+            scene, done = request["scene"], 0
+        if fault == "hang":
+            time.sleep(1000)
+        if fault == "crash under gravity" and any(scene["gravity"]):
+            sys.exit("planted")
+        still = {"orientation": [1, 0, 0, 0], "velocity": [0, 0, 0]}
+        wrong = {"velocity": [0, "fast", 0]} if fault == "text" else {}
+        reply["states"] = [[{**still, **body, "angular_velocity": [done + after, 0, 0], **wrong}
+                            for body in scene["bodies"]] for after in request["report"]]
+        reply["seconds"] = 0
+        done += request["steps"]
+    print(json.dumps(reply), flush=True)
+)";
+
+class TimeCommand : public testing::Test {
+ protected:
+  /// Runs `carom time` on an unmoving engine, quickly.
+  [[nodiscard]] RunResult measured(const std::string& fault, const std::vector<std::string>& more,
+                                   const std::vector<std::string>& claims = {}) const {
+    std::string subject = "exec:python3 '" + directory_.write("unmoving.py", unmoving) + "' '" + fault + '\'';
+    for (const std::string& claim : claims) {
+      subject += " '" + claim + '\'';
+    }
+    return run_carom({"time", subject, "--quick"}, more);
+  }
+
+  TemporaryDirectory directory_;
+};
+
+TEST_F(TimeCommand, MeasuresAnEngineAndWritesItsReports) {
+  const std::string out = directory_.path() / "time";
   const RunResult run = run_carom({"time", "scene", "--quick", "--phenomena", "bounce", "--out", out});
   EXPECT_EQ(run.exit_status, 0) << run.errors;
   unit::expect_in(run.output, {"scene", "bounce", "height of bounce"});
@@ -21,16 +73,68 @@ TEST(TimeCommand, MeasuresAnEngineAndWritesItsReports) {
   }
 }
 
-TEST(TimeCommand, RefusesNamesAndStepsThatAreNone) {
-  const RunResult engine = run_carom({"time", "no-such-engine"});
-  EXPECT_EQ(engine.exit_status, 2);
-  unit::expect_in(engine.errors, {"no engine in time is named no-such-engine"});
-  const RunResult phenomenon = run_carom({"time", "scene", "--phenomena", "bonce"});
-  EXPECT_EQ(phenomenon.exit_status, 2);
-  unit::expect_in(phenomenon.errors, {"no phenomenon is named bonce"});
-  const RunResult step = run_carom({"time", "scene", "--steps", "1/0"});
-  EXPECT_EQ(step.exit_status, 2);
-  unit::expect_in(step.errors, {"--steps: expected a number of seconds"});
+// What does not move is 300 % off a rebound at half the speed.
+TEST_F(TimeCommand, EndsInOneIfAClaimIsNotKept) {
+  const std::vector<std::string> one{"--phenomena", "slow-bounce"};
+  const RunResult kept = measured("none", one, {"slow-bounce within 301% at 1/60 s"});
+  EXPECT_EQ(kept.exit_status, 0) << kept.output;
+  unit::expect_in(kept.output, {"claims slow-bounce within 301% at 1/60 s: kept"});
+  const std::string out = directory_.path() / "time";
+  const RunResult broken = measured("none", {"--phenomena", "slow-bounce", "--out", out},
+                                    {"slow-bounce within 5% at 1/60 s", "slow-bounce within 301% at 1/61 s"});
+  EXPECT_EQ(broken.exit_status, 1);
+  unit::expect_in(broken.output, {"within 5% at 1/60 s: NOT KEPT: speed after the impact, v = 0.1 m/s is off by",
+                                  "within 301% at 1/61 s: NOT KEPT: the step was not measured"});
+  pugi::xml_document junit;
+  ASSERT_TRUE(junit.load_file((out + "/junit.xml").c_str()));
+  EXPECT_EQ(junit.select_nodes("//failure").size(), 2U);
+  const RunResult unreadable = measured("none", one, {"bonce within 5% at 1/60 s"});
+  expect_error(unreadable, {"unmoving: time_claims: ", "bonce", "did you mean 'bounce'?"});
+}
+
+TEST_F(TimeCommand, PrintsARecordThatItsSchemaAccepts) {
+  const RunResult named = measured("crash under gravity", {"--steps", "1/60", "--format", "json"}, {"stack within 1% at 1/60 s"});
+  const RunResult absent = run_carom({"time", "exec:/no/such", "--quick", "--format", "json"});
+  json unknown = json::parse(named.output);
+  EXPECT_EQ(unknown.at("exit_status"), 1);
+  unknown["engines"][0]["colour"] = "red";
+  std::vector<std::string> files{directory_.write("named.json", named.output),
+                                 directory_.write("absent.json", absent.output)};
+  const std::vector<std::string> accepted = files;
+  files.push_back(directory_.write("unknown.json", unknown.dump()));
+  EXPECT_EQ(accepted_by(std::string(CAROM_SOURCE_DIR) + "/docs/reference/schemas/time.schema.json", files), accepted);
+}
+
+TEST_F(TimeCommand, TellsAnEngineThatForgetsASavedState) {
+  const std::string restored = "saved at 1 s, run to the end, and restored: ";
+  unit::expect_in(measured("none", {}).output, {restored + "same bits"});
+  unit::expect_in(measured("forget", {}).output, {restored + "same to 16 digits"});
+}
+
+TEST_F(TimeCommand, EndsInOneIfANamedEngineFailsInPart) {
+  const std::string out = directory_.path() / "time";
+  const RunResult run = measured("crash under gravity", {"--phenomena", "bounce,slow-bounce", "--out", out});
+  EXPECT_EQ(run.exit_status, 1);
+  unit::expect_in(run.output, {"bounce, 3 of 60 runs failed: ", "status 1"});
+  pugi::xml_document junit;
+  ASSERT_TRUE(junit.load_file((out + "/junit.xml").c_str()));
+  EXPECT_TRUE(junit.select_node("//testcase[@name = 'bounce']/error"));
+  EXPECT_FALSE(junit.select_node("//testcase[@name = 'slow-bounce']/error"));
+}
+
+TEST_F(TimeCommand, EndsInTwoIfNoReplyCanBeRead) {
+  const RunResult hung = measured("hang", {"--phenomena", "bounce", "--timeout", "1"});
+  EXPECT_EQ(hung.exit_status, 2);
+  unit::expect_in(hung.output, {"bounce, 3 of 60 runs failed: ", "within 1 s"});
+  const RunResult text = measured("text", {"--phenomena", "bounce"});
+  EXPECT_EQ(text.exit_status, 2);
+  unit::expect_in(text.output, {"bounce, 3 of 60 runs failed: ", "/states/0/0/velocity/1: expected a number"});
+}
+
+TEST_F(TimeCommand, RefusesNamesAndStepsThatAreNone) {
+  expect_error(run_carom({"time", "no-such-engine"}), {"no engine in time is named no-such-engine"});
+  expect_error(run_carom({"time", "scene", "--phenomena", "bonce"}), {"no phenomenon is named bonce"});
+  expect_error(run_carom({"time", "scene", "--steps", "1/0"}), {"--steps: expected a number of seconds"});
 }
 
 }  // namespace

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 #include <sstream>
 #include <utility>
 
@@ -12,6 +10,7 @@
 #include <carom/report/pages/document.hpp>
 #include <carom/report/pages/time_pages.hpp>
 #include <carom/report/pictures/markup.hpp>
+#include <carom/report/pictures/time_pictures.hpp>
 
 namespace carom::report {
 namespace {
@@ -120,8 +119,8 @@ Document engine_part(const TimedEngine& engine, double step) {
   }
   List claims;
   for (const JudgedClaim& one : engine.claims) {
-    claims.items.emplace_back(fmt::format("claims {}: {}", one.claim,
-                                          one.verdict.is_kept ? "kept" : "NOT KEPT: " + one.verdict.why));
+    claims.items.emplace_back(
+        fmt::format("claims {}: {}", one.claim, one.verdict.is_kept ? "kept" : "NOT KEPT: " + one.verdict.why));
   }
   Document document;
   const auto add_list = [&](const std::string& title, List list) {
@@ -158,8 +157,19 @@ std::string opening(const TimeRun& run) {
 
 std::string caption(double step) {
   return fmt::format(
-      "Median error at {}, of the reading that is farthest off. 0: rounding explains it. {}: not posed or not answered.",
+      "Median error at {}, of the reading that is farthest off. 0: rounding explains it. {}: not posed or not "
+      "answered.",
       step_in_words(step), no_number);
+}
+
+Document summary_part(const TimeRun& run) {
+  const double step = compared_step(run.ladder);
+  Document document{Paragraph{opening(run)}};
+  if (run.interrupted) {
+    document.emplace_back(Section{"", {Paragraph{"INTERRUPTED: these are the results so far"}}});
+  }
+  document.emplace_back(Section{"", {Paragraph{caption(step)}, summary_table(run, step)}});
+  return document;
 }
 
 /// The errors of one phenomenon: a row for each engine, a column for each step.
@@ -168,8 +178,10 @@ Table phenomenon_table(const Phenomenon& phenomenon, const TimeRun& run) {
   for (const double step : run.ladder.steps) {
     table.columns.push_back({step_in_words(step), true});
   }
+  const double compared = compared_step(run.ladder);
   table.columns.push_back({"order", true});
-  table.columns.push_back({"farthest off"});
+  table.columns.push_back({"steps' worth at " + step_in_words(compared), true});
+  table.columns.push_back({"farthest off at " + step_in_words(compared)});
   for (const TimedEngine& engine : run.engines) {
     const Measurement* const measurement = measurement_of(engine, phenomenon.name);
     if (measurement == nullptr) {
@@ -179,8 +191,11 @@ Table phenomenon_table(const Phenomenon& phenomenon, const TimeRun& run) {
     for (const double step : run.ladder.steps) {
       row.cells.emplace_back(error_cell(engine, phenomenon.name, step), "number");
     }
-    const MeasuredReading* const worst = worst_reading(*measurement, compared_step(run.ladder));
-    row.cells.emplace_back(worst != nullptr && worst->order ? fmt::format("{:.1f}", *worst->order) : no_number, "number");
+    const MeasuredReading* const worst = worst_reading(*measurement, compared);
+    const double worths = worst == nullptr ? 0 : rung_at(*worst, compared)->median_in_worths;
+    row.cells.emplace_back(worst != nullptr && worst->order ? fmt::format("{:.1f}", *worst->order) : no_number,
+                           "number");
+    row.cells.emplace_back(worths > 0 ? fmt::format("{:.2g}", worths) : no_number, "number");
     row.cells.emplace_back(worst != nullptr ? worst->what : no_number, "word");
     table.rows.push_back(std::move(row));
   }
@@ -200,87 +215,18 @@ Block picture_block(const std::string& file, const std::string& text) {
   }};
 }
 
-struct Point {
-  double step;
-  double error;
-  double cost;  // seconds of processor time for a second of the scene
-};
-
-/// The error of the reading that is farthest off at the compared step, along the ladder.
-std::vector<Point> points_of(const TimedEngine& engine, const Phenomenon& phenomenon, double step) {
-  std::vector<Point> points;
-  const Measurement* const measurement = measurement_of(engine, phenomenon.name);
-  const MeasuredReading* const worst = measurement == nullptr ? nullptr : worst_reading(*measurement, step);
-  if (worst == nullptr) {
-    return points;
-  }
-  for (const Rung& rung : worst->rungs) {
-    for (const properties::StepTime& time : measurement->step_times) {
-      if (time.step == rung.step && rung.median > 0) {
-        points.push_back({rung.step, rung.median, time.seconds / rung.step});
-      }
-    }
-  }
-  return points;
-}
-
-constexpr std::array line_colours{blue, vermillion, green, purple, orange, sky_blue, black, grey};
-
-struct Line {
-  std::string name;
-  std::vector<std::vector<double>> points;
-};
-
-/// An axis of whole powers of ten around the values.
-Axis axis_around(const std::vector<Line>& lines, std::size_t coordinate, double first_pixel, double last_pixel) {
-  double low = std::numeric_limits<double>::infinity();
-  double high = 0;
-  for (const Line& line : lines) {
-    for (const std::vector<double>& point : line.points) {
-      low = std::min(low, point[coordinate]);
-      high = std::max(high, point[coordinate]);
-    }
-  }
-  return {std::pow(10, std::floor(std::log10(low))), std::pow(10, std::ceil(std::log10(high)) + 0.001), true, first_pixel,
-          last_pixel};
-}
-
-Plot picture_of(const std::string& name, const std::string& title, const std::string& x_name,
-                const std::vector<Line>& lines) {
-  Plot plot(name, 860, 430, 13);
-  const Panel panel{axis_around(lines, 0, 80, 640), axis_around(lines, 1, 60, 390)};
-  plot.begin(panel, title, x_name, "error / right answer");
-  plot.add(power_tics(panel.x, 'x'));
-  plot.add(power_tics(panel.y, 'y'));
-  std::vector<Label> ends;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const std::string colour(line_colours[i % line_colours.size()]);
-    const std::vector<double>& end = lines[i].points.back();
-    ends.push_back({lines[i].name, panel.place_of(end[0], end[1]), colour});
-  }
-  plot.name_ends(ends, panel);
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    plot.curve(lines[i].points, fmt::format("with linespoints pt 7 ps 0.5 lw 1.6 lc rgb \"{}\"{}",
-                                            line_colours[i % line_colours.size()],
-                                            i < line_colours.size() ? "" : " dt 2"));
-  }
-  plot.end();
-  return plot;
-}
-
 }  // namespace
+
+std::string time_summary(const TimeRun& run) { return in_text(summary_part(run)); }
 
 std::string time_text(const TimeRun& run) {
   const double step = compared_step(run.ladder);
-  Document document{Paragraph{opening(run)}};
-  if (run.interrupted) {
-    document.emplace_back(Section{"", {Paragraph{"INTERRUPTED: these are the results so far"}}});
-  }
-  document.emplace_back(Section{"", {Paragraph{caption(step)}, summary_table(run, step)}});
+  Document document = summary_part(run);
   for (const TimedEngine& engine : run.engines) {
     Document part = engine_part(engine, step);
     if (!part.empty()) {
-      document.emplace_back(Section{engine.name + (engine.version.empty() ? "" : ' ' + engine.version), std::move(part)});
+      document.emplace_back(
+          Section{engine.name + (engine.version.empty() ? "" : ' ' + engine.version), std::move(part)});
     }
   }
   return in_text(with(std::move(document), absent_part(run)));
@@ -297,7 +243,11 @@ std::string time_html(const TimeRun& run) {
   if (run.interrupted) {
     page.main.emplace_back(Paragraph{"Interrupted: this page shows the results so far."});
   }
-  add_part("summary", "All phenomena", {Paragraph{caption(step)}, summary_table(run, step)});
+  Document summary{Paragraph{caption(step)}, summary_table(run, step)};
+  for (const Plot& picture : first_bounce_picture(run)) {
+    summary.emplace_back(picture_block(picture.name(), "The first bounce of each engine"));
+  }
+  add_part("summary", "All phenomena", std::move(summary));
   for (const Phenomenon& phenomenon : properties::all_phenomena()) {
     const std::string name(phenomenon.name);
     Table table = phenomenon_table(phenomenon, run);
@@ -359,35 +309,12 @@ std::string phenomenon_page(const Phenomenon& phenomenon, const TimeRun& run) {
     page += fmt::format("\n**{}.** {}\n", name, value.text);
   }
   for (const Plot& picture : time_pictures(phenomenon, run)) {
-    page += fmt::format("\n![{}: error](../../charts/time/{}.svg)\n", phenomenon.name, picture.name());
+    page +=
+        fmt::format("\n![{}: the errors of the engines](../../charts/time/{}.svg)\n", phenomenon.name, picture.name());
   }
-  return page + fmt::format("\n{}\n\n{}", caption(compared_step(run.ladder)),
-                            markdown_table(phenomenon_table(phenomenon, run)));
-}
-
-std::vector<Plot> time_pictures(const Phenomenon& phenomenon, const TimeRun& run) {
-  const double step = compared_step(run.ladder);
-  std::vector<Line> by_step;
-  std::vector<Line> by_cost;
-  for (const TimedEngine& engine : run.engines) {
-    const std::vector<Point> points = points_of(engine, phenomenon, step);
-    if (points.size() < 2) {
-      continue;
-    }
-    Line& of_step = by_step.emplace_back(Line{engine.name, {}});
-    Line& of_cost = by_cost.emplace_back(Line{engine.name, {}});
-    for (const Point& point : points) {
-      of_step.points.push_back({1 / point.step, point.error});
-      of_cost.points.push_back({std::max(point.cost, 1e-9), point.error});  // the clocks' resolution
-    }
-  }
-  if (by_step.empty()) {
-    return {};
-  }
-  const std::string name(phenomenon.name);
-  return {picture_of(name + "-step", name + ": error against the steps of a second", "steps in a second", by_step),
-          picture_of(name + "-time", name + ": error against the time spent",
-                     "seconds spent for a second of the scene", by_cost)};
+  return page + fmt::format("\n{}\n\n{}\n`carom time` wrote this page on {}, on {}.\n",
+                            caption(compared_step(run.ladder)), markdown_table(phenomenon_table(phenomenon, run)),
+                            run.environment.date.substr(0, 10), run.environment.processor);
 }
 
 }  // namespace carom::report

@@ -2,10 +2,8 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include <carom/properties/phenomena/phenomenon.hpp>
-#include <carom/report/pictures/plot.hpp>
 #include <carom/report/results/time_run.hpp>
 
 /// Every form of the results of `carom time`.
@@ -15,7 +13,10 @@ namespace carom::report {
 /// of the heap, and the claims.
 [[nodiscard]] std::string time_text(const TimeRun& run);
 
-/// report.html, with the pictures NAME-step.svg and NAME-time.svg beside it.
+/// The first part of `time_text`: the table alone.
+[[nodiscard]] std::string time_summary(const TimeRun& run);
+
+/// report.html, with the pictures of `time_pictures` and `first_bounce_picture` beside it.
 [[nodiscard]] std::string time_html(const TimeRun& run);
 
 /// JUnit's XML: a suite for each engine, and a test for each phenomenon and each claim.
@@ -23,9 +24,5 @@ namespace carom::report {
 
 /// The page of a phenomenon in docs/reference/phenomena, as Markdown.
 [[nodiscard]] std::string phenomenon_page(const properties::Phenomenon& phenomenon, const TimeRun& run);
-
-/// The error of the worst reading against the step, and against the time that a second of the scene takes. A line for
-/// each engine, with its name at its end. Empty if no engine has two steps.
-[[nodiscard]] std::vector<Plot> time_pictures(const properties::Phenomenon& phenomenon, const TimeRun& run);
 
 }  // namespace carom::report

@@ -85,19 +85,27 @@ bool TimedEngine::is_measured() const {
                      [](const properties::Measurement& one) { return !one.readings.empty(); });
 }
 
-int TimeRun::exit_status(bool strict) const {
+bool TimedEngine::has_failed() const {
+  return std::any_of(measurements.begin(), measurements.end(), [](const properties::Measurement& one) {
+    return std::any_of(one.unanswered.begin(), one.unanswered.end(),
+                       [](const properties::Unanswered& runs) { return runs.is_failure; });
+  });
+}
+
+int TimeRun::exit_status() const {
   const bool is_any_measured =
       std::any_of(engines.begin(), engines.end(), [](const TimedEngine& one) { return one.is_measured(); });
   const bool is_any_missing =
       std::any_of(engines.begin(), engines.end(), [](const TimedEngine& one) { return !one.is_measured(); });
-  if (interrupted || !is_any_measured || (strict && is_any_missing)) {
+  if (interrupted || !is_any_measured || (are_named && is_any_missing)) {
     return exit_usage;
   }
-  const bool are_claims_kept = std::all_of(engines.begin(), engines.end(), [](const TimedEngine& engine) {
-    return std::all_of(engine.claims.begin(), engine.claims.end(),
-                       [](const JudgedClaim& one) { return one.verdict.is_kept; });
+  const bool is_any_at_fault = std::any_of(engines.begin(), engines.end(), [&](const TimedEngine& engine) {
+    return (are_named && engine.has_failed()) ||
+           std::any_of(engine.claims.begin(), engine.claims.end(),
+                       [](const JudgedClaim& one) { return !one.verdict.is_kept; });
   });
-  return are_claims_kept ? exit_all_hold : exit_violated;
+  return is_any_at_fault ? exit_violated : exit_all_hold;
 }
 
 const properties::Measurement* measurement_of(const TimedEngine& engine, std::string_view phenomenon) {
@@ -113,10 +121,15 @@ const properties::Rung* rung_at(const properties::MeasuredReading& reading, doub
 }
 
 const properties::MeasuredReading* worst_reading(const properties::Measurement& measurement, double step) {
+  std::size_t most = 0;
+  for (const properties::MeasuredReading& reading : measurement.readings) {
+    most = std::max(most, reading.rungs.size());
+  }
   const properties::MeasuredReading* worst = nullptr;
   for (const properties::MeasuredReading& reading : measurement.readings) {
     const properties::Rung* const rung = rung_at(reading, step);
-    if (rung != nullptr && (worst == nullptr || rung->median > rung_at(*worst, step)->median)) {
+    if (rung != nullptr && reading.rungs.size() == most &&
+        (worst == nullptr || rung->median > rung_at(*worst, step)->median)) {
       worst = &reading;
     }
   }
@@ -133,6 +146,7 @@ nlohmann::json time_record(const TimeRun& run) {
   json record{{"carom", version},
               {"date", run.environment.date},
               {"processor", run.environment.processor},
+              {"exit_status", run.exit_status()},
               {"interrupted", run.interrupted},
               {"steps", run.ladder.steps},
               {"phases", run.ladder.phases},

@@ -32,17 +32,20 @@ struct TimedEngine {
 
   /// Whether it answered a run.
   [[nodiscard]] bool is_measured() const;
+  /// Whether it crashed, hung or wrote no reply.
+  [[nodiscard]] bool has_failed() const;
 };
 
 struct TimeRun {
   Environment environment;
   properties::Ladder ladder;
   std::vector<TimedEngine> engines;
+  bool are_named = false;  // whether the user named the engines, so that each has to answer
   bool interrupted = false;
 
-  /// 2 if no engine was measured, if an engine that was named is absent (`strict`), or if the run was interrupted.
-  /// Otherwise 1 if a claim is not kept. Otherwise 0.
-  [[nodiscard]] int exit_status(bool strict) const;
+  /// 2 if no engine was measured, if an engine that was named was not, or if the run was interrupted. Otherwise 1 if a
+  /// claim is not kept, or if a run of an engine that was named failed. Otherwise 0.
+  [[nodiscard]] int exit_status() const;
 };
 
 /// The measurement of a phenomenon; nullptr if there is none.
@@ -51,7 +54,8 @@ struct TimeRun {
 /// The rung at this step; nullptr if the reading has none.
 [[nodiscard]] const properties::Rung* rung_at(const properties::MeasuredReading& reading, double step);
 
-/// The reading whose median error at this step is the greatest; nullptr if there is none.
+/// The reading whose median error at this step is the greatest, of those that were read at the most steps; nullptr if
+/// there is none.
 [[nodiscard]] const properties::MeasuredReading* worst_reading(const properties::Measurement& measurement, double step);
 
 /// The step of the ladder that is nearest to 1/60 s, at which engines are compared.

@@ -10,8 +10,8 @@
 
 namespace carom::subjects {
 
-/// Advances the world that `make` makes, and reports its states. A world has `step()` and `state(body)`. The clock runs
-/// only while the world steps. Ten steps of another world come before it, so that caches are warm.
+/// Advances the world that `make` makes, and reports its states. A world has `step()` and `state(body)` of a movable
+/// body. The clock runs only while the world steps. Ten steps of another world come before it, so that caches are warm.
 template <class Make>
 [[nodiscard]] SteppedStates advanced(const Stepping& stepping, const Make& make) {
   using Clock = std::chrono::steady_clock;
@@ -33,11 +33,22 @@ template <class Make>
     answer.seconds += std::chrono::duration<double>(Clock::now() - start).count();
     std::vector<BodyState> states;
     for (std::size_t body = 0; body < stepping.scene.bodies.size(); ++body) {
-      states.push_back(world.state(body));
+      const SteppedBody& posed = stepping.scene.bodies[body];
+      states.push_back(posed.is_fixed ? posed.state : world.state(body));
     }
     answer.states.push_back(std::move(states));
   }
   return answer;
+}
+
+/// An engine with these facts, configured and as shipped.
+[[nodiscard]] inline std::vector<Stepper> both_settings(const Stepper& facts,
+                                                        SteppingAnswer (*run)(const Stepping&, bool configured)) {
+  std::vector<Stepper> both{facts, facts};
+  both[1].name += "-as-shipped";
+  both[0].open = [run] { return [run](const Stepping& stepping) { return run(stepping, true); }; };
+  both[1].open = [run] { return [run](const Stepping& stepping) { return run(stepping, false); }; };
+  return both;
 }
 
 }  // namespace carom::subjects

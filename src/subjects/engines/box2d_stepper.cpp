@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <cmath>
-#include <string>
-#include <utility>
 #include <vector>
 
 #include <box2d/box2d.h>
+#include <fmt/format.h>
 
 #include <carom/subjects/engines/advance.hpp>
 #include <carom/subjects/engines/claims.hpp>
@@ -34,16 +33,11 @@ class World {
 
   [[nodiscard]] BodyState state(std::size_t i) const {
     const b2Body& body = *bodies_[i];
-    BodyState state = scene_.bodies[i].state;
-    if (scene_.bodies[i].is_fixed) {
-      return state;
-    }
     const double half = body.GetAngle() / 2.0;
-    state.position = {body.GetPosition().x, body.GetPosition().y, 0};
-    state.orientation = {std::cos(half), 0, 0, std::sin(half)};
-    state.velocity = {body.GetLinearVelocity().x, body.GetLinearVelocity().y, 0};
-    state.angular_velocity = {0, 0, body.GetAngularVelocity()};
-    return state;
+    return {{body.GetPosition().x, body.GetPosition().y, 0},
+            {std::cos(half), 0, 0, std::sin(half)},
+            {body.GetLinearVelocity().x, body.GetLinearVelocity().y, 0},
+            {0, 0, body.GetAngularVelocity()}};
   }
 
  private:
@@ -96,21 +90,13 @@ class World {
 }  // namespace
 
 std::vector<Stepper> box2d_steppers() {
-  std::vector<Stepper> steppers;
-  for (const bool configured : {true, false}) {
-    Stepper stepper{configured ? "box2d" : "box2d-as-shipped"};
-    stepper.version = std::to_string(b2_version.major) + '.' + std::to_string(b2_version.minor) + '.' +
-                      std::to_string(b2_version.revision);
-    stepper.precision = Precision::binary32;
-    stepper.is_planar = true;
-    stepper.open = [configured]() -> Stepper::Session {
-      return [configured](const Stepping& stepping) -> SteppingAnswer {
-        return advanced(stepping, [&] { return World(stepping, configured); });
-      };
-    };
-    steppers.push_back(std::move(stepper));
-  }
-  return steppers;
+  Stepper facts{"box2d"};
+  facts.version = fmt::format("{}.{}.{}", b2_version.major, b2_version.minor, b2_version.revision);
+  facts.precision = Precision::binary32;
+  facts.is_planar = true;
+  return both_settings(facts, [](const Stepping& stepping, bool configured) -> SteppingAnswer {
+    return advanced(stepping, [&] { return World(stepping, configured); });
+  });
 }
 
 }  // namespace carom::subjects

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
-#include <utility>
 #include <vector>
 
 #include <btBulletDynamicsCommon.h>
@@ -34,7 +31,7 @@ double least_extent(const Shape& shape) {
 }
 
 /// Bullet multiplies the coefficients of the two bodies, so each body gets the root. Configured, the restitution has no
-/// threshold, bodies never sleep, and friction has two directions.
+/// threshold, contacts begin at a distance of 0, bodies never sleep, and friction has two directions.
 class World {
  public:
   World(const Stepping& stepping, bool configured) : step_(stepping.step) {
@@ -65,6 +62,7 @@ class World {
       }
       if (configured) {
         body->setActivationState(DISABLE_DEACTIVATION);
+        body->setContactProcessingThreshold(0);
       }
       world_.addRigidBody(body);
     }
@@ -103,18 +101,11 @@ class World {
 }  // namespace
 
 std::vector<Stepper> bullet_steppers() {
-  std::vector<Stepper> steppers;
-  for (const bool configured : {true, false}) {
-    Stepper stepper{configured ? "bullet" : "bullet-as-shipped"};
-    stepper.version = bullet::version();
-    stepper.open = [configured]() -> Stepper::Session {
-      return [configured](const Stepping& stepping) -> SteppingAnswer {
-        return advanced(stepping, [&] { return World(stepping, configured); });
-      };
-    };
-    steppers.push_back(std::move(stepper));
-  }
-  return steppers;
+  Stepper facts{"bullet"};
+  facts.version = bullet::version();
+  return both_settings(facts, [](const Stepping& stepping, bool configured) -> SteppingAnswer {
+    return advanced(stepping, [&] { return World(stepping, configured); });
+  });
 }
 
 }  // namespace carom::subjects

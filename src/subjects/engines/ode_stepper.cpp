@@ -40,9 +40,6 @@ class World {
 
   [[nodiscard]] BodyState state(std::size_t i) const {
     const dBodyID body = bodies_[i];
-    if (body == nullptr) {
-      return stepping_.scene.bodies[i].state;
-    }
     using Numbers = Eigen::Map<const Vector3<double>>;
     return {Numbers(dBodyGetPosition(body)), Eigen::Map<const Quaternion<double>>(dBodyGetQuaternion(body)),
             Numbers(dBodyGetLinearVel(body)), Numbers(dBodyGetAngularVel(body))};
@@ -106,9 +103,6 @@ class World {
 };
 
 SteppingAnswer stepped(const Stepping& stepping, bool configured) {
-  if (stepping.scene.is_continuous) {
-    return Skipped{"ODE has no continuous detection"};
-  }
   ode::enter_thread();
   ode::Threading threading(dThreadingAllocateSelfThreadedImplementation());
   try {
@@ -122,17 +116,10 @@ SteppingAnswer stepped(const Stepping& stepping, bool configured) {
 }  // namespace
 
 std::vector<Stepper> ode_steppers() {
-  std::vector<Stepper> steppers;
-  for (const bool configured : {true, false}) {
-    Stepper stepper{configured ? "ode" : "ode-as-shipped"};
-    stepper.version = dODE_VERSION;
-    stepper.cannot = {"continuous"};
-    stepper.open = [configured]() -> Stepper::Session {
-      return [configured](const Stepping& stepping) { return stepped(stepping, configured); };
-    };
-    steppers.push_back(std::move(stepper));
-  }
-  return steppers;
+  Stepper facts{"ode"};
+  facts.version = dODE_VERSION;
+  facts.cannot = {"continuous"};
+  return both_settings(facts, stepped);
 }
 
 }  // namespace carom::subjects

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
 #include <exception>
 #include <memory>
 #include <optional>
@@ -33,16 +34,59 @@ class SteppingProgram {
   [[nodiscard]] const Stepper& stepper() const { return stepper_; }
 
   [[nodiscard]] SteppingAnswer run(const Stepping& stepping) {
-    SteppingAnswer answer;
-    const std::uint64_t id = next_id_++;
-    process_.exchange(run_request(id, stepping), 1,
-                      [&](std::string_view line) { answer = run_reply_from(line, id, stepping); });
-    return answer;
+    return stepping.restored == 0 ? asked(stepping, run_request) : run_and_restored(stepping);
   }
 
   [[nodiscard]] std::string standard_error() { return process_.standard_error(); }
 
  private:
+  [[nodiscard]] SteppingAnswer asked(const Stepping& stepping,
+                                     std::string (*request)(std::uint64_t id, const Stepping& stepping)) {
+    SteppingAnswer answer;
+    const std::uint64_t id = next_id_++;
+    process_.exchange(request(id, stepping), 1,
+                      [&](std::string_view line) { answer = run_reply_from(line, id, stepping); });
+    return answer;
+  }
+
+  /// The reason if the program does not save or restore.
+  [[nodiscard]] std::optional<Refused> refusal(std::string_view command) {
+    std::optional<Refused> refused;
+    const std::uint64_t id = next_id_++;
+    process_.exchange(state_request(id, command), 1,
+                      [&](std::string_view line) { refused = state_reply_from(line, id); });
+    return refused;
+  }
+
+  /// Runs to the end, and then once more from the state that was saved in between.
+  [[nodiscard]] SteppingAnswer run_and_restored(const Stepping& stepping) {
+    Stepping before = stepping;
+    Stepping after = stepping;
+    const auto rest = std::upper_bound(stepping.report.begin(), stepping.report.end(), stepping.restored);
+    before.report.assign(stepping.report.begin(), rest);
+    after.report.assign(rest, stepping.report.end());
+    std::for_each(after.report.begin(), after.report.end(), [&](std::uint64_t& steps) { steps -= stepping.restored; });
+    SteppingAnswer first = asked(before, run_request);
+    if (!std::holds_alternative<SteppedStates>(first)) {
+      return first;
+    }
+    SteppingAnswer second;
+    for (const char* const command : {"save", "restore"}) {
+      if (std::optional<Refused> refused = refusal(command)) {
+        return *std::move(refused);
+      }
+      second = asked(after, continue_request);
+      if (!std::holds_alternative<SteppedStates>(second)) {
+        return second;
+      }
+    }
+    auto& states = std::get<SteppedStates>(first);
+    const auto& continued = std::get<SteppedStates>(second);
+    states.states.insert(states.states.end(), continued.states.begin(), continued.states.end());
+    states.seconds += continued.seconds;
+    return first;
+  }
+
   ChildProcess process_;
   Stepper stepper_;
   std::uint64_t next_id_ = 1;
@@ -51,7 +95,8 @@ class SteppingProgram {
 /// Starts the program when it is first asked, and again after a failure.
 class SteppingSession {
  public:
-  SteppingSession(std::vector<std::string> words, ExecOptions options) : words_(std::move(words)), options_(std::move(options)) {}
+  SteppingSession(std::vector<std::string> words, ExecOptions options)
+      : words_(std::move(words)), options_(std::move(options)) {}
 
   [[nodiscard]] SteppingAnswer run(const Stepping& stepping) {
     std::string errors;

@@ -60,8 +60,8 @@ std::vector<std::string> texts(Reader& reader, const char* name) {
 
 std::uint64_t count(const json& value, const std::string& place) {
   if (!value.is_number_unsigned() || value.get<std::uint64_t>() > most_steps) {
-    throw FormatError(place, fmt::format("expected a whole number from 0 to {}", most_steps) +
-                                 carom::detail::found(value));
+    throw FormatError(place,
+                      fmt::format("expected a whole number from 0 to {}", most_steps) + carom::detail::found(value));
   }
   return value.get<std::uint64_t>();
 }
@@ -123,6 +123,19 @@ BodyState state_of(Reader& reader) {
   reader.numbers("velocity", state.velocity);
   reader.numbers("angular_velocity", state.angular_velocity);
   return state;
+}
+
+json request_without_scene(std::uint64_t id, const Stepping& stepping) {
+  return {
+      {"cmd", "run"}, {"id", id}, {"step", stepping.step}, {"steps", steps_of(stepping)}, {"report", stepping.report}};
+}
+
+Reader reader_of_reply(const json& reply, std::uint64_t id) {
+  Reader reader(reply, "");
+  if (reader.required("id") != id) {
+    throw FormatError("/id", fmt::format("expected {}", id) + carom::detail::found(reply.at("id")));
+  }
+  return reader;
 }
 
 json body_record(const SteppedBody& one) {
@@ -255,19 +268,27 @@ std::string run_request(std::uint64_t id, const Stepping& stepping) {
   for (const SteppedBody& body : scene.bodies) {
     bodies.push_back(body_record(body));
   }
-  return json{{"cmd", "run"},
-              {"id", id},
-              {"step", stepping.step},
-              {"steps", steps_of(stepping)},
-              {"report", stepping.report},
-              {"scene",
-               {{"gravity", numbers(scene.gravity)},
-                {"restitution", scene.restitution},
-                {"friction", scene.friction},
-                {"continuous", scene.is_continuous},
-                {"bodies", std::move(bodies)}}}}
-             .dump() +
-         '\n';
+  json request = request_without_scene(id, stepping);
+  request["scene"] = {{"gravity", numbers(scene.gravity)},
+                      {"restitution", scene.restitution},
+                      {"friction", scene.friction},
+                      {"continuous", scene.is_continuous},
+                      {"bodies", std::move(bodies)}};
+  return request.dump() + '\n';
+}
+
+std::string continue_request(std::uint64_t id, const Stepping& stepping) {
+  return request_without_scene(id, stepping).dump() + '\n';
+}
+
+std::string state_request(std::uint64_t id, std::string_view command) {
+  return json{{"cmd", command}, {"id", id}}.dump() + '\n';
+}
+
+std::optional<Refused> state_reply_from(std::string_view line, std::uint64_t id) {
+  const json reply = parse_json(line);
+  Reader reader = reader_of_reply(reply, id);
+  return reader.has("error") ? std::optional(Refused{text(reader, "error", longest_reason)}) : std::nullopt;
 }
 
 RunRequest run_request_from(std::string_view line) {
@@ -316,10 +337,7 @@ std::string run_reply(std::uint64_t id, const SteppingAnswer& answer) {
 
 SteppingAnswer run_reply_from(std::string_view line, std::uint64_t id, const Stepping& stepping) {
   const json reply = parse_json(line);
-  Reader reader(reply, "");
-  if (reader.required("id") != id) {
-    throw FormatError("/id", fmt::format("expected {}", id) + carom::detail::found(reply.at("id")));
-  }
+  Reader reader = reader_of_reply(reply, id);
   const bool is_skipped = reader.has("skipped");
   const bool is_refused = reader.has("error");
   if ((is_skipped ? 1 : 0) + (is_refused ? 1 : 0) + (reader.has("states") ? 1 : 0) != 1) {

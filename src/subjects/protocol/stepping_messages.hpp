@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -16,6 +17,15 @@ namespace carom::subjects::protocol {
 [[nodiscard]] Stepper stepper_from(std::string_view line);
 
 [[nodiscard]] std::string run_request(std::uint64_t id, const Stepping& stepping);
+
+/// A `run` without a scene: it continues the last run by the steps of this stepping.
+[[nodiscard]] std::string continue_request(std::uint64_t id, const Stepping& stepping);
+
+/// A request `save` or `restore`.
+[[nodiscard]] std::string state_request(std::uint64_t id, std::string_view command);
+
+/// The error that the reply to a request `save` or `restore` names; no value if it names none. Throws FormatError.
+[[nodiscard]] std::optional<Refused> state_reply_from(std::string_view line, std::uint64_t id);
 
 /// A request to a stepper, as a program reads it.
 struct RunRequest {

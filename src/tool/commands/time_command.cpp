@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <functional>
+#include <future>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +16,7 @@
 
 #include <carom/properties/phenomena/phenomenon.hpp>
 #include <carom/report/pages/time_pages.hpp>
+#include <carom/report/pictures/time_pictures.hpp>
 #include <carom/report/results/words.hpp>
 #include <carom/subjects/protocol/exec_stepper.hpp>
 #include <carom/subjects/steppers.hpp>
@@ -50,8 +55,8 @@ double step_of(const std::string& text) {
     end = end == denominator ? nullptr : end;
   }
   if (end != text.c_str() + text.size() || !(step > 0 && step <= 1)) {
-    throw UsageError(report::shown(
-        fmt::format("--steps: expected a number of seconds from 0 to 1, such as 1/60, found {}", text)));
+    throw UsageError(
+        report::shown(fmt::format("--steps: expected a number of seconds from 0 to 1, such as 1/60, found {}", text)));
   }
   return step;
 }
@@ -121,7 +126,8 @@ std::vector<Stepper> chosen_engines(const TimeArguments& arguments, const std::s
 }
 
 report::TimedEngine measured(const Stepper& stepper, const TimeArguments& arguments, const properties::Ladder& ladder,
-                             const std::stop_token& stop, const std::function<void()>& on_phenomenon) {
+                             bool has_relations, const std::stop_token& stop,
+                             const std::function<void()>& on_phenomenon) {
   report::TimedEngine engine{stepper.name, stepper.version, stepper.precision, stepper.absent};
   if (!engine.absent.empty()) {
     return engine;
@@ -135,7 +141,7 @@ report::TimedEngine measured(const Stepper& stepper, const TimeArguments& argume
     engine.measurements.push_back(properties::measure(*phenomenon, stepper, session, ladder));
     on_phenomenon();
   }
-  if (arguments.phenomena.empty() && !stop.stop_requested()) {
+  if (has_relations && !stop.stop_requested()) {
     engine.relations = properties::heap_relations(stepper, session, report::compared_step(ladder));
   }
   for (const std::string& text : stepper.claims) {
@@ -148,9 +154,38 @@ report::TimedEngine measured(const Stepper& stepper, const TimeArguments& argume
   return engine;
 }
 
+/// Measures two engines at once. More would disturb each other's times on a small machine.
+report::TimeRun measured(const std::vector<Stepper>& engines, const TimeArguments& arguments,
+                         const properties::Ladder& ladder, bool has_relations, const std::stop_token& stop) {
+  report::TimeRun run{this_environment(), ladder, std::vector<report::TimedEngine>(engines.size()),
+                      !arguments.subjects.empty(), false};
+  const auto progress = progress_line("phenomena measured");
+  const std::size_t all = chosen_phenomena(arguments.phenomena).size() * engines.size();
+  std::uint64_t done = 0;
+  std::mutex one_at_a_time;
+  const auto on_phenomenon = [&] {
+    const std::lock_guard lock(one_at_a_time);
+    ++done;
+    if (progress) {
+      progress(done, all);
+    }
+  };
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < engines.size(); i = next++) {
+      run.engines[i] = measured(engines[i], arguments, ladder, has_relations, stop, on_phenomenon);
+    }
+  };
+  std::future<void> other = std::async(std::launch::async, work);
+  work();
+  other.get();
+  run.interrupted = stop.stop_requested();
+  return run;
+}
+
 /// Draws the pictures into the directory. Without gnuplot there are no pictures, and the rest is written.
 void draw_pictures(const report::TimeRun& run, const std::filesystem::path& directory) {
-  std::vector<report::Plot> pictures;
+  std::vector<report::Plot> pictures = first_bounce_picture(run);
   for (const properties::Phenomenon& phenomenon : properties::all_phenomena()) {
     for (report::Plot& picture : time_pictures(phenomenon, run)) {
       pictures.push_back(std::move(picture));
@@ -186,13 +221,8 @@ void write_reports(const report::TimeRun& run, const TimeArguments& arguments) {
   flush_output();
 }
 
-int measure_in_time(const TimeArguments& arguments) {
-  const std::stop_token stop = stop_on_interrupt();
-  report::TimeRun run;
-  run.environment = this_environment();
-  run.ladder = ladder_of(arguments);
-  const std::size_t phenomena = chosen_phenomena(arguments.phenomena).size();
-  const std::vector<Stepper> engines = chosen_engines(arguments, stop);
+/// Throws UsageError for a text that is no claim.
+void read_claims(const std::vector<Stepper>& engines) {
   for (const Stepper& engine : engines) {
     for (const std::string& claim : engine.claims) {
       try {
@@ -202,31 +232,39 @@ int measure_in_time(const TimeArguments& arguments) {
       }
     }
   }
-  const auto progress = progress_line("phenomena measured");
-  std::uint64_t done = 0;
-  for (const Stepper& engine : engines) {
-    run.engines.push_back(measured(engine, arguments, run.ladder, stop, [&] {
-      ++done;
-      if (progress) {
-        progress(done, phenomena * engines.size());
-      }
-    }));
+}
+
+int measure_in_time(const TimeArguments& arguments) {
+  const std::stop_token stop = stop_on_interrupt();
+  const properties::Ladder ladder = ladder_of(arguments);
+  static_cast<void>(chosen_phenomena(arguments.phenomena));
+  const std::vector<Stepper> engines = chosen_engines(arguments, stop);
+  read_claims(engines);
+  const bool is_full = !arguments.is_quick && arguments.steps.empty();
+  if (is_full && arguments.format == "text") {
+    const report::TimeRun first = measured(engines, arguments, properties::quick_ladder(), false, stop);
+    if (first.interrupted) {
+      write_reports(first, arguments);
+      return report::exit_usage;
+    }
+    write_output("A first pass, as by --quick:\n\n" + time_summary(first) + "\nAll steps and phases:\n\n");
   }
-  run.interrupted = stop.stop_requested();
+  const report::TimeRun run = measured(engines, arguments, ladder, arguments.phenomena.empty(), stop);
   write_reports(run, arguments);
-  return run.exit_status(!arguments.subjects.empty());
+  return run.exit_status();
 }
 
 }  // namespace
 
 void add_time(CLI::App& app, Chosen& chosen) {
   const auto arguments = std::make_shared<TimeArguments>();
-  CLI::App* command = app.add_subcommand(
-      "time",
-      "Measure engines that step in time against ten phenomena with known answers; exit status 0 measured, 1 a claim is "
-      "not kept, 2 usage or environment error, or nothing measured");
-  command->add_option("SUBJECT", arguments->subjects,
-                      "A built-in engine, or 'exec:PROGRAM ARG…' for a program that answers `run` (default: all engines)");
+  CLI::App* command = app.add_subcommand("time",
+                                         "Measure engines that step in time against ten phenomena with known answers; "
+                                         "exit status 0 measured, 1 a claim is "
+                                         "not kept, 2 usage or environment error, or nothing measured");
+  command->add_option(
+      "SUBJECT", arguments->subjects,
+      "A built-in engine, or 'exec:PROGRAM ARG…' for a program that answers `run` (default: all engines)");
   command->add_option("--phenomena", arguments->phenomena, "Names of phenomena (default: all)")
       ->delimiter(',')
       ->type_name("NAMES");

@@ -7,6 +7,7 @@
 
 #include <carom/properties/phenomena/claims.hpp>
 #include <carom/properties/phenomena/measure.hpp>
+#include <carom/properties/phenomena/phenomena.hpp>
 #include <carom/properties/phenomena/relations.hpp>
 
 #include "support/message_of.hpp"
@@ -24,12 +25,13 @@ SteppedStates unmoved(const Stepping& stepping) {
   return {std::vector(stepping.report.size(), states), 1e-6 * static_cast<double>(steps_of(stepping))};
 }
 
-Measurement measured(SteppingAnswer (*answer)(const Stepping&), std::vector<std::string> cannot = {}) {
+Measurement measured(SteppingAnswer (*answer)(const Stepping&), std::vector<std::string> cannot = {},
+                     const Phenomenon& phenomenon = slow_bounce()) {
   Stepper stepper;
   stepper.name = "test";
   stepper.cannot = std::move(cannot);
   Stepper::Session session = answer;
-  return measure(all_phenomena()[1], stepper, session, quick_ladder());
+  return measure(phenomenon, stepper, session, quick_ladder());
 }
 
 TEST(Phenomena, HaveUniqueNamesAndReadings) {
@@ -95,6 +97,23 @@ TEST(Measure, GathersErrorsAndTimes) {
   EXPECT_NEAR(unmoving.step_times[1].seconds, 1e-6, 1e-12);
 }
 
+TEST(Stack, StandsIfNothingMovesAndNotIfTheHighestCubeSinks) {
+  for (const MeasuredReading& reading :
+       measured([](const Stepping& posed) -> SteppingAnswer { return unmoved(posed); }, {}, stack()).readings) {
+    EXPECT_EQ(reading.rungs[0].greatest, 0) << reading.what;
+  }
+  const Measurement sunk = measured(
+      [](const Stepping& posed) -> SteppingAnswer {
+        SteppedStates states = unmoved(posed);
+        states.states.back().back().position[2] -= 0.25;
+        return states;
+      },
+      {}, stack());
+  for (const MeasuredReading& reading : sunk.readings) {
+    EXPECT_EQ(reading.rungs[0].shift, reading.what.starts_with("rise of the highest cube") ? -0.25 : 0) << reading.what;
+  }
+}
+
 TEST(Measure, FitsTheOrder) {
   std::vector<Rung> rungs(4);
   for (std::size_t i = 0; i < 4; ++i) {
@@ -151,9 +170,9 @@ TEST(Relations, MapTheStatesBack) {
   for (const bool planar : {false, true}) {
     stepper.is_planar = planar;
     const std::vector<RelationResult> results = heap_relations(stepper, session, 1.0 / 60);
-    EXPECT_EQ(results.size(), planar ? 5U : 6U);
+    EXPECT_EQ(results.size(), planar ? 6U : 7U);
     for (const RelationResult& result : results) {
-      EXPECT_EQ(result.likeness, Likeness::same_bits) << result.name;
+      EXPECT_EQ(result.likeness, result.name == "energy" ? Likeness::same_digits : Likeness::same_bits) << result.name;
     }
   }
   session = [](const Stepping& stepping) -> SteppingAnswer {
@@ -164,9 +183,35 @@ TEST(Relations, MapTheStatesBack) {
   stepper.is_planar = false;
   for (const RelationResult& result : heap_relations(stepper, session, 1.0 / 60)) {
     const bool feels = result.name == "swap" || result.name == "reflection_symmetry" || result.name == "rotation";
-    EXPECT_EQ(result.likeness, feels ? Likeness::differs : Likeness::same_bits) << result.name;
-    EXPECT_EQ(result.time, 2) << result.name;
+    if (result.name != "energy") {
+      EXPECT_EQ(result.likeness, feels ? Likeness::differs : Likeness::same_bits) << result.name;
+      EXPECT_EQ(result.time, 2) << result.name;
+    }
   }
+}
+
+TEST(Relations, TellARowOfBallsThatGainsEnergy) {
+  Stepper stepper;
+  Stepper::Session session = [](const Stepping& stepping) -> SteppingAnswer {
+    SteppedStates states = unmoved(stepping);
+    states.states.back().back().velocity[1] += 3;
+    return states;
+  };
+  const RelationResult result = heap_relations(stepper, session, 1.0 / 60).back();
+  EXPECT_EQ(result.likeness, Likeness::differs);
+  EXPECT_EQ(in_words(result), "10 times the energy");
+}
+
+TEST(Relations, AskForARestoredStateIfTheEngineRestores) {
+  Stepper stepper;
+  stepper.restores = true;
+  std::vector<std::uint64_t> restored;
+  Stepper::Session session = [&](const Stepping& stepping) -> SteppingAnswer {
+    restored.push_back(stepping.restored);
+    return unmoved(stepping);
+  };
+  EXPECT_EQ(heap_relations(stepper, session, 1.0 / 60).size(), 8U);
+  EXPECT_EQ(restored, (std::vector<std::uint64_t>{0, 0, 0, 0, 0, 0, 0, 60, 0}));
 }
 
 }  // namespace

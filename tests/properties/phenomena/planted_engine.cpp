@@ -2,8 +2,6 @@
 #include "planted_engine.hpp"
 
 #include <algorithm>
-#include <array>
-#include <chrono>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -20,32 +18,40 @@ using M = Matrix3<double>;
 
 constexpr double touching = 1e-7;  // [m]: the gap that rounding may open between bodies at rest
 
+Eigen::Quaterniond turn_of(const Quaternion<double>& q) { return {q[0], q[1], q[2], q[3]}; }
+
 struct Body {
   SteppedBody posed;
-  M axes = M::Identity();  // from body axes to world axes
-  double inverse_mass = 0;
-  V inverse_inertia{0, 0, 0};
+  double inverse_mass = posed.is_fixed ? 0 : 1 / posed.mass;
+  V inverse_inertia = posed.is_fixed ? V(0, 0, 0) : V(posed.principal_inertia.cwiseInverse());
 
-  [[nodiscard]] V at_point(const V& point) const {
-    return posed.state.velocity + posed.state.angular_velocity.cross(point - posed.state.position);
+  [[nodiscard]] M axes() const { return turn_of(posed.state.orientation).normalized().toRotationMatrix(); }
+  [[nodiscard]] V arm(const V& point) const { return point - posed.state.position; }
+  [[nodiscard]] V over_inertia(const V& x) const {
+    const M to_world = axes();
+    return to_world * inverse_inertia.cwiseProduct(to_world.transpose() * x);
   }
-  [[nodiscard]] V over_inertia(const V& x) const { return axes * inverse_inertia.cwiseProduct(axes.transpose() * x); }
-  [[nodiscard]] V half() const { return std::get<BoxShape>(posed.shape).lengths / 2; }
-
+  [[nodiscard]] V at_point(const V& point) const {
+    return posed.state.velocity + posed.state.angular_velocity.cross(arm(point));
+  }
   void push(const V& point, const V& impulse, bool turns) {
     posed.state.velocity += inverse_mass * impulse;
     if (turns) {
-      posed.state.angular_velocity += over_inertia((point - posed.state.position).cross(impulse));
+      posed.state.angular_velocity += over_inertia(arm(point).cross(impulse));
     }
   }
   /// The velocity along n at the point that a unit impulse along n gives.
   [[nodiscard]] double mobility(const V& point, const V& n) const {
-    const V arm = point - posed.state.position;
-    return inverse_mass + over_inertia(arm.cross(n)).cross(arm).dot(n);
+    return inverse_mass + over_inertia(arm(point).cross(n)).cross(arm(point)).dot(n);
   }
 };
 
+struct Guess {
+  double normal_impulse = 0;
+  V friction{0, 0, 0};
+};
 using Key = std::tuple<std::size_t, std::size_t, int>;
+using Guesses = std::map<Key, Guess>;
 
 struct Contact {
   Key key;
@@ -56,95 +62,74 @@ struct Contact {
   double gap;
   double target = 0;  // the least normal velocity after the impulse
   bool bounces = false;
-  double normal_impulse = 0;
-  V friction{0, 0, 0};
+  Guess impulse = {};
 
   [[nodiscard]] V velocity() const { return a->at_point(point) - b->at_point(point); }
-  void push(const V& impulse, bool turns) {
-    a->push(point, impulse, turns);
-    b->push(point, -impulse, turns);
-  }
   [[nodiscard]] double mobility(const V& n) const { return a->mobility(point, n) + b->mobility(point, n); }
-};
-
-M axes_of(const Quaternion<double>& q) {
-  return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix();
-}
-
-std::array<V, 8> corners(const Body& box) {
-  std::array<V, 8> all;
-  for (unsigned i = 0; i < 8; ++i) {
-    const V signs{i & 1U ? 1.0 : -1.0, i & 2U ? 1.0 : -1.0, i & 4U ? 1.0 : -1.0};
-    all[i] = box.posed.state.position + box.axes * box.half().cwiseProduct(signs);
+  void push(const V& along, bool turns) {
+    a->push(point, along, turns);
+    b->push(point, -along, turns);
   }
-  return all;
-}
+};
 
 class World {
  public:
-  World(const SteppedScene& scene, Defect defect, std::map<Key, std::pair<double, V>>& guesses)
+  World(const SteppedScene& scene, Defect defect, Guesses& guesses)
       : scene_(scene), defect_(defect), guesses_(guesses) {
     for (const SteppedBody& posed : scene.bodies) {
-      Body body{posed, axes_of(posed.state.orientation), 0, {0, 0, 0}};
-      if (!posed.is_fixed) {
-        body.inverse_mass = 1 / posed.mass;
-        body.inverse_inertia = posed.principal_inertia.cwiseInverse();
-      }
-      bodies_.push_back(body);
+      bodies_.push_back({posed});
     }
   }
 
   void step(double h) {
     std::vector<Contact> contacts = found(h);
-    if (defect_ == Defect::contacts_a_step_late) {
+    if (is(Defect::contacts_a_step_late)) {
       std::swap(contacts, last_);
     }
-    if (defect_ != Defect::restitution_after_gravity) {
+    if (!is(Defect::restitution_after_gravity)) {
       aim(contacts, h);
     }
-    each_movable([&](Body& body) { body.posed.state.velocity += h * scene_.gravity; });
-    if (defect_ == Defect::restitution_after_gravity) {
+    for (Body& body : bodies_) {
+      body.posed.state.velocity += body.posed.is_fixed ? V(0, 0, 0) : V(h * scene_.gravity);
+    }
+    if (is(Defect::restitution_after_gravity)) {
       aim(contacts, h);
     }
     solve(contacts);
-    each_movable([&](Body& body) { advance(body, h); });
+    for (Body& body : bodies_) {
+      if (!body.posed.is_fixed) {
+        advance(body, h);
+      }
+    }
   }
 
   [[nodiscard]] std::vector<BodyState> states() const {
     std::vector<BodyState> all;
-    std::transform(bodies_.begin(), bodies_.end(), std::back_inserter(all),
-                   [](const Body& body) { return body.posed.state; });
+    for (const Body& body : bodies_) {
+      all.push_back(body.posed.state);
+    }
     return all;
   }
 
  private:
-  template <class F>
-  void each_movable(F f) {
-    for (Body& body : bodies_) {
-      if (!body.posed.is_fixed) {
-        f(body);
-      }
-    }
-  }
+  [[nodiscard]] bool is(Defect defect) const { return defect_ == defect; }
 
   /// The contacts, in an order that does not depend on the order of the bodies.
   std::vector<Contact> found(double h) {
+    const auto rank = [&](std::size_t i) {
+      const V& x = bodies_[i].posed.state.position;
+      return std::tuple(bodies_[i].posed.shape.index(), x[0], x[1], x[2]);
+    };
     std::vector<Contact> all;
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
-      for (std::size_t j = i + 1; j < bodies_.size(); ++j) {
-        if (bodies_[i].posed.is_fixed && bodies_[j].posed.is_fixed) {
-          continue;
+      for (std::size_t j = 0; j < bodies_.size(); ++j) {
+        const bool is_movable = !bodies_[i].posed.is_fixed || !bodies_[j].posed.is_fixed;
+        if (i != j && is_movable && rank(i) < rank(j)) {
+          find(i, j, h, all);
         }
-        const auto place = [&](std::size_t k) {
-          const V& x = bodies_[k].posed.state.position;
-          return std::tuple(std::holds_alternative<HalfSpaceShape>(bodies_[k].posed.shape),
-                            std::holds_alternative<BoxShape>(bodies_[k].posed.shape), x[0], x[1], x[2]);
-        };
-        const bool in_order = place(i) < place(j);
-        find(in_order ? i : j, in_order ? j : i, h, all);
       }
     }
-    if (defect_ != Defect::insertion_order) {
+    if (!is(Defect::insertion_order)) {
       std::stable_sort(all.begin(), all.end(), [](const Contact& x, const Contact& y) {
         return std::tuple(x.point[0], x.point[1], x.point[2]) < std::tuple(y.point[0], y.point[1], y.point[2]);
       });
@@ -152,105 +137,54 @@ class World {
     return all;
   }
 
-  /// The contacts of two bodies. A sphere stands before a box, and a box before a half-space.
-  void find(std::size_t a, std::size_t b, double h, std::vector<Contact>& all) {
+  /// The contacts of a sphere with what is after it in `Shape`, or of a box with a half-space.
+  void find(std::size_t i, std::size_t j, double h, std::vector<Contact>& all) {
+    Body& one = bodies_[i];
+    Body& other = bodies_[j];
     const std::size_t first = all.size();
-    const double reach = defect_ == Defect::speculative_contacts
-                             ? h * (bodies_[a].posed.state.velocity - bodies_[b].posed.state.velocity).norm()
-                             : touching;
-    const auto add = [&](int feature, const V& point, const V& normal, double gap) {
+    const double speed = (one.posed.state.velocity - other.posed.state.velocity).norm();
+    const double reach = is(Defect::speculative_contacts) ? h * speed : touching;
+    const auto add = [&](const V& point, const V& normal, double gap) {
       if (gap < reach) {
-        all.push_back({{a, b, feature}, &bodies_[a], &bodies_[b], point, normal, gap});
+        all.push_back({{i, j, static_cast<int>(all.size() - first)}, &one, &other, point, normal, gap});
       }
     };
-    const Body& one = bodies_[a];
-    const Body& other = bodies_[b];
-    const V& place = one.posed.state.position;
-    const auto* sphere = std::get_if<SphereShape>(&one.posed.shape);
-    if (const auto* half_space = std::get_if<HalfSpaceShape>(&other.posed.shape)) {
-      const auto gap = [&](const V& x) { return half_space->normal.dot(x - other.posed.state.position); };
+    const V between = other.arm(one.posed.state.position);
+    const auto* const sphere = std::get_if<SphereShape>(&one.posed.shape);
+    if (const auto* const ground = std::get_if<HalfSpaceShape>(&other.posed.shape)) {
+      const V& n = ground->normal;
       if (sphere != nullptr) {
-        add(0, place - sphere->radius * half_space->normal, half_space->normal, gap(place) - sphere->radius);
-      } else {
-        const auto all_corners = corners(one);
-        for (std::size_t i = 0; i < 8; ++i) {
-          add(static_cast<int>(i), all_corners[i], half_space->normal, gap(all_corners[i]));
-        }
+        add(one.posed.state.position - sphere->radius * n, n, n.dot(between) - sphere->radius);
+        return;
       }
-    } else if (const auto* second = std::get_if<SphereShape>(&other.posed.shape)) {
-      const V between = place - other.posed.state.position;
-      add(0, place - sphere->radius * between.normalized(), between.normalized(),
-          between.norm() - sphere->radius - second->radius);
+      for (unsigned k = 0; k < 8; ++k) {
+        const V signs{k & 1U ? 0.5 : -0.5, k & 2U ? 0.5 : -0.5, k & 4U ? 0.5 : -0.5};
+        const V corner = one.axes() * std::get<BoxShape>(one.posed.shape).lengths.cwiseProduct(signs);
+        add(one.posed.state.position + corner, n, n.dot(between + corner));
+      }
+      if (is(Defect::one_contact_point) && all.size() > first) {
+        all.erase(all.begin() + static_cast<std::ptrdiff_t>(first) + 1, all.end());
+      }
     } else if (sphere != nullptr) {
-      const V in_box = other.axes.transpose() * (place - other.posed.state.position);
-      const V nearest = in_box.cwiseMin(other.half()).cwiseMax(-other.half());
-      V out = in_box - nearest;
-      Eigen::Index k = 0;
-      double gap = out.norm() - sphere->radius;
-      if (out.norm() == 0) {  // the centre is in the box
-        const double depth = (other.half() - in_box.cwiseAbs()).minCoeff(&k);
-        out[k] = std::copysign(1.0, in_box[k]);
-        gap = -depth - sphere->radius;
+      V nearest{0, 0, 0};  // in the other: the centre of a sphere, or a point of a box
+      double radius = sphere->radius;
+      if (const auto* const box = std::get_if<BoxShape>(&other.posed.shape)) {
+        nearest =
+            other.axes() * (other.axes().transpose() * between).cwiseMin(box->lengths / 2).cwiseMax(-box->lengths / 2);
+      } else {
+        radius += std::get<SphereShape>(other.posed.shape).radius;
       }
-      add(0, other.posed.state.position + other.axes * nearest, other.axes * out.normalized(), gap);
-    } else {
-      find_corners(one, other, add);
-    }
-    if (defect_ == Defect::one_contact_point && all.size() > first) {
-      const auto deepest = std::min_element(all.begin() + static_cast<std::ptrdiff_t>(first), all.end(),
-                                            [](const Contact& x, const Contact& y) { return x.gap < y.gap; });
-      all[first] = *deepest;
-      all.erase(all.begin() + static_cast<std::ptrdiff_t>(first) + 1, all.end());
-    }
-  }
-
-  /// The corners of a box in the other, with the face normal along which the boxes overlap least.
-  template <class Add>
-  static void find_corners(const Body& one, const Body& other, Add add) {
-    const V between = one.posed.state.position - other.posed.state.position;
-    V normal{0, 0, 0};
-    double least = 1e9;
-    for (const M* axes : {&one.axes, &other.axes}) {
-      for (Eigen::Index k = 0; k < 3; ++k) {
-        const V axis = axes->col(k);
-        const double extent = (one.axes.transpose() * axis).cwiseAbs().dot(one.half()) +
-                              (other.axes.transpose() * axis).cwiseAbs().dot(other.half());
-        const double overlap = extent - std::abs(axis.dot(between));
-        if (overlap < least - touching) {
-          least = overlap;
-          normal = axis.dot(between) < 0 ? V(-axis) : axis;
-        }
-      }
-    }
-    if (least < -touching) {
-      return;
-    }
-    int feature = 0;
-    bool has_contact = false;
-    for (const auto& [box, around, sign] : {std::tuple(&one, &other, 1.0), std::tuple(&other, &one, -1.0)}) {
-      const double face = (around->axes.transpose() * normal).cwiseAbs().dot(around->half());
-      for (const V& corner : corners(*box)) {
-        const V out = corner - around->posed.state.position;
-        const V in_box = (around->axes.transpose() * out).cwiseAbs();
-        if (sign < 0 && has_contact) {
-          return;  // the corners of the other box would say the same again
-        }
-        ++feature;
-        if ((in_box.array() <= around->half().array() + touching).all()) {
-          has_contact = true;
-          add(feature, corner, normal, sign * normal.dot(out) - face);
-        }
-      }
+      const V out = between - nearest;
+      add(one.posed.state.position - sphere->radius * out.normalized(), out.normalized(), out.norm() - radius);
     }
   }
 
   void aim(std::vector<Contact>& contacts, double h) const {
     for (Contact& contact : contacts) {
       const double approach = contact.normal.dot(contact.velocity());
-      const double least = defect_ == Defect::restitution_threshold ? 0.5 : 0;
-      contact.bounces = approach < -least && scene_.restitution > 0;
+      contact.bounces = approach < (is(Defect::restitution_threshold) ? -0.5 : 0) && scene_.restitution > 0;
       contact.target = contact.bounces ? -scene_.restitution * approach : 0;
-      if (defect_ == Defect::pushed_out_with_velocity && contact.gap < 0) {
+      if (is(Defect::pushed_out_with_velocity) && contact.gap < 0) {
         contact.target -= 0.2 * contact.gap / h;
       }
       if (contact.gap > touching) {  // speculative
@@ -261,11 +195,9 @@ class World {
 
   void solve(std::vector<Contact>& contacts) {
     for (Contact& contact : contacts) {
-      if (const auto guess = guesses_.find(contact.key); guess != guesses_.end()) {
-        std::tie(contact.normal_impulse, contact.friction) = guess->second;
-        contact.push(contact.normal_impulse * contact.normal, true);
-        contact.push(contact.friction, turns(contact));
-      }
+      contact.impulse = guesses_[contact.key];
+      contact.push(contact.impulse.normal_impulse * contact.normal, true);
+      contact.push(contact.impulse.friction, turns(contact));
     }
     double change = 1;
     const std::size_t rounds = 50 + 20000 / (contacts.size() + 1);
@@ -276,74 +208,65 @@ class World {
       }
     }
     for (const Contact& contact : contacts) {
-      guesses_[contact.key] = {contact.normal_impulse, contact.friction};
+      guesses_[contact.key] = contact.impulse;
     }
   }
 
   /// Returns the change of velocity.
   static double push_apart(Contact& contact) {
     const double mobility = contact.mobility(contact.normal);
-    const double before = contact.normal_impulse;
     const double lacking = contact.target - contact.normal.dot(contact.velocity());
-    contact.normal_impulse = std::max(0.0, before + lacking / mobility);
-    contact.push((contact.normal_impulse - before) * contact.normal, true);
-    return std::abs(contact.normal_impulse - before) * mobility;
+    const double before = contact.impulse.normal_impulse;
+    contact.impulse.normal_impulse = std::max(0.0, before + lacking / mobility);
+    contact.push((contact.impulse.normal_impulse - before) * contact.normal, true);
+    return std::abs(contact.impulse.normal_impulse - before) * mobility;
   }
 
   double rub(Contact& contact) const {
     V slip = contact.velocity();
     slip -= contact.normal * contact.normal.dot(slip);
-    if (defect_ == Defect::friction_of_one_axis) {
+    if (is(Defect::friction_of_one_axis)) {
       slip = {slip[0], 0, 0};
     }
     if (scene_.friction == 0 || slip.norm() < 1e-300) {
       return 0;
     }
     const double mobility = contact.mobility(slip.normalized());
-    const V before = contact.friction;
-    contact.friction -= slip / mobility;
-    double most = scene_.friction * contact.normal_impulse;
-    if (defect_ == Defect::friction_an_impulse_a_step) {
-      most = scene_.friction * scene_.gravity.norm() * contact.a->posed.mass;
+    const V before = contact.impulse.friction;
+    V& friction = contact.impulse.friction;
+    friction -= slip / mobility;
+    const double most =
+        scene_.friction * (is(Defect::friction_an_impulse_a_step) ? scene_.gravity.norm() * contact.a->posed.mass
+                                                                  : contact.impulse.normal_impulse);
+    if (!is(Defect::friction_beyond_the_cone) && friction.norm() > most) {
+      friction *= most / friction.norm();
     }
-    if (defect_ != Defect::friction_beyond_the_cone && contact.friction.norm() > most) {
-      contact.friction *= most / contact.friction.norm();
-    }
-    const V change = contact.friction - before;
-    contact.push(change, turns(contact));
-    return change.norm() * mobility;
+    contact.push(friction - before, turns(contact));
+    return (friction - before).norm() * mobility;
   }
 
   [[nodiscard]] bool turns(const Contact& contact) const {
-    return defect_ != Defect::bounce_without_spin || !contact.bounces;
+    return !is(Defect::bounce_without_spin) || !contact.bounces;
   }
 
   void advance(Body& body, double h) const {
     BodyState& state = body.posed.state;
     V& w = state.angular_velocity;
-    if (defect_ == Defect::damping) {
-      state.velocity *= 1 - 0.1 * h;
-      w *= 1 - 0.1 * h;
-    }
-    const auto momentum = [&] {
-      return V(body.axes * body.posed.principal_inertia.cwiseProduct(body.axes.transpose() * w));
-    };
-    const V before = momentum();
-    if (defect_ == Defect::explicit_gyroscopic_term) {
-      w -= h * body.over_inertia(w.cross(before));
+    const double kept = is(Defect::damping) ? 1 - 0.1 * h : 1;
+    state.velocity *= kept;
+    w *= kept;
+    const V momentum = body.axes() * body.posed.principal_inertia.cwiseProduct(body.axes().transpose() * w);
+    if (is(Defect::explicit_gyroscopic_term)) {
+      w -= h * body.over_inertia(w.cross(momentum));
     }
     state.position += h * state.velocity;
-    const double half_angle = w.norm() * h / 2;
-    const V turn = w.norm() > 0 ? V(std::sin(half_angle) * w.normalized()) : V(0, 0, 0);
-    const Eigen::Quaterniond q(state.orientation[0], state.orientation[1], state.orientation[2], state.orientation[3]);
-    const Eigen::Quaterniond turned =
-        (Eigen::Quaterniond(std::cos(half_angle), turn[0], turn[1], turn[2]) * q).normalized();
+    const Eigen::AngleAxisd turn(w.norm() * h, w.norm() > 0 ? V(w.normalized()) : V(1, 0, 0));
+    const Eigen::Quaterniond turned = (turn * turn_of(state.orientation)).normalized();
     state.orientation = {turned.w(), turned.x(), turned.y(), turned.z()};
-    body.axes = axes_of(state.orientation);
-    if (defect_ != Defect::no_gyroscopic_term && defect_ != Defect::explicit_gyroscopic_term) {
-      w = body.over_inertia(before);  // the angular momentum stays
+    if (!is(Defect::no_gyroscopic_term) && !is(Defect::explicit_gyroscopic_term)) {
+      w = body.over_inertia(momentum);
     }
-    if (defect_ == Defect::binary32_state) {
+    if (is(Defect::binary32_state)) {
       state = {state.position.cast<float>().cast<double>(), state.orientation.cast<float>().cast<double>(),
                state.velocity.cast<float>().cast<double>(), w.cast<float>().cast<double>()};
     }
@@ -351,7 +274,7 @@ class World {
 
   const SteppedScene& scene_;
   Defect defect_;
-  std::map<Key, std::pair<double, V>>& guesses_;
+  Guesses& guesses_;
   std::vector<Body> bodies_;
   std::vector<Contact> last_;
 };
@@ -363,21 +286,19 @@ Stepper planted_engine(Defect defect) {
   stepper.name = "planted";
   stepper.cannot = {"continuous"};
   stepper.open = [defect] {
-    const auto guesses = std::make_shared<std::map<Key, std::pair<double, V>>>();
+    const auto guesses = std::make_shared<Guesses>();
     return [defect, guesses](const Stepping& stepping) -> SteppingAnswer {
       if (defect != Defect::surviving_warm_starts) {
         guesses->clear();
       }
       World world(stepping.scene, defect, *guesses);
       SteppedStates answer;
-      const auto start = std::chrono::steady_clock::now();
       for (std::uint64_t k = 1; k <= steps_of(stepping); ++k) {
         world.step(stepping.step);
         if (std::binary_search(stepping.report.begin(), stepping.report.end(), k)) {
           answer.states.push_back(world.states());
         }
       }
-      answer.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
       return answer;
     };
   };

@@ -25,9 +25,9 @@ enum class Defect {
   surviving_warm_starts        // the impulses of the last run are the first guess of the next
 };
 
-/// Symplectic Euler with impulses at the ends of steps, for spheres, boxes and half-spaces, and one defect. Impulses
-/// are found contact by contact, with warm starts, until they change no velocity by more than rounding. Nothing removes
-/// a penetration.
+/// Symplectic Euler with impulses at the ends of steps, for spheres, boxes and half-spaces, and one defect. Boxes pass
+/// through each other. Impulses are found contact by contact, with warm starts, until they change no velocity by more
+/// than rounding. Nothing removes a penetration.
 [[nodiscard]] Stepper planted_engine(Defect defect);
 
 }  // namespace carom::phenomena_tests

@@ -102,7 +102,7 @@ TEST(PlantedEngine, KeepsTheRelationsThatItsDesignKeeps) {
   // A sum of 8 m rounds the places, and the order of the contacts follows the axes.
   EXPECT_NE(likeness(results, "translation"), Likeness::unanswered);
   EXPECT_NE(likeness(results, "translation"), Likeness::same_bits);
-  EXPECT_EQ(results.size(), 6U);
+  EXPECT_EQ(results.size(), 7U);
 }
 
 // The engine finds an impact at the end of a step, so it is off by up to a step's worth at each impact. If nothing
@@ -159,14 +159,6 @@ TEST(PlantedEngine, LetsFastSpheresPass) {
   ASSERT_EQ(measurement.unanswered.size(), 1U);
   EXPECT_EQ(measurement.unanswered[0].why, "the subject cannot pose: continuous");
   EXPECT_EQ(measurement.unanswered[0].steps.size(), measurement.runs / 2);
-}
-
-TEST(PlantedEngine, StandsAsAStack) {
-  for (const MeasuredReading& reading : right_measurement("stack").readings) {
-    if (reading.what.find("100 kg") == std::string::npos) {  // 500 rounds do not carry 100 kg
-      EXPECT_LT(reading.rungs[0].greatest, 1e-5) << reading.what;
-    }
-  }
 }
 
 TEST(PlantedEngine, KeepsAClaimThatADefectBreaks) {

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: BSL-1.0
-"""Runs an adapter on scenes with known answers: engines_in_time_test.py ADAPTER NEEDED SETTING [TEST…]
+"""Runs adapters on scenes with known answers.
 
-The exit status is 77 if the folder NEEDED, the package of the engine, is missing."""
+engines_in_time_test.py ADAPTER    runs one program, on the scenes alone
+engines_in_time_test.py NPM        runs each adapter in the folder NPM/time whose engine is installed, with both settings.
+                                   The exit status is 77 if no engine is installed."""
 
 import json
 import math
@@ -10,7 +12,12 @@ import subprocess
 import sys
 import unittest
 
-ADAPTER, NEEDED, SETTING, *TESTS = sys.argv[1:]
+GIVEN = pathlib.Path(sys.argv[1])
+PACKAGES = {"rapier": "@dimforge/rapier3d-compat", "jolt": "jolt-physics", "physx": "physx-js-webidl",
+            "cannon": "cannon-es", "oimo": "oimophysics", "mujoco": "@mujoco/mujoco", "planck": "planck"}
+PROGRAMS = [(GIVEN, "configured")] if GIVEN.is_file() else [
+    (GIVEN / "time" / f"{name}.mjs", setting) for name, package in PACKAGES.items()
+    if (GIVEN / "node_modules" / package).exists() for setting in ("configured", "as-shipped")]
 STEP, G, RADIUS = 1 / 240, 9.81, 0.1  # [s], [m/s²], [m]
 FLOOR = {"fixed": True, "half_space": [0, 2, 0], "position": [0, 0, 0]}  # the length of a direction means nothing
 
@@ -34,12 +41,12 @@ def request(bodies, report, **scene):
                       **scene}}
 
 
-def ask(*requests):
+def ask(program, *requests):
     """The reply to `start`, and the replies to the requests."""
     lines = [{"cmd": "start", "protocol": 1}, *({"id": i, **each} for i, each in enumerate(requests)), {"cmd": "stop"}]
     # Without these options, an engine of WebAssembly spends seconds on optimising.
     node = ["node", "--wasm-lazy-compilation", "--no-wasm-tier-up"]
-    done = subprocess.run([*node, ADAPTER, SETTING], input="".join(json.dumps(line) + "\n" for line in lines),
+    done = subprocess.run([*node, *program], input="".join(json.dumps(line) + "\n" for line in lines),
                           capture_output=True, text=True, check=True)
     return [json.loads(line) for line in done.stdout.splitlines()]
 
@@ -58,14 +65,19 @@ class InTime(unittest.TestCase):
         return reply["states"]
 
     def test_scenes(self):
-        introduction, fall, rest, slide = ask(request([ball(5)], [0, 120]), request([FLOOR, ball(0)], [240]),
+        for program in PROGRAMS:
+            with self.subTest(program=program):
+                self.check_scenes(program)
+
+    def check_scenes(self, program):
+        introduction, fall, rest, slide = ask(program, request([ball(5)], [0, 120]), request([FLOOR, ball(0)], [240]),
                                               request([FLOOR, box([1, 0, 0])], [0, 240]))
         self.assertTrue(introduction["time"])
         # A step of any method moves a falling ball by the speed at its begin, at its end, or between.
         before, after = (state[0] for state in self.states(fall))
         self.assertEqual([round(x, 6) for x in before["position"] + before["velocity"]], [0, 5 + RADIUS, 0, 0, 0, 0])
         seconds = 120 * STEP
-        damping = 0.05 if SETTING == "as-shipped" else 0  # [1/s], the greatest of an engine
+        damping = 0.05 if "as-shipped" in program else 0  # [1/s], the greatest of an engine
         self.assertAlmostEqual(after["velocity"][1], -G * seconds, delta=G * seconds * (damping * seconds + 1e-5))
         self.assertAlmostEqual(after["position"][1], 5 + RADIUS - G * seconds**2 / 2,
                                delta=G * seconds * STEP / 2 + damping * G * seconds**3 + 1e-5)
@@ -83,8 +95,13 @@ class InTime(unittest.TestCase):
             self.assertLess(after["position"][0], 1.1 / (2 * 0.3 * G))
 
     def test_save_and_restore(self):
+        for program in PROGRAMS if GIVEN.is_dir() else []:
+            with self.subTest(program=program):
+                self.check_save_and_restore(program)
+
+    def check_save_and_restore(self, program):
         more = {"cmd": "run", "step": STEP, "steps": 60, "report": [60]}
-        introduction, *replies = ask(request([FLOOR, ball(5)], [60]), {"cmd": "save"}, more, {"cmd": "restore"}, more)
+        introduction, *replies = ask(program, request([FLOOR, ball(5)], [60]), {"cmd": "save"}, more, {"cmd": "restore"}, more)
         if introduction.get("restores"):
             self.assertEqual(replies[2]["states"], replies[4]["states"])
             self.assertNotEqual(replies[0]["states"], replies[2]["states"])
@@ -92,6 +109,11 @@ class InTime(unittest.TestCase):
             self.assertIn("error", replies[1])
 
     def test_malformed_requests(self):
+        for program in PROGRAMS if GIVEN.is_dir() else []:
+            with self.subTest(program=program):
+                self.check_malformed_requests(program)
+
+    def check_malformed_requests(self, program):
         def without(field, body=1):
             bad = json.loads(json.dumps(request([FLOOR, ball(1)], [1])))
             del bad["scene"]["bodies"][body][field]
@@ -105,11 +127,11 @@ class InTime(unittest.TestCase):
                  (request([FLOOR, ball(1)], [1], restitution=2), "scene.restitution"),
                  (request([FLOOR, ball(1)], [1], gravity=["nan", 0, 0]), "scene.gravity"),
                  (request([], [1]), "scene.bodies"), ({"cmd": "walk"}, "cmd")]
-        for (bad, field), reply in zip(wrong, ask(*(bad for bad, _ in wrong))[1:]):
+        for (bad, field), reply in zip(wrong, ask(program, *(bad for bad, _ in wrong))[1:]):
             self.assertTrue(reply.get("error", "").startswith(field + ":"), (field, reply))
 
 
-if not pathlib.Path(NEEDED).exists():
-    print(f"{NEEDED} does not exist: npm ci --prefix {pathlib.Path(ADAPTER).parent.parent}")
+if not PROGRAMS:
+    print(f"no engine is installed: npm ci --prefix {GIVEN}")
     sys.exit(77)
-unittest.main(argv=[sys.argv[0], *TESTS])
+unittest.main(argv=sys.argv[:1])

@@ -43,6 +43,15 @@ TEST(RunRequest, IsReadAsItWasWritten) {
   EXPECT_TRUE(read.stepping.scene.is_continuous);
 }
 
+TEST(RunRequest, ThatContinuesHasNoScene) {
+  EXPECT_EQ(continue_request(8, ball_on_floor()),
+            "{\"cmd\":\"run\",\"id\":8,\"report\":[0,3,7],\"step\":0.016666666666666666,\"steps\":7}\n");
+  EXPECT_EQ(state_request(9, "save"), "{\"cmd\":\"save\",\"id\":9}\n");
+  EXPECT_FALSE(state_reply_from(R"({"id":9})", 9));
+  EXPECT_EQ(state_reply_from(R"({"id":9,"error":"no room"})", 9).value().why, "no room");
+  EXPECT_THROW(static_cast<void>(state_reply_from(R"({"id":8})", 9)), FormatError);
+}
+
 TEST(RunRequest, WithAnErrorNamesThePlace) {
   const std::string right = run_request(7, ball_on_floor());
   const std::vector<std::pair<std::pair<std::string, std::string>, std::string>> errors{

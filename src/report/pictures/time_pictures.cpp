@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include <carom/report/pictures/time_pictures.hpp>
+
+namespace carom::report {
+namespace {
+
+using properties::Measurement;
+using properties::Rung;
+
+constexpr std::string_view as_shipped = "-as-shipped";
+constexpr std::array line_colours{blue, vermillion, green, purple, orange, sky_blue, black, grey};
+
+bool is_shipped_twin(const TimedEngine& engine, const TimeRun& run) {
+  return engine.name.ends_with(as_shipped) &&
+         std::any_of(run.engines.begin(), run.engines.end(),
+                     [&](const TimedEngine& other) { return other.name + std::string(as_shipped) == engine.name; });
+}
+
+/// An engine's errors along the ladder.
+struct Line {
+  std::string name;
+  std::size_t style;  // the same in all pictures of a run
+  std::vector<std::vector<double>> by_step;
+  std::vector<std::vector<double>> by_time;
+};
+
+Line line_of(const TimedEngine& engine, std::size_t style, const Measurement& measurement) {
+  Line line{engine.name, style, {}, {}};
+  for (const properties::StepTime& time : measurement.step_times) {
+    const properties::MeasuredReading* const worst = worst_reading(measurement, time.step);
+    const Rung* const rung = worst == nullptr ? nullptr : rung_at(*worst, time.step);
+    if (rung != nullptr && rung->median > rung->rounding) {
+      line.by_step.push_back({1 / time.step, rung->median});
+      constexpr double resolution = 1e-9;  // of the clocks, for a second of the scene [s]
+      line.by_time.push_back({std::max(time.seconds / time.step, resolution), rung->median});
+    }
+  }
+  return line;
+}
+
+std::vector<Line> lines_of(const properties::Phenomenon& phenomenon, const TimeRun& run) {
+  std::vector<Line> lines;
+  std::size_t style = 0;
+  for (const TimedEngine& engine : run.engines) {
+    if (is_shipped_twin(engine, run)) {
+      continue;
+    }
+    if (const Measurement* const measurement = measurement_of(engine, phenomenon.name)) {
+      lines.push_back(line_of(engine, style, *measurement));
+    }
+    ++style;
+  }
+  lines.erase(std::remove_if(lines.begin(), lines.end(), [](const Line& line) { return line.by_step.size() < 2; }),
+              lines.end());
+  return lines;
+}
+
+/// An axis of whole powers of ten around the values.
+Axis axis_around(const std::vector<Line>& lines, std::vector<std::vector<double>> Line::*points, std::size_t coordinate,
+                 double first_pixel, double last_pixel) {
+  double low = std::numeric_limits<double>::infinity();
+  double high = 0;
+  for (const Line& line : lines) {
+    for (const std::vector<double>& point : line.*points) {
+      low = std::min(low, point[coordinate]);
+      high = std::max(high, point[coordinate]);
+    }
+  }
+  const double first = std::floor(std::log10(low));
+  return {std::pow(10, first), std::pow(10, std::max(first + 1, std::ceil(std::log10(high)))), true, first_pixel,
+          last_pixel};
+}
+
+Plot picture_of(const std::string& name, const std::string& title, const std::string& x_name,
+                const std::vector<Line>& lines, std::vector<std::vector<double>> Line::*points,
+                const std::string& x_tics) {
+  Plot plot(name, 860, 430, 13);
+  const Panel panel{axis_around(lines, points, 0, 90, 690), axis_around(lines, points, 1, 55, 390)};
+  plot.begin(panel, title, x_name, "error, relative to the known answer");
+  plot.add(x_tics.empty() ? power_tics(panel.x, 'x') : x_tics);
+  plot.add(power_tics(panel.y, 'y'));
+  std::vector<Label> ends;
+  for (const Line& line : lines) {
+    const std::vector<double>& end = (line.*points).back();
+    ends.push_back(
+        {line.name, panel.place_of(end[0], end[1]), std::string(line_colours[line.style % line_colours.size()])});
+  }
+  plot.name_ends(ends, panel);
+  for (const Line& line : lines) {
+    plot.curve(line.*points, fmt::format("with linespoints pt 7 ps 0.5 lw 1.6 lc rgb \"{}\"{}",
+                                         line_colours[line.style % line_colours.size()],
+                                         line.style < line_colours.size() ? "" : " dt 2"));
+  }
+  plot.end();
+  return plot;
+}
+
+struct Bar {
+  std::string name;
+  double height;  // over the height of the fall
+  double known;
+};
+
+std::vector<Bar> first_bounces(const TimeRun& run) {
+  std::vector<Bar> bars;
+  for (const TimedEngine& engine : run.engines) {
+    const Measurement* const measurement = measurement_of(engine, "bounce");
+    if (measurement == nullptr) {
+      continue;
+    }
+    for (const properties::MeasuredReading& reading : measurement->readings) {
+      const Rung* const rung = rung_at(reading, compared_step(run.ladder));
+      if (reading.what == "height of bounce 1, ε = 0.5" && rung != nullptr) {
+        bars.push_back({engine.name, rung->expected + rung->shift, rung->expected});
+      }
+    }
+  }
+  return bars;
+}
+
+}  // namespace
+
+std::vector<Plot> time_pictures(const properties::Phenomenon& phenomenon, const TimeRun& run) {
+  const std::vector<Line> lines = lines_of(phenomenon, run);
+  if (lines.empty()) {
+    return {};
+  }
+  std::string tics;
+  for (const double step : run.ladder.steps) {
+    tics += fmt::format("{}{:.0f}", tics.empty() ? "" : ", ", 1 / step);
+  }
+  const std::string name(phenomenon.name);
+  return {picture_of(name + "-step", name + ": error against the step", "steps in a second", lines, &Line::by_step,
+                     "set xtics (" + tics + ")"),
+          picture_of(name + "-time", name + ": error against the time spent",
+                     "seconds of stepping for a second of the scene", lines, &Line::by_time, "")};
+}
+
+std::vector<Plot> first_bounce_picture(const TimeRun& run) {
+  const std::vector<Bar> bars = first_bounces(run);
+  if (bars.empty()) {
+    return {};
+  }
+  double highest = 0;
+  for (const Bar& bar : bars) {
+    highest = std::max({highest, bar.height, bar.known});
+  }
+  const auto count = static_cast<double>(bars.size());
+  Plot plot("first-bounce", 860, 90 + 20 * count, 13);
+  const Panel panel{{0, 1.12 * highest, false, 170, 820}, {0, count, false, 50, 50 + 20 * count}};
+  plot.begin(panel, fmt::format("First bounce with ε = 1/2 at {:.3g} steps in a second", 1 / compared_step(run.ladder)),
+             "height of the bounce / height of the fall; the line is the known answer", "");
+  plot.add("unset ytics");
+  for (std::size_t i = 0; i < bars.size(); ++i) {
+    const double y = count - static_cast<double>(i) - 0.5;
+    plot.write(bars[i].name, panel.place_of(0, y), "#000000", "right");
+    plot.write(fmt::format("{:.3f}", bars[i].height), panel.place_of(bars[i].height, y));
+    plot.curve({{0, y, std::max(bars[i].height, 0.0), y}},
+               fmt::format("using 1:2:($3-$1):($4-$2) with vectors nohead lw 11 lc rgb \"{}\"",
+                           bars[i].name.ends_with(as_shipped) ? sky_blue : blue));
+  }
+  plot.curve({{bars[0].known, 0}, {bars[0].known, count}}, fmt::format("with lines lw 2 lc rgb \"{}\"", vermillion));
+  plot.end();
+  return {plot};
+}
+
+}  // namespace carom::report
