@@ -162,8 +162,8 @@ double energy(const std::vector<SteppedBody>& posed, const std::vector<BodyState
 /// A ball hits a row of four balls that touch, at 1 m/s, without friction and gravity. Each bounce keeps the energy.
 RelationResult row_of_balls(const Stepper& stepper, Stepper::Session& session, double step) {
   const Directions d = directions(stepper.is_planar);
-  constexpr double radius = 0.125;
-  constexpr double end = 1;  // after the impact at 1/4 s
+  constexpr double radius = 0.1;
+  constexpr double end = 1;  // after the impact at 0.3 s
   Stepping row{{{0, 0, 0}, 1, 0, false, {}}, step, report_at({end}, step)};
   for (int n = -1; n < 4; ++n) {
     SteppedBody one = ball(d, radius);

@@ -43,7 +43,7 @@ for line in sys.stdin:
         wrong = {"velocity": [0, "fast", 0]} if fault == "text" else {}
         reply["states"] = [[{**still, **body, "angular_velocity": [done + after, 0, 0], **wrong}
                             for body in scene["bodies"]] for after in request["report"]]
-        reply["seconds"] = 0
+        reply["seconds"] = 1e-6 * request["steps"]
         done += request["steps"]
     print(json.dumps(reply), flush=True)
 )";
@@ -65,12 +65,15 @@ class TimeCommand : public testing::Test {
 
 TEST_F(TimeCommand, MeasuresAnEngineAndWritesItsReports) {
   const std::string out = directory_.path() / "time";
-  const RunResult run = run_carom({"time", "scene", "--quick", "--phenomena", "bounce", "--out", out});
+  const std::string pages = directory_.path() / "pages";
+  const RunResult run = measured("none", {"--phenomena", "bounce", "--out", out, "--pages", pages});
   EXPECT_EQ(run.exit_status, 0) << run.errors;
-  unit::expect_in(run.output, {"scene", "bounce", "height of bounce"});
-  for (const char* const file : {"report.html", "time.json", "junit.xml", "bounce-step.svg", "bounce-time.svg"}) {
+  unit::expect_in(run.output, {"unmoving", "bounce: height of bounce"});
+  for (const char* const file : {"report.html", "time.json", "junit.xml", "bounce-step.svg", "bounce-time.svg",
+                                 "first-bounce.svg", "../pages/bounce.md"}) {
     EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(out) / file)) << file << '\n' << run.errors;
   }
+  unit::expect_in(run_carom({"time", "scene", "--quick", "--phenomena", "slow-bounce"}).output, {"scene            0"});
 }
 
 // What does not move is 300 % off a rebound at half the speed.
@@ -93,7 +96,8 @@ TEST_F(TimeCommand, EndsInOneIfAClaimIsNotKept) {
 }
 
 TEST_F(TimeCommand, PrintsARecordThatItsSchemaAccepts) {
-  const RunResult named = measured("crash under gravity", {"--steps", "1/60", "--format", "json"}, {"stack within 1% at 1/60 s"});
+  const RunResult named =
+      measured("crash under gravity", {"--steps", "1/60", "--format", "json"}, {"stack within 1% at 1/60 s"});
   const RunResult absent = run_carom({"time", "exec:/no/such", "--quick", "--format", "json"});
   json unknown = json::parse(named.output);
   EXPECT_EQ(unknown.at("exit_status"), 1);
@@ -107,8 +111,8 @@ TEST_F(TimeCommand, PrintsARecordThatItsSchemaAccepts) {
 
 TEST_F(TimeCommand, TellsAnEngineThatForgetsASavedState) {
   const std::string restored = "saved at 1 s, run to the end, and restored: ";
-  unit::expect_in(measured("none", {}).output, {restored + "same bits"});
-  unit::expect_in(measured("forget", {}).output, {restored + "same to 16 digits"});
+  unit::expect_in(measured("none", {"--steps", "1/60"}).output, {restored + "same bits"});
+  unit::expect_in(measured("forget", {"--steps", "1/60"}).output, {restored + "same to 16 digits"});
 }
 
 TEST_F(TimeCommand, EndsInOneIfANamedEngineFailsInPart) {

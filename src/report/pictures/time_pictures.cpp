@@ -16,6 +16,8 @@ namespace {
 using properties::Measurement;
 using properties::Rung;
 
+constexpr double left_pixel = 90;
+constexpr double right_pixel = 690;
 constexpr std::string_view as_shipped = "-as-shipped";
 constexpr std::array line_colours{blue, vermillion, green, purple, orange, sky_blue, black, grey};
 
@@ -40,8 +42,9 @@ Line line_of(const TimedEngine& engine, std::size_t style, const Measurement& me
     const Rung* const rung = worst == nullptr ? nullptr : rung_at(*worst, time.step);
     if (rung != nullptr && rung->median > rung->rounding) {
       line.by_step.push_back({1 / time.step, rung->median});
-      constexpr double resolution = 1e-9;  // of the clocks, for a second of the scene [s]
-      line.by_time.push_back({std::max(time.seconds / time.step, resolution), rung->median});
+      if (time.seconds > 0) {  // the simulation of `carom scene` has no steps
+        line.by_time.push_back({time.seconds / time.step, rung->median});
+      }
     }
   }
   return line;
@@ -59,8 +62,6 @@ std::vector<Line> lines_of(const properties::Phenomenon& phenomenon, const TimeR
     }
     ++style;
   }
-  lines.erase(std::remove_if(lines.begin(), lines.end(), [](const Line& line) { return line.by_step.size() < 2; }),
-              lines.end());
   return lines;
 }
 
@@ -80,13 +81,22 @@ Axis axis_around(const std::vector<Line>& lines, std::vector<std::vector<double>
           last_pixel};
 }
 
+/// The name of each step on an axis of steps in a second.
+std::string tics_at(const std::vector<double>& steps) {
+  std::string tics;
+  for (const double step : steps) {
+    tics += fmt::format("{0}\"{1:.4g}\" {1:.8g}", tics.empty() ? "" : ", ", 1 / step);
+  }
+  return "set xtics (" + tics + ")";
+}
+
 Plot picture_of(const std::string& name, const std::string& title, const std::string& x_name,
-                const std::vector<Line>& lines, std::vector<std::vector<double>> Line::*points,
+                const std::vector<Line>& lines, std::vector<std::vector<double>> Line::*points, const Axis& x,
                 const std::string& x_tics) {
   Plot plot(name, 860, 430, 13);
-  const Panel panel{axis_around(lines, points, 0, 90, 690), axis_around(lines, points, 1, 55, 390)};
+  const Panel panel{x, axis_around(lines, points, 1, 55, 390)};
   plot.begin(panel, title, x_name, "error, relative to the known answer");
-  plot.add(x_tics.empty() ? power_tics(panel.x, 'x') : x_tics);
+  plot.add(x_tics);
   plot.add(power_tics(panel.y, 'y'));
   std::vector<Label> ends;
   for (const Line& line : lines) {
@@ -130,19 +140,27 @@ std::vector<Bar> first_bounces(const TimeRun& run) {
 }  // namespace
 
 std::vector<Plot> time_pictures(const properties::Phenomenon& phenomenon, const TimeRun& run) {
-  const std::vector<Line> lines = lines_of(phenomenon, run);
-  if (lines.empty()) {
-    return {};
-  }
-  std::string tics;
-  for (const double step : run.ladder.steps) {
-    tics += fmt::format("{}{:.0f}", tics.empty() ? "" : ", ", 1 / step);
-  }
+  std::vector<Plot> pictures;
   const std::string name(phenomenon.name);
-  return {picture_of(name + "-step", name + ": error against the step", "steps in a second", lines, &Line::by_step,
-                     "set xtics (" + tics + ")"),
-          picture_of(name + "-time", name + ": error against the time spent",
-                     "seconds of stepping for a second of the scene", lines, &Line::by_time, "")};
+  std::vector<Line> lines = lines_of(phenomenon, run);
+  const auto keep_lines = [&](std::vector<std::vector<double>> Line::*points) {
+    lines.erase(std::remove_if(lines.begin(), lines.end(), [&](const Line& line) { return (line.*points).size() < 2; }),
+                lines.end());
+    return !lines.empty();
+  };
+  if (keep_lines(&Line::by_step)) {
+    const std::vector<double>& steps = run.ladder.steps;
+    pictures.push_back(
+        picture_of(name + "-step", name + ": error against the step", "steps in a second", lines, &Line::by_step,
+                   {0.8 / steps.front(), 1.25 / steps.back(), true, left_pixel, right_pixel}, tics_at(steps)));
+  }
+  if (keep_lines(&Line::by_time)) {
+    const Axis x = axis_around(lines, &Line::by_time, 0, left_pixel, right_pixel);
+    pictures.push_back(picture_of(name + "-time", name + ": error against the time spent",
+                                  "seconds of stepping for a second of the scene", lines, &Line::by_time, x,
+                                  power_tics(x, 'x')));
+  }
+  return pictures;
 }
 
 std::vector<Plot> first_bounce_picture(const TimeRun& run) {
@@ -155,15 +173,21 @@ std::vector<Plot> first_bounce_picture(const TimeRun& run) {
     highest = std::max({highest, bar.height, bar.known});
   }
   const auto count = static_cast<double>(bars.size());
-  Plot plot("first-bounce", 860, 90 + 20 * count, 13);
-  const Panel panel{{0, 1.12 * highest, false, 170, 820}, {0, count, false, 50, 50 + 20 * count}};
+  constexpr double below = 60;
+  constexpr double each = 20;
+  Plot plot("first-bounce", 860, below + 45 + each * count, 13);
+  const Panel panel{{0, 1.15 * highest, false, 170, 830}, {0, count, false, below, below + each * count}};
   plot.begin(panel, fmt::format("First bounce with ε = 1/2 at {:.3g} steps in a second", 1 / compared_step(run.ladder)),
              "height of the bounce / height of the fall; the line is the known answer", "");
   plot.add("unset ytics");
   for (std::size_t i = 0; i < bars.size(); ++i) {
     const double y = count - static_cast<double>(i) - 0.5;
-    plot.write(bars[i].name, panel.place_of(0, y), "#000000", "right");
-    plot.write(fmt::format("{:.3f}", bars[i].height), panel.place_of(bars[i].height, y));
+    const auto beside = [&](double x, double pixels) {
+      const Pixel place = panel.place_of(x, y);
+      return Pixel{place.x + pixels, place.y};
+    };
+    plot.write(bars[i].name, beside(0, -8), "#000000", "right");
+    plot.write(fmt::format("{:.3f}", bars[i].height), beside(std::max(bars[i].height, bars[i].known), 6));
     plot.curve({{0, y, std::max(bars[i].height, 0.0), y}},
                fmt::format("using 1:2:($3-$1):($4-$2) with vectors nohead lw 11 lc rgb \"{}\"",
                            bars[i].name.ends_with(as_shipped) ? sky_blue : blue));

@@ -39,6 +39,7 @@ class World {
     world_.setGravity(bullet::to_bullet(scene.gravity));
     if (configured) {
       world_.getSolverInfo().m_restitutionVelocityThreshold = 0;
+      world_.getSolverInfo().m_splitImpulsePenetrationThreshold = 0;
       world_.getSolverInfo().m_numIterations = 50;
       world_.getSolverInfo().m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
     }
