@@ -209,7 +209,9 @@ class Worker {
  private:
   [[nodiscard]] std::uint64_t relations_every(const Subject& subject) const {
     constexpr std::uint64_t of_programs = 4;
-    return run_->options.relations_every > 0 ? run_->options.relations_every : (subject.is_program() ? of_programs : 1);
+    constexpr std::uint64_t of_coulomb = 2;  // each answer takes many steps, and equations show nearly all defects
+    const std::uint64_t every = subject.is_program() ? of_programs : (subject.law == Law::coulomb ? of_coulomb : 1);
+    return run_->options.relations_every > 0 ? run_->options.relations_every : every;
   }
 
   /// f(), unless a fault of the judge ended the run. Keeps a fault of f.

@@ -6,6 +6,7 @@
 
 #include <carom/collision/expects.hpp>
 #include <carom/collision/validate.hpp>
+#include <carom/oracles/judge/coulomb_answers.hpp>
 #include <carom/oracles/laws/judge_error.hpp>
 #include <carom/properties/gate/trial.hpp>
 #include <carom/properties/invariants/verdicts.hpp>
@@ -183,6 +184,10 @@ void Trial::prepare() {
   const JudgedCase& judged_case = *judged_case_;
   const Claim& claim = *claim_;
   limited_ = take_out_effects(answer_, claim.effects, judged_case.exact(), claim.law, claim.yardstick.allowance());
+  if (relations_.every > 0 && claim.law == Law::coulomb &&
+      !oracles::has_one_coulomb_answer(judged_case.exact(), claim.yardstick.allowance())) {
+    return;
+  }
   const auto* outcome = std::get_if<oracles::LiftedOutcome>(&answer_);
   for (std::size_t i = 0; i < claim.invariants.size(); ++i) {
     const Invariant& invariant = *claim.invariants[i];
@@ -347,7 +352,9 @@ template <class AnswersTo>
 Verdict Trial::verdict_on_relation(const Invariant& invariant, std::span<const oracles::ExactCase> questions,
                                    const Evidence& evidence, const AnswersTo& answers_to) const {
   if (questions.empty()) {
-    return does_not_apply("the related collision is out of range");
+    return does_not_apply(claim_->law == Law::coulomb
+                              ? "the law may have several answers, or the related collision is out of range"
+                              : "the related collision is out of range");
   }
   const std::span<ExactAnswer> answers = answers_to(questions);
   const auto& relation = std::get<AboutRelation>(invariant.about);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <carom/oracles/bounds/stage.hpp>
+#include <carom/oracles/judge/coulomb_answers.hpp>
 #include <carom/properties/draws/relative_velocity.hpp>
 #include <carom/properties/draws/vectors.hpp>
 #include <carom/properties/invariants/invariant_groups.hpp>
@@ -61,6 +62,26 @@ oracles::Sensitivity weighted_sum(double factor, const oracles::Sensitivity& fir
   return sum;
 }
 
+/// The sensitivity of the law's answer, with the permitted noise. No value if it is not known. Precondition: the law
+/// determines the answer.
+std::optional<oracles::Sensitivity> sensitivity_of(const Evidence& e, const oracles::ExactCase& exact_case) {
+  if (e.law != Law::coulomb) {
+    return exact_case.sensitivity_with_noise(e.law, e.yardstick);
+  }
+  std::optional<oracles::Sensitivity> sum = oracles::coulomb_sensitivity(exact_case, e.allowance());
+  if (sum) {
+    oracles::add_permitted_noise(exact_case.collision(), e.yardstick, *sum);
+  }
+  return sum;
+}
+
+/// A cheap lower bound of `sensitivity_of`. Precondition: is_surely_finite of the case.
+oracles::Sensitivity sensitivity_below(const Evidence& e, const oracles::ExactCase& exact_case) {
+  return e.law == Law::coulomb ? oracles::coulomb_sensitivity_below(exact_case) : exact_case.sensitivity_below(e.law);
+}
+
+Verdict without_one_answer() { return does_not_apply("the law may have several answers to the contact"); }
+
 bool same_numbers(const ReportedOutcome& left, const ReportedOutcome& right) {
   const auto x = vectors(left);
   const auto y = vectors(right);
@@ -86,13 +107,24 @@ Verdict exactly_mapped(const Evidence& e, const Related& related, const Back& ba
       count(oracles::Stage::same_bits);
       return {};
     }
-    const oracles::Sensitivity& below = e.exact_case.sensitivity_below(e.law);
+    const oracles::Sensitivity below = sensitivity_below(e, e.exact_case);
     if (surely_near(back(mapped.enclosed()), e.outcome.enclosed(), e.allowance(), weighted_sum(1, below, below))) {
       return {};
     }
   }
-  const oracles::Sensitivity sensitivity = e.exact_case.sensitivity_with_noise(e.law, e.yardstick);
-  return agree(e, mapped, back, e.outcome, weighted_sum(1, sensitivity, sensitivity));
+  const auto sensitivity = sensitivity_of(e, e.exact_case);
+  return sensitivity ? agree(e, mapped, back, e.outcome, weighted_sum(1, *sensitivity, *sensitivity))
+                     : without_one_answer();
+}
+
+/// Whether the law determines the answers to both related collisions, if it determines the answer to the case. Both
+/// have the same lever arms, the same approach, and so the same friction.
+bool determines_answers(const Evidence& e, const oracles::ExactCase& first_case) {
+  const Collision& c = e.exact_case.collision();
+  const Collision& first = first_case.collision();
+  const bool is_alike = first.point == c.point && first.a.position == c.a.position &&
+                        first.b.position == c.b.position && first_case.state() == e.exact_case.state();
+  return e.law != Law::coulomb || is_alike || oracles::has_one_coulomb_answer(first_case, e.allowance());
 }
 
 /// `expected` maps the outcome of the first related collision to that of the second. Each outcome may have its own
@@ -113,6 +145,9 @@ Verdict related_pair(const Evidence& e, std::span<const Related> related, double
   if (has_two_answers(e, first_case) || has_two_answers(e, second_case)) {
     return between_two_answers();
   }
+  if (!determines_answers(e, first_case)) {
+    return without_one_answer();
+  }
   if (is_surely_finite(e, first_case, first_outcome) && is_surely_finite(e, second_case, second_outcome)) {
     const Outcome<oracles::Enclosure> second_expected = expected(first_outcome.enclosed());
     const auto agree_by = [&](const oracles::Sensitivity& of_first, const oracles::Sensitivity& of_second) {
@@ -120,13 +155,15 @@ Verdict related_pair(const Evidence& e, std::span<const Related> related, double
                          weighted_sum(factor, of_first, of_second));
     };
     if (agree_by(first_case.norms_before(), second_case.norms_before()) ||
-        agree_by(first_case.sensitivity_below(e.law), second_case.sensitivity_below(e.law))) {
+        agree_by(sensitivity_below(e, first_case), sensitivity_below(e, second_case))) {
       return {};
     }
   }
-  return agree(e, first_outcome, expected, second_outcome,
-               weighted_sum(factor, first_case.sensitivity_with_noise(e.law, e.yardstick),
-                            second_case.sensitivity_with_noise(e.law, e.yardstick)));
+  const auto of_first = sensitivity_of(e, first_case);
+  const auto of_second = sensitivity_of(e, second_case);
+  return of_first && of_second
+             ? agree(e, first_outcome, expected, second_outcome, weighted_sum(factor, *of_first, *of_second))
+             : without_one_answer();
 }
 
 /// Applies `polar` to polar vectors, and `axial` to the angular velocities.
@@ -465,19 +502,26 @@ Verdict check_repeat(const Evidence& e, std::span<const Related> related) {
   return worst;
 }
 
+/// Under `coulomb`, the gate asks where the law certainly has one answer.
+std::vector<Law> with_one_answer() {
+  std::vector<Law> laws = with_truth();
+  laws.push_back(Law::coulomb);
+  return laws;
+}
+
 }  // namespace
 
 std::vector<Invariant> relation_invariants() {
   return {
       Invariant{"swap", "If A and B are swapped and the normal is reversed, each body has the same outcome.",
                 R"(y(B, A, -N) = (y_B, y_A)(A, B, N))", "Newton's third law; failure case 19", "valid collisions",
-                with_truth(), AboutRelation{ask_swap, check_swap}, Proof{ProvedOf::its_laws, {{"swap", "relations.v"}}},
-                explains_none,
+                with_one_answer(), AboutRelation{ask_swap, check_swap},
+                Proof{ProvedOf::its_laws, {{"swap", "relations.v"}}}, explains_none,
                 [](const Kinds& kinds) { return kinds.movable != Movable::a && kinds.movable != Movable::b; }},
       Invariant{"galilean",
                 "If both bodies get an additional common velocity, the outcome gets the same additional velocity.",
                 R"(y(v_A + c, v_B + c) = y(v_A, v_B) + c)", "Galilean invariance",
-                "valid collisions with velocities rounded to a grid, so that the sum is exact", with_truth(),
+                "valid collisions with velocities rounded to a grid, so that the sum is exact", with_one_answer(),
                 AboutRelation{ask_galilean, check_added_velocity},
                 Proof{ProvedOf::its_laws, {{"galilean", "relations.v"}}}, explains_none,
                 [](const Kinds& kinds) {
@@ -485,28 +529,28 @@ std::vector<Invariant> relation_invariants() {
                 }},
       Invariant{"translation", "The outcome does not depend on the position of the origin.",
                 R"(y(X + t, P + t) = y(X, P))", "homogeneity of space",
-                "valid collisions with positions rounded to a grid, so that the sum is exact", with_truth(),
+                "valid collisions with positions rounded to a grid, so that the sum is exact", with_one_answer(),
                 AboutRelation{ask_translation, check_translation},
                 Proof{ProvedOf::its_laws, {{"translation", "relations.v"}}}},
       Invariant{"rotation", "If the collision is rotated by 90°, the outcome is rotated by 90°.", R"(y(T x) = T y(x))",
-                "isotropy of space", "valid collisions, rotated about z and about x", with_truth(),
+                "isotropy of space", "valid collisions, rotated about z and about x", with_one_answer(),
                 AboutRelation{ask_rotation, check_rotation},
                 Proof{ProvedOf::its_laws, {{"rotation", "relations.v"}, {"answer_turned", "turned_descriptions.v"}}}},
       Invariant{"reflection_symmetry", "The outcome of a mirrored collision is the mirrored outcome.",
                 R"(y(M x) = M y(x))", "parity; angular velocities are axial vectors",
-                "valid collisions, mirrored in x = 0", with_truth(),
+                "valid collisions, mirrored in x = 0", with_one_answer(),
                 AboutRelation{ask_reflection_symmetry, check_reflection_symmetry},
                 Proof{ProvedOf::its_laws,
                       {{"reflection_symmetry", "relations.v"}, {"answer_mirrored", "turned_descriptions.v"}}}},
       Invariant{"unit_scaling", "The outcome does not depend on the units of mass, length and time.",
                 R"(y(2^a \mathrm{kg}, 2^b \mathrm{m}, 2^c \mathrm{s}) = y(\mathrm{kg}, \mathrm{m}, \mathrm{s}))",
-                "dimensional analysis; failure cases 21, 31", "valid collisions", with_truth(),
+                "dimensional analysis; failure cases 21, 31", "valid collisions", with_one_answer(),
                 AboutRelation{ask_unit_scaling, check_unit_scaling},
                 Proof{ProvedOf::its_laws, {{"unit_scaling", "relations.v"}}}},
       Invariant{"homogeneous", "If the velocities are multiplied by 3, the outcome is multiplied by 3.",
                 R"(y(k V) = k\, y(V),\ k = 3)",
                 "the laws are positively homogeneous in the velocities; failure cases 21, 38",
-                "valid collisions, velocities rounded to 50 bits", with_truth(),
+                "valid collisions, velocities rounded to 50 bits", with_one_answer(),
                 AboutRelation{ask_homogeneous, check_homogeneous},
                 Proof{ProvedOf::its_laws, {{"homogeneous", "relations.v"}}}},
       Invariant{"continuous",

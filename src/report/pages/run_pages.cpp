@@ -45,7 +45,8 @@ Document environment_part(const Run& run) {
                {"limit", limit_in_words(options.limits)},
                {"relations", options.relations_every > 0
                                  ? fmt::format("each is judged on every {}th case", options.relations_every)
-                                 : "each is judged on every case; for programs on every fourth case"},
+                                 : "each is judged on every case; under coulomb on every second one, for programs on "
+                                   "every fourth one"},
                {"judge", options.limits.filtered ? "exact arithmetic, and faster bounds if they decide the verdict"
                                                  : "only exact arithmetic (--exact)"},
                {"compiler", e.compiler},

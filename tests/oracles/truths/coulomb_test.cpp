@@ -63,16 +63,24 @@ void expect_lawful(const Collision& collision, const CoulombAnswer& answer) {
   EXPECT_LE(abs(Rational(friction.dot(friction) - limit * limit)), (limit * limit).times_power_of_two(-100));
 }
 
+constexpr double allowance_of_binary64 = 32 * 0x1p-53;
+
 /// Every collision has an answer, by a theorem (docs/guide/laws.md#coulomb).
 TEST(CoulombAnswers, ExistAndSatisfyTheLaw) {
   int slides = 0;
   int several = 0;
+  int certain = 0;
   for (const auto& [family, one] : unit::valid_cases(6)) {
-    if (ExactCase(one.collision).state() != ContactState::colliding) {
+    const ExactCase exact_case(one.collision);
+    if (exact_case.state() != ContactState::colliding) {
       continue;
     }
     const std::vector<CoulombAnswer> answers = coulomb_answers(lift(one.collision));
     EXPECT_GE(answers.size(), 1U) << family;
+    if (has_one_coulomb_answer(exact_case, allowance_of_binary64)) {
+      EXPECT_EQ(answers.size(), 1U) << family;
+      ++certain;
+    }
     EXPECT_TRUE(!one.convex_uniform || answers.size() == 1) << family;
     several += answers.size() > 1 ? 1 : 0;
     for (const CoulombAnswer& answer : answers) {
@@ -81,7 +89,19 @@ TEST(CoulombAnswers, ExistAndSatisfyTheLaw) {
     }
   }
   EXPECT_GT(slides, 30);
+  EXPECT_GT(certain, 60);
   RecordProperty("several", several);
+  RecordProperty("certain", certain);
+}
+
+/// If r × N = 0 for both bodies, friction does not change F_N.
+TEST(CoulombAnswers, AreCertainlyOneForCentralContactsAndNotIfThereAreThree) {
+  Collision central = ball_on_a_plane(100);
+  central.a.principal_inertia = {0.5, 0.25, 0.375};
+  for (const Collision& c : {ball_on_a_plane(100), central}) {
+    EXPECT_TRUE(has_one_coulomb_answer(ExactCase(c), allowance_of_binary64));
+  }
+  EXPECT_FALSE(has_one_coulomb_answer(ExactCase(unit::case_with_three_answers()), allowance_of_binary64));
 }
 
 TEST(CoulombAnswersDeathTest, NeedAContactThatApproaches) {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <carom/oracles/bounds/quantities.hpp>
-#include <carom/oracles/truths/coulomb.hpp>
+#include <carom/oracles/judge/coulomb_answers.hpp>
 #include <carom/oracles/truths/models.hpp>
 #include <carom/properties/gate/in_words.hpp>
 #include <carom/properties/gate/trial.hpp>
@@ -153,6 +153,56 @@ TEST(Permitted, OutcomesOfPermittedInputsPass) {
   }
   EXPECT_GT(seen.judged, 2000U);
   EXPECT_GT(seen.blind, 200U);
+}
+
+/// The collision with the friction at which its contact point just sticks, or the same collision if there is none.
+Collision at_end_of_sticking(Collision c) {
+  if (has_movable_body(c)) {
+    const Vector3<double> n = c.normal.stableNormalized();
+    const Vector3<double> f = oracles::colliding_truth(c, Law::sticking, oracles::Branch::only).impulse;
+    const double friction = f.cross(n).stableNorm() / n.dot(f);
+    c.friction = friction > 0 && friction < 1 ? friction : c.friction;
+  }
+  return c;
+}
+
+/// The answer is continuous, also where sticking ends and where the contact grazes.
+TEST(Permitted, CoulombAnswersMoveByAtMostTheirSensitivity) {
+  Stream stream = stream_from(34);
+  int judged = 0;
+  double farthest = 0;
+  for (const Family& family : all_families()) {
+    if (!family.is_valid) {
+      continue;
+    }
+    for (const Collision& drawn : cases_of(family, unit::effort(3), stream)) {
+      const Collision c = stream.chance(2) ? at_end_of_sticking(drawn) : drawn;
+      const ExactCase exact_case(c);
+      const double allowance = 32 * unit_roundoff(stream.chance(2) ? Precision::binary32 : Precision::binary64);
+      const auto sensitivity = oracles::has_one_coulomb_answer(exact_case, allowance)
+                                   ? oracles::coulomb_sensitivity(exact_case, allowance)
+                                   : std::nullopt;
+      if (!sensitivity) {
+        continue;
+      }
+      const Outcome<Rational> truth = answer_to(exact_case.exact(), Law::coulomb);
+      const Outcome<Rational> moved = answer_to(perturbed(stream, c, allowance), Law::coulomb);
+      const oracles::Sensitivity below = oracles::coulomb_sensitivity_below(exact_case);
+      for (const OutcomeVector k : all_outcome_vectors) {
+        const Vector3<Rational> change = *vectors(moved)[k] - *vectors(truth)[k];
+        const double length = std::sqrt(oracles::to_double(change.dot(change)));
+        EXPECT_LE(length, allowance * (*sensitivity)[k]) << family.name << ' ' << name_of(k) << '\n'
+                                                         << in_words(c, "  ");
+        EXPECT_LE(below[k], (*sensitivity)[k]) << family.name;
+        farthest = std::max(farthest, (*sensitivity)[k] > 0 ? length / (allowance * (*sensitivity)[k]) : 0);
+      }
+      ++judged;
+    }
+  }
+  EXPECT_GT(judged, 50);
+  EXPECT_GT(farthest, 0.05);
+  RecordProperty("judged", judged);
+  RecordProperty("farthest", std::to_string(farthest));
 }
 
 /// The ball is far from the origin. The permitted error is at most 20 times the largest change of the outcome by 400

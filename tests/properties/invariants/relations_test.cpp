@@ -9,15 +9,18 @@
 #include <carom/oracles/bounds/stage.hpp>
 #include <carom/properties/gate/trial.hpp>
 
+#include "support/cases.hpp"
 #include "support/exact.hpp"
 #include "support/known_collisions.hpp"
 
 namespace carom::properties {
 namespace {
 
-ExactAnswer answer_of_reflection(const Collision& c) {
-  return oracles::LiftedOutcome(unit::reported_outcome(oracles::ExactCase(c), Law::reflection));
+ExactAnswer answer_of(Law law, const Collision& c) {
+  return oracles::LiftedOutcome(unit::reported_outcome(oracles::ExactCase(c), law));
 }
+
+ExactAnswer answer_of_reflection(const Collision& c) { return answer_of(Law::reflection, c); }
 
 /// The verdict of `swap`, if the subject answers the collision rightly, and the swapped collision with
 /// `answer_to_swapped`.
@@ -38,29 +41,51 @@ TEST(Relations, HoldForTheSameBits) {
   EXPECT_EQ(oracles::decided_by_stage()[oracles::Stage::same_bits], before + 1);
 }
 
-/// The last answer is right, or all of its velocities are wrong.
-TEST(Relations, HoldForRightAnswersOnly) {
+/// Expects that the relations hold if all answers are right, and are violated if all velocities of the last answer have
+/// this error.
+void expect_right_answers_only(Law law, const Collision& collision, long double error) {
   for (const Invariant& invariant : all_invariants()) {
-    if (!invariant.asks()) {
+    if (!invariant.asks() || !invariant.claimed_for(law)) {
       continue;
     }
-    const Claim claim{Law::reflection, oracles::Yardstick::of(Precision::binary64), {&invariant}};
+    const Claim claim{law, oracles::Yardstick::of(Precision::binary64), {&invariant}};
     const auto status_if = [&](bool is_right) {
-      const JudgedCase one({unit::plain_collision()});
-      const std::size_t questions = Trial(one, claim, answer_of_reflection(one.generated().collision)).question_count();
+      const JudgedCase one({collision});
+      const std::size_t questions = Trial(one, claim, answer_of(law, collision)).question_count();
       std::size_t asked = 0;
       const auto solve = [&](const Collision& c) -> ExactAnswer {
-        ReportedOutcome outcome = unit::reported_outcome(oracles::ExactCase(c), Law::reflection);
+        ReportedOutcome outcome = unit::reported_outcome(oracles::ExactCase(c), law);
         if (asked++ == questions && !is_right) {
-          outcome = map_outcome<long double>(outcome, [](long double x) { return x + 1; });
+          outcome = map_outcome<long double>(outcome, [&](long double x) { return x + error; });
         }
         return oracles::LiftedOutcome(outcome);
       };
       return try_case(one, claim, solve).verdicts.at(0).verdict.status;
     };
-    EXPECT_EQ(status_if(true), Status::holds) << invariant.name;
-    EXPECT_EQ(status_if(false), Status::violated) << invariant.name;
+    EXPECT_EQ(status_if(true), Status::holds) << invariant.name << " of " << name_of(law);
+    EXPECT_EQ(status_if(false), Status::violated) << invariant.name << " of " << name_of(law);
   }
+}
+
+TEST(Relations, HoldForRightAnswersOnly) { expect_right_answers_only(Law::reflection, unit::plain_collision(), 1); }
+
+/// The ball slips, sticks, or is between both.
+TEST(Relations, OfCoulombHoldForRightAnswersOnly) {
+  for (const double friction : {0.125, 0.25, 1.0 / 6, 1.0 / 6 + 0x1p-52}) {
+    expect_right_answers_only(Law::coulomb, unit::ball_on_a_plane(0.5, friction), 1e-12L);
+  }
+}
+
+/// A right solver may give another of the answers to the related collision.
+TEST(Relations, OfCoulombAreNotJudgedIfThereAreSeveralAnswers) {
+  const Collision c = unit::case_with_three_answers();
+  const Claim claim{Law::coulomb, oracles::Yardstick::of(Precision::binary64), {invariant_named("swap")}};
+  const auto solve = [&](const Collision& asked) -> ExactAnswer {
+    const auto answers = oracles::coulomb_answers(oracles::ExactCase(asked));
+    return oracles::LiftedOutcome(map_outcome<long double>(answers.at(asked.normal == c.normal ? 0 : 1).truth.outcome,
+                                                           unit::rounded_to_binary64));
+  };
+  EXPECT_EQ(try_case(JudgedCase({c}), claim, solve).verdicts.at(0).verdict.status, Status::skipped);
 }
 
 TEST(Relations, AreSkippedIfTheSubjectSkipsOrDoesNotAnswer) {
