@@ -73,7 +73,21 @@ TEST_F(TimeCommand, MeasuresAnEngineAndWritesItsReports) {
                                  "first-bounce.svg", "../pages/bounce.md"}) {
     EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(out) / file)) << file << '\n' << run.errors;
   }
-  unit::expect_in(run_carom({"time", "scene", "--quick", "--phenomena", "slow-bounce"}).output, {"scene            0"});
+}
+
+TEST_F(TimeCommand, FindsTheEventsOfTheSimulationExact) {
+  const json record = json::parse(
+      run_carom({"time", "scene", "--quick", "--phenomena", "slow-bounce,spin", "--format", "json"}).output);
+  std::size_t judged = 0;
+  for (const json& measurement : record.at("engines").at(0).at("measurements")) {
+    for (const json& reading : measurement.at("readings")) {
+      for (const json& rung : reading.at("rungs")) {
+        ++judged;
+        EXPECT_LE(rung.at("greatest").get<double>(), rung.at("rounding").get<double>()) << reading.at("what");
+      }
+    }
+  }
+  EXPECT_EQ(judged, 62U) << "7 readings and 24, at two steps";
 }
 
 // What does not move is 300 % off a rebound at half the speed.

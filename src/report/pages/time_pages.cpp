@@ -120,7 +120,11 @@ Document engine_part(const TimedEngine& engine, double step) {
   List claims;
   for (const JudgedClaim& one : engine.claims) {
     claims.items.emplace_back(
-        fmt::format("claims {}: {}", one.claim, one.verdict.is_kept ? "kept" : "NOT KEPT: " + one.verdict.why));
+        fmt::format("claims {}: {}{}", one.claim,
+                    !one.is_judged        ? "not judged: "
+                    : one.verdict.is_kept ? "kept"
+                                          : "NOT KEPT: ",
+                    one.verdict.why));
   }
   Document document;
   const auto add_list = [&](const std::string& title, List list) {
@@ -198,6 +202,31 @@ Table phenomenon_table(const Phenomenon& phenomenon, const TimeRun& run) {
     row.cells.emplace_back(worths > 0 ? fmt::format("{:.2g}", worths) : no_number, "number");
     row.cells.emplace_back(worst != nullptr ? worst->what : no_number, "word");
     table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+/// The median errors of one phenomenon at the compared step: a row for each reading, a column for each engine.
+Table readings_table(const Phenomenon& phenomenon, const TimeRun& run) {
+  const double step = compared_step(run.ladder);
+  Table table{"Each reading at " + step_in_words(step), {{"reading"}}, {}};
+  for (const TimedEngine& engine : run.engines) {
+    const Measurement* const measurement = measurement_of(engine, phenomenon.name);
+    if (measurement == nullptr || measurement->readings.empty()) {
+      continue;
+    }
+    for (const MeasuredReading& reading : measurement->readings) {
+      const auto place = std::find_if(table.rows.begin(), table.rows.end(),
+                                      [&](const Row& row) { return row.cells[0].text == reading.what; });
+      Row& row = place != table.rows.end() ? *place : table.rows.emplace_back(Row{{Cell(reading.what)}});
+      const Rung* const rung = rung_at(reading, step);
+      row.cells.resize(table.columns.size(), Cell(no_number, "number"));
+      row.cells.emplace_back(rung == nullptr ? no_number : percent(rung->median, rung->rounding), "number");
+    }
+    table.columns.push_back({engine.name, true});
+  }
+  for (Row& row : table.rows) {
+    row.cells.resize(table.columns.size(), Cell(no_number, "number"));
   }
   return table;
 }
@@ -293,7 +322,9 @@ std::string time_junit(const TimeRun& run) {
     }
     for (const JudgedClaim& one : engine.claims) {
       const pugi::xml_node test = add_test("claim: " + one.claim);
-      if (!one.verdict.is_kept) {
+      if (!one.is_judged) {
+        add(test, "skipped", {{"message", one.verdict.why}});
+      } else if (!one.verdict.is_kept) {
         add(test, "failure", {{"message", one.verdict.why}, {"type", "violated"}});
       }
     }
@@ -312,9 +343,12 @@ std::string phenomenon_page(const Phenomenon& phenomenon, const TimeRun& run) {
     page +=
         fmt::format("\n![{}: the errors of the engines](../../charts/time/{}.svg)\n", phenomenon.name, picture.name());
   }
-  return page + fmt::format("\n{}\n\n{}\n`carom time` wrote this page on {}, on {}.\n",
-                            caption(compared_step(run.ladder)), markdown_table(phenomenon_table(phenomenon, run)),
-                            run.environment.date.substr(0, 10), run.environment.processor);
+  return page +
+         fmt::format(
+             "\n{}\n\n{}\nThe median error of each reading at {}:\n\n{}\n`carom time` wrote this page on {}, on {}.\n",
+             caption(compared_step(run.ladder)), markdown_table(phenomenon_table(phenomenon, run)),
+             step_in_words(compared_step(run.ladder)), markdown_table(readings_table(phenomenon, run)),
+             run.environment.date.substr(0, 10), run.environment.processor);
 }
 
 }  // namespace carom::report

@@ -180,7 +180,7 @@ Pixel Plot::name_ends(std::vector<Label> names, const Panel& panel) {
   Pixel at{panel.x.last_pixel + 2 * font_size_, panel.y.last_pixel};
   for (std::size_t i = 0; i < names.size(); ++i) {
     at.y = heights[i];
-    text_ += fmt::format("set arrow from screen {:.6f},{:.6f} to screen {:.6f},{:.6f} nohead lw 0.7 lc rgb '{}'\n",
+    text_ += fmt::format("set arrow from screen {:.6f},{:.6f} to screen {:.6f},{:.6f} nohead lw 0.7 dt 3 lc rgb '{}'\n",
                          names[i].names.x / width_, names[i].names.y / height_, (at.x - 4) / width_, at.y / height_,
                          names[i].colour);
     write(names[i].text, at, names[i].colour);

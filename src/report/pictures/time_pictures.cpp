@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -81,13 +82,24 @@ Axis axis_around(const std::vector<Line>& lines, std::vector<std::vector<double>
           last_pixel};
 }
 
-/// The name of each step on an axis of steps in a second.
-std::string tics_at(const std::vector<double>& steps) {
+/// A tic with its number at each of these steps in a second.
+std::string tics_at(const std::vector<double>& numbers) {
   std::string tics;
-  for (const double step : steps) {
-    tics += fmt::format("{0}\"{1:.4g}\" {1:.8g}", tics.empty() ? "" : ", ", 1 / step);
+  for (const double number : numbers) {
+    tics += fmt::format("{0}\"{1:.4g}\" {1:.8g}", tics.empty() ? "" : ", ", number);
   }
   return "set xtics (" + tics + ")";
+}
+
+/// The numbers of steps in a second that have a point, ascending.
+std::vector<double> steps_of(const std::vector<Line>& lines) {
+  std::set<double> steps;
+  for (const Line& line : lines) {
+    for (const std::vector<double>& point : line.by_step) {
+      steps.insert(point[0]);
+    }
+  }
+  return {steps.begin(), steps.end()};
 }
 
 Plot picture_of(const std::string& name, const std::string& title, const std::string& x_name,
@@ -149,10 +161,10 @@ std::vector<Plot> time_pictures(const properties::Phenomenon& phenomenon, const 
     return !lines.empty();
   };
   if (keep_lines(&Line::by_step)) {
-    const std::vector<double>& steps = run.ladder.steps;
+    const std::vector<double> steps = steps_of(lines);
     pictures.push_back(
         picture_of(name + "-step", name + ": error against the step", "steps in a second", lines, &Line::by_step,
-                   {0.8 / steps.front(), 1.25 / steps.back(), true, left_pixel, right_pixel}, tics_at(steps)));
+                   {0.8 * steps.front(), 1.25 * steps.back(), true, left_pixel, right_pixel}, tics_at(steps)));
   }
   if (keep_lines(&Line::by_time)) {
     const Axis x = axis_around(lines, &Line::by_time, 0, left_pixel, right_pixel);
