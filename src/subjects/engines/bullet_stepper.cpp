@@ -69,14 +69,6 @@ class World {
     }
   }
 
-  ~World() {
-    for (const auto& body : bodies_) {
-      world_.removeRigidBody(body.get());
-    }
-  }
-  World(const World&) = delete;
-  World& operator=(const World&) = delete;
-
   void step() { world_.stepSimulation(step_, 0); }
 
   [[nodiscard]] BodyState state(std::size_t i) const {
@@ -90,13 +82,13 @@ class World {
 
  private:
   double step_;
+  std::vector<std::unique_ptr<btCollisionShape>> shapes_;
+  std::vector<std::unique_ptr<btRigidBody>> bodies_;  // the world, which ends first, looks at them
   btDefaultCollisionConfiguration configuration_;
   btCollisionDispatcher dispatcher_{&configuration_};
   btDbvtBroadphase broadphase_;
   btSequentialImpulseConstraintSolver solver_;
   btDiscreteDynamicsWorld world_{&dispatcher_, &broadphase_, &solver_, &configuration_};
-  std::vector<std::unique_ptr<btCollisionShape>> shapes_;
-  std::vector<std::unique_ptr<btRigidBody>> bodies_;
 };
 
 }  // namespace
