@@ -213,6 +213,8 @@ constexpr Mutant mutants[]{
     {"coulomb_in_degrees", coulomb, "", "μ is taken for an angle in degrees", "slip_opposed", "friction_in_degrees"},
     {"coulomb_in_percent", coulomb, "", "μ is taken for a percentage", "slip_opposed", "friction_in_percent"},
     {"coulomb_left_out", coulomb, "", "friction is left out", "slip_opposed", "friction_left_out"},
+    {"coulomb_slow_slip_left", coulomb, "", "a slip slower than 10⁻¹⁶ m/s gets no friction",
+     "slip_opposed homogeneous unit_scaling", "slow_slip_left"},
     {"coulomb_after_normal", coulomb, "", "friction is computed once, after the normal impulse",
      "restitution slip_opposed", "friction_after_normal"},
     {"coulomb_before_normal", coulomb, "", "friction is computed once, before the normal impulse", "slip_opposed",

@@ -477,7 +477,10 @@ class Solver {
       constexpr double percent = 0.01;
       return contact.friction * percent;
     }
-    if (has("friction_left_out")) {
+    constexpr double slowest = 1e-16;  // the defect itself [m/s]
+    const bool is_left =
+        has("slow_slip_left") && across_normal(contact, relative_velocity(contact)).stableNorm() < slowest;
+    if (is_left || has("friction_left_out")) {
       return 0;
     }
     return has("friction_multiplied") ? contact.friction * contact.friction : contact.friction;
