@@ -34,11 +34,11 @@ std::vector<std::vector<std::uint64_t>> violated_cases(const SubjectResult& resu
   return all;
 }
 
-/// For each family, the number of judged sampled cases, the first of its sample.
-std::vector<std::uint64_t> judged_of(const SubjectResult& result) {
-  std::vector<std::uint64_t> judged;
+std::vector<JudgedSample> judged_of(const SubjectResult& result) {
+  std::vector<JudgedSample> judged;
   for (const FamilyResult& family : result.families) {
-    judged.push_back(result.error.empty() ? family.sampled : std::min(family.sampled, family.cases));
+    judged.push_back(
+        {result.error.empty() ? family.sampled : std::min(family.sampled, family.cases), family.skipped_cases});
   }
   return judged;
 }

@@ -191,9 +191,10 @@ class FaultSearch {
         }
       }
       std::ranges::set_difference(of_matrix, others, std::back_inserter(matrix_alone_[f]));
-      for (std::uint64_t index = 0; index < violations_.judged[f]; ++index) {
+      for (std::uint64_t index = 0; index < violations_.judged[f].first; ++index) {
         const bool collides =
-            is_valid(f, index) && report_.sampled[f][index].approach == oracles::ContactState::colliding;
+            violations_.judged[f].has(index) && is_valid(f, index) &&
+            report_.sampled[f][index].approach == oracles::ContactState::colliding;
         right += collides && !others.contains(index) ? 1 : 0;
       }
     }

@@ -6,6 +6,7 @@
 
 #include <carom/collision/expects.hpp>
 #include <carom/oracles/laws/kinematics.hpp>
+#include <carom/oracles/truths/coulomb.hpp>
 #include <carom/properties/diagnosis/friction.hpp>
 
 namespace carom::properties::diagnosis {
@@ -190,8 +191,7 @@ class CoulombSearch {
     if (!(least > 0)) {
       return std::nullopt;
     }
-    // ‖F_T‖ falls at least at the rate ‖F_T‖ / (greatest + ν), and μ F_n at most at μ ‖coupling‖ ‖F_T‖ / (least + ν).
-    const bool is_monotone = friction_ * coupling_.norm() * greatest < least;
+    const bool is_monotone = oracles::friction_feedback<Wide>(friction_, coupling_.norm(), least, greatest) < 1;
     const bool sticks = excess(0) <= 0;
     Wide from = 0;
     Wide to = 0;

@@ -112,7 +112,7 @@ class Sample {
       for (std::size_t i = 0; i < report.sampled[f].size(); ++i, ++number) {
         const SampledCase& one = report.sampled[f][i];
         const bool is_left_out = !violations.left_out.empty() && std::ranges::binary_search(violations.left_out[f], i);
-        if (!one.is_valid || i >= violations.judged[f] || is_left_out || !is_examined(i, violations.every)) {
+        if (!one.is_valid || !violations.judged[f].has(i) || is_left_out || !is_examined(i, violations.every)) {
           continue;
         }
         everything_.add(number);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -33,12 +34,22 @@ struct Where {
   Share all;                   // of the kind
 };
 
+/// The judged sampled cases of a family: the first ones of its sample, without those that the subject skipped.
+struct JudgedSample {
+  std::uint64_t first = 0;
+  std::vector<std::uint64_t> skipped = {};  // ascending
+
+  [[nodiscard]] bool has(std::uint64_t index) const {
+    return index < first && !std::binary_search(skipped.begin(), skipped.end(), index);
+  }
+};
+
 /// The violated cases of a run, or those of one fault. For each family, `violated` lists the numbers of violated
-/// sampled cases, ascending. `judged` counts the judged sampled cases, the first of each family's sample. `left_out`
-/// lists the numbers of cases that do not count, because it is not known whether they belong to the violated ones.
+/// sampled cases, ascending. `left_out` lists the numbers of cases that do not count, because it is not known whether
+/// they belong to the violated ones.
 struct Violations {
   std::vector<std::vector<std::uint64_t>> violated;
-  std::vector<std::uint64_t> judged;
+  std::vector<JudgedSample> judged;
   std::vector<std::vector<std::uint64_t>> left_out = {};
   std::uint64_t every = 1;
 };

@@ -38,8 +38,8 @@ struct Sampled {
     }
   }
 
-  [[nodiscard]] std::string words() const {
-    return in_words(where_violated(report, {violated, std::vector<std::uint64_t>(6, 600)}));
+  [[nodiscard]] std::string words(const JudgedSample& judged = {600}) const {
+    return in_words(where_violated(report, {violated, std::vector<JudgedSample>(6, judged)}));
   }
 };
 
@@ -55,6 +55,20 @@ TEST(Where, AllCollidingContactsAreNamedByTheirApproach) {
   unit::expect_in(
       Sampled([](const Collision&, auto approach) { return approach == oracles::ContactState::separating; }).words(),
       {"separating contacts"});
+}
+
+/// Half of the cases are skipped, and all others fail.
+TEST(Where, AShareIsOfTheJudgedCases) {
+  JudgedSample every_second{600};
+  for (std::uint64_t number = 0; number < 600; number += 2) {
+    every_second.skipped.push_back(number);
+  }
+  Sampled sampled([](const Collision&, auto approach) { return approach == colliding; });
+  for (std::vector<std::uint64_t>& numbers : sampled.violated) {
+    std::erase_if(numbers, [](std::uint64_t number) { return number % 2 == 0; });
+  }
+  unit::expect_in(sampled.words(every_second), {"in 100 % of the colliding contacts"});
+  EXPECT_EQ(sampled.words().find("in 100 %"), std::string::npos) << sampled.words();
 }
 
 TEST(Where, AFeatureOfEitherBodyIsFound) {
