@@ -2,12 +2,12 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <set>
 #include <utility>
 
-#include <carom/oracles/laws/mechanics.hpp>
 #include <carom/properties/diagnosis/explanation.hpp>
 #include <carom/properties/diagnosis/fits.hpp>
 #include <carom/properties/diagnosis/where.hpp>
@@ -19,7 +19,8 @@ using Together = std::vector<const Hypothesis*>;
 
 constexpr std::size_t most_found = 5;
 
-/// A replaced hypothesis may explain what is left, so it may be found again. After so many replacements it is not.
+/// A replaced hypothesis may explain the remaining answers, so it may be found again. After so many replacements, it is
+/// not.
 constexpr std::size_t most_left_out = 2;
 
 /// A hypothesis that explains fewer than one in so many wrong answers is an exception of another fault. If a subject
@@ -57,6 +58,12 @@ Together joined(const std::vector<Hypothesis>& found, const std::vector<std::siz
   return together;
 }
 
+Hypothesis any_impulses() {
+  return {"the impulse were another",
+          "the computation of the impulse",
+          {with_steps([](Steps& steps, const KnownCase&) { steps.freedom = Freedom::whole; })}};
+}
+
 /// At most `count` of the numbers, at equal distances.
 std::vector<std::size_t> spread(const std::vector<std::size_t>& numbers, std::size_t count) {
   std::vector<std::size_t> chosen;
@@ -69,9 +76,18 @@ std::vector<std::size_t> spread(const std::vector<std::size_t>& numbers, std::si
 
 class HypothesisSearch {
  public:
-  HypothesisSearch(std::span<const KnownCase> wrong, double unit_roundoff, std::vector<Hypothesis> known)
-      : wrong_(wrong.begin(), wrong.end()), unit_roundoff_(unit_roundoff), rest_(wrong.size()), known_(known.size()) {
+  HypothesisSearch(std::span<const KnownCase> wrong, double unit_roundoff, std::vector<Hypothesis> known,
+                   std::span<const KnownCase> right)
+      : wrong_(wrong.begin(), wrong.end()),
+        right_(right),
+        unit_roundoff_(unit_roundoff),
+        rest_(wrong.size()),
+        known_(known.size()),
+        applied_right_(wrong.size()) {
     std::iota(rest_.begin(), rest_.end(), std::size_t{0});
+    for (KnownCase& one : wrong_) {
+      one.tolerance = tolerance_of(one);
+    }
     explanation_.found = std::move(known);
     explanation_.by.resize(wrong.size());
   }
@@ -86,10 +102,14 @@ class HypothesisSearch {
           next = best(subsets_up_to(most == examined_counts.front() ? 2 : 1), most);
         }
       }
-      if (!next) {
+      std::vector<Hypothesis> added = next ? std::vector{std::move(*next)} : best_together();
+      if (added.empty()) {
         break;
       }
-      take_out(std::move(*next));
+      for (Hypothesis& hypothesis : added) {
+        explanation_.found.push_back(std::move(hypothesis));
+      }
+      take_out(added.size());
       leave_out_redundant();
       demand_agreement_within_rounding();
     }
@@ -114,7 +134,22 @@ class HypothesisSearch {
     for (KnownCase& one : wrong_) {
       one.most_distant = rounding_distance(one, unit_roundoff_);
       one.near = 0;
+      one.tolerance = tolerance_of(one);
     }
+  }
+
+  /// Whether some impulse gives the answer.
+  [[nodiscard]] bool is_applied_right_in(std::size_t number) {
+    std::optional<bool>& known = applied_right_[number];
+    if (!known) {
+      known = is_applied_right(wrong_[number]);
+    }
+    return *known;
+  }
+
+  [[nodiscard]] bool do_explain(const Together& together, std::size_t number) {
+    const bool is_application_kept = std::ranges::none_of(together, &Hypothesis::changes_application);
+    return (!is_application_kept || is_applied_right_in(number)) && explains(together, wrong_[number]);
   }
 
   /// The subsets of at most `most` found hypotheses.
@@ -129,9 +164,9 @@ class HypothesisSearch {
 
   /// The number of hypotheses that explain the case: this one and those of the first subset that suffices.
   [[nodiscard]] Fewest fewest_with(const Hypothesis& hypothesis, const std::vector<std::vector<std::size_t>>& subsets,
-                                   const KnownCase& one) const {
+                                   std::size_t number) {
     const auto found = std::find_if(subsets.begin(), subsets.end(), [&](const std::vector<std::size_t>& subset) {
-      return explains(joined(explanation_.found, subset, &hypothesis), one);
+      return do_explain(joined(explanation_.found, subset, &hypothesis), number);
     });
     return found == subsets.end() ? 0 : 1 + found->size();
   }
@@ -139,63 +174,101 @@ class HypothesisSearch {
   /// For each case of `looked_at`, how many hypotheses explain it, this one among them.
   [[nodiscard]] std::vector<Fewest> fitting(const Hypothesis& hypothesis,
                                             const std::vector<std::vector<std::size_t>>& subsets,
-                                            const std::vector<std::size_t>& looked_at) const {
+                                            const std::vector<std::size_t>& looked_at) {
     // A hypothesis that is right for a fifth misses 24 once in 211.
     const std::size_t most_missed_at_first = looked_at.size() / 2;
     std::vector<Fewest> fitted(looked_at.size());
     bool is_any = false;
     for (std::size_t i = 0; i < looked_at.size() && (is_any || i < most_missed_at_first); ++i) {
-      fitted[i] = fewest_with(hypothesis, subsets, wrong_[looked_at[i]]);
+      fitted[i] = fewest_with(hypothesis, subsets, looked_at[i]);
       is_any = is_any || fitted[i] > 0;
     }
     return fitted;
   }
 
-  /// The hypothesis with the fitted number that most of the cases show. None if no case shows one.
-  [[nodiscard]] std::optional<Hypothesis> most_frequent(Fit fit, const std::vector<std::vector<std::size_t>>& subsets,
-                                                        const std::vector<std::size_t>& looked_at) const {
+  /// The hypothesis with the fitted number that most of the cases show. None if no two cases show the same.
+  [[nodiscard]] std::optional<Hypothesis> most_frequent(const Fit& fit,
+                                                        const std::vector<std::vector<std::size_t>>& subsets,
+                                                        const std::vector<std::size_t>& looked_at) {
+    constexpr std::size_t most_fitted = 16;
     std::vector<double> values;
-    for (const std::size_t number : looked_at) {
+    for (const std::size_t number : spread(looked_at, most_fitted)) {
       for (const std::vector<std::size_t>& subset : subsets) {
         Steps steps = right_steps(wrong_[number]);
+        bool changes_application = fit.changes_application;
         const bool applies = std::ranges::all_of(subset, [&](std::size_t i) {
-          const Hypothesis& hypothesis = explanation_.found[i];
-          return hypothesis.mistakes.empty() || hypothesis.mistakes.front()(steps, wrong_[number]);
+          changes_application = changes_application || explanation_.found[i].changes_application;
+          return explanation_.found[i].mistakes.front()(steps, wrong_[number]);
         });
-        if (const auto value = applies ? fitted(fit, steps, wrong_[number]) : std::nullopt; value && *value != 0) {
-          values.push_back(*value);
+        if (applies && (changes_application || is_applied_right_in(number))) {
+          std::ranges::copy(fitted(fit, steps, wrong_[number]), std::back_inserter(values));
         }
       }
     }
+    const std::optional<double> number = most_alike(values);
+    std::optional<Hypothesis> hypothesis = number ? std::optional(with_number(fit, *number)) : std::nullopt;
+    constexpr std::size_t least_refuting = 50;  // one in so many
+    return hypothesis && hypothesis->is_limit && contradictions(*hypothesis) * least_refuting > right_.size()
+               ? std::nullopt
+               : hypothesis;
+  }
+
+  /// The number that most of the values share, to as many digits as they do. None if no two are alike.
+  static std::optional<double> most_alike(const std::vector<double>& values) {
     std::vector<double> most;
     for (const double value : values) {
       std::vector<double> alike;
       std::ranges::copy_if(values, std::back_inserter(alike), [&](double other) { return agree(value, other); });
       most = alike.size() > most.size() ? alike : most;
     }
-    if (most.empty() || (fit == Fit::length_of_impulse && is_exceeded(most.front(), most.size()))) {
+    if (most.size() < 2) {
       return std::nullopt;
     }
+    // Two neighbours that are nearest to each other have lost the fewest digits.
     std::ranges::sort(most);
-    return with_number(fit, most[most.size() / 2]);
+    double best = most[most.size() / 2];
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 1; i < most.size(); ++i) {
+      if (most[i] - most[i - 1] < least) {
+        least = most[i] - most[i - 1];
+        best = most[i];
+      }
+    }
+    return best;
   }
 
-  /// Whether more answers than `most` have longer impulses, so that the length is no limit.
-  [[nodiscard]] bool is_exceeded(double length, std::size_t most) const {
-    constexpr double clearly = 1.01;
-    const auto longer = std::ranges::count_if(wrong_, [&](const KnownCase& one) {
-      const Collision& c = one.collision;
-      return has_movable_body(c) &&
-             oracles::impulse_on_a(c, one.answered, oracles::reads_impulse_off_a(c)).stableNorm() > clearly * length;
-    });
-    return static_cast<std::size_t>(longer) > most;
+  /// The number of right answers to which the hypothesis gives a wrong one.
+  [[nodiscard]] std::size_t contradictions(const Hypothesis& hypothesis) const {
+    const auto gives_right = [&](const KnownCase& one) {
+      return std::ranges::any_of(hypothesis.mistakes, [&](const Mistake& mistake) {
+        KnownCase answered = one;
+        Steps steps = right_steps(one);
+        const auto outcome = mistake(steps, one) ? outcome_of(steps, one) : std::optional(one.truth);
+        answered.answered = outcome.value_or(one.truth);
+        return !is_visibly_off(answered, unit_roundoff_);
+      });
+    };
+    return right_.size() - static_cast<std::size_t>(std::ranges::count_if(right_, gives_right));
+  }
+
+  /// The number of the cases in which the hypothesis gives an answer other than the law's.
+  [[nodiscard]] std::size_t touched(const Hypothesis& hypothesis, const std::vector<std::size_t>& numbers) const {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        numbers, [&](std::size_t number) { return is_touched(hypothesis.mistakes.front(), number); }));
+  }
+
+  [[nodiscard]] bool is_touched(const Mistake& mistake, std::size_t number) const {
+    const KnownCase& one = wrong_[number];
+    Steps steps = right_steps(one);
+    const auto outcome = mistake(steps, one) ? outcome_of(steps, one) : std::nullopt;
+    return outcome && energy_distance(one.collision, *outcome, one.truth) > *one.tolerance;
   }
 
   /// The hypothesis that explains most of the remaining cases, alone or with one of the subsets of the found ones. Of
   /// two that explain as many, the one that needs fewer others.
   [[nodiscard]] std::optional<Hypothesis> best(const std::vector<std::vector<std::size_t>>& subsets,
-                                               std::size_t most_looked_at) const {
-    const std::vector<std::size_t> looked_at = spread(rest_, most_looked_at);
+                                               std::size_t most_looked_at) {
+    const std::vector<std::size_t> looked_at = of_every_approach(most_looked_at);
     std::optional<Hypothesis> best;
     std::pair most{static_cast<double>(least_violated) - 0.5, 0.0};
     const auto compare = [&](const Hypothesis& hypothesis, const std::vector<Fewest>& fitted) {
@@ -207,7 +280,10 @@ class HypothesisSearch {
       constexpr double worth_of_choice = 0.9;
       const std::pair worth{hypothesis.is_choice ? worth_of_choice * count : count,
                             -static_cast<double>(std::accumulate(fitted.begin(), fitted.end(), Fewest{0}))};
-      if (worth > most) {
+      const auto merit = [&](const Hypothesis& of) {
+        return std::pair(-static_cast<double>(contradictions(of)), touched(of, looked_at));
+      };
+      if (worth > most || (worth == most && merit(hypothesis) > merit(*best))) {
         best = hypothesis;
         most = worth;
       }
@@ -228,7 +304,7 @@ class HypothesisSearch {
       }
       compare(hypothesis, fitted);
     }
-    for (const Fit fit : all_fits) {
+    for (const Fit& fit : all_fits()) {
       if (const std::optional<Hypothesis> hypothesis = most_frequent(fit, subsets, looked_at)) {
         compare(*hypothesis, fitting(*hypothesis, subsets, looked_at));
       }
@@ -247,9 +323,9 @@ class HypothesisSearch {
 
   /// The first of the subsets that explains the case. Empty if none does.
   [[nodiscard]] std::vector<std::size_t> first_explaining(const std::vector<std::vector<std::size_t>>& subsets,
-                                                          const KnownCase& one) const {
+                                                          std::size_t number) {
     for (const std::vector<std::size_t>& subset : subsets) {
-      if (explains(joined(explanation_.found, subset, nullptr), one)) {
+      if (do_explain(joined(explanation_.found, subset, nullptr), number)) {
         return subset;
       }
     }
@@ -266,20 +342,115 @@ class HypothesisSearch {
     return cases;
   }
 
-  /// Adds the hypothesis, and takes out the cases that it explains alone or with others.
-  void take_out(Hypothesis next) {
-    const std::vector<std::vector<std::size_t>> subsets = subsets_of(explanation_.found.size());
-    explanation_.found.push_back(std::move(next));
+  /// Takes out the cases that the last `added` hypotheses explain, alone or with others.
+  void take_out(std::size_t added) {
+    const std::size_t size = explanation_.found.size();
+    std::vector<std::vector<std::size_t>> subsets = subsets_of(size);
+    std::erase_if(subsets, [&](const std::vector<std::size_t>& subset) {
+      return subset.empty() || subset.back() + added < size;
+    });
     std::erase_if(rest_, [&](std::size_t number) {
-      for (const std::vector<std::size_t>& subset : subsets) {
-        if (explains(joined(explanation_.found, subset, &explanation_.found.back()), wrong_[number])) {
-          explanation_.by[number] = subset;
-          explanation_.by[number].push_back(explanation_.found.size() - 1);
-          return true;
+      explanation_.by[number] = first_explaining(subsets, number);
+      return !explanation_.by[number].empty();
+    });
+  }
+
+  /// At most `count` of the remaining cases. A quarter does not collide, if there are so many.
+  [[nodiscard]] std::vector<std::size_t> of_every_approach(std::size_t count) const {
+    std::vector<std::size_t> colliding;
+    std::vector<std::size_t> others;
+    for (const std::size_t number : rest_) {
+      (wrong_[number].approach == oracles::ContactState::colliding ? colliding : others).push_back(number);
+    }
+    std::vector<std::size_t> chosen = spread(others, std::max(count / 4, count - std::min(count, colliding.size())));
+    std::ranges::copy(spread(colliding, count - chosen.size()), std::back_inserter(chosen));
+    std::ranges::sort(chosen);
+    return chosen;
+  }
+
+  /// Two hypotheses that explain many of the remaining cases only together. Empty if there are none.
+  [[nodiscard]] std::vector<Hypothesis> best_together() {
+    if (known_ > 0 || explanation_.found.size() + 2 > most_found || 5 * rest_.size() < wrong_.size()) {
+      return {};
+    }
+    std::vector<Hypothesis> both = with_wrong_application();
+    return both.empty() ? of_computation() : both;
+  }
+
+  /// A mistake in the application of impulses shows whatever the impulses are. The other mistake computes them.
+  [[nodiscard]] std::vector<Hypothesis> with_wrong_application() {
+    std::vector<std::size_t> applied_wrong;
+    for (const std::size_t number : of_every_approach(examined_counts.back())) {
+      if (!is_applied_right_in(number)) {
+        applied_wrong.push_back(number);
+      }
+    }
+    if (applied_wrong.size() < least_violated) {
+      return {};
+    }
+    explanation_.found.push_back(any_impulses());
+    std::vector<std::size_t> kept = std::exchange(rest_, applied_wrong);
+    const std::vector<std::vector<std::size_t>> with_any{{explanation_.found.size() - 1}};
+    std::optional<Hypothesis> applied = best(with_any, examined_counts.front());
+    explanation_.found.pop_back();
+    std::optional<Hypothesis> computed;
+    if (applied) {
+      explanation_.found.push_back(*applied);
+      computed = best({{explanation_.found.size() - 1}}, examined_counts.front());
+      explanation_.found.pop_back();
+    }
+    rest_ = std::move(kept);
+    return computed ? std::vector{*applied, *computed} : std::vector<Hypothesis>();
+  }
+
+  /// Two mistakes in the computation of the impulse. All pairs of hypotheses are tried on a few cases.
+  [[nodiscard]] std::vector<Hypothesis> of_computation() {
+    constexpr std::size_t most_probes = 3;
+    std::vector<std::size_t> applied_right;
+    for (const std::size_t number : of_every_approach(examined_counts.back())) {
+      if (is_applied_right_in(number)) {
+        applied_right.push_back(number);
+      }
+    }
+    const std::vector<std::size_t> looked_at = spread(applied_right, examined_counts.front());
+    std::vector<Hypothesis> best;
+    std::size_t most = std::max(least_alike, looked_at.size() / 4);
+    const auto compare = [&](const Hypothesis& first, const Hypothesis& second) {
+      const Together together{&first, &second};
+      std::size_t count = 0;
+      for (std::size_t i = 0; i < looked_at.size() && count + looked_at.size() - i > most; ++i) {
+        count += explains(together, wrong_[looked_at[i]]) ? 1 : 0;
+      }
+      if (count > most) {
+        most = count;
+        best = {first, second};
+      }
+    };
+    for (const std::size_t probe : spread(looked_at, most_probes)) {
+      std::vector<const Hypothesis*> touching;
+      for (const Hypothesis& hypothesis : all_hypotheses()) {
+        if (!hypothesis.is_choice && !hypothesis.changes_application &&
+            is_touched(hypothesis.mistakes.front(), probe)) {
+          touching.push_back(&hypothesis);
         }
       }
-      return false;
-    });
+      for (std::size_t i = 0; i < touching.size(); ++i) {
+        for (std::size_t j = i + 1; j < touching.size(); ++j) {
+          if (explains(Together{touching[i], touching[j]}, wrong_[probe])) {
+            compare(*touching[i], *touching[j]);
+          }
+        }
+        for (const Fit& fit : all_fits()) {
+          Steps steps = right_steps(wrong_[probe]);
+          if (!fit.changes_application && touching[i]->mistakes.front()(steps, wrong_[probe])) {
+            for (const double number : fitted(fit, steps, wrong_[probe])) {
+              compare(*touching[i], with_number(fit, number));
+            }
+          }
+        }
+      }
+    }
+    return best;
   }
 
   /// Leaves out a hypothesis if the others explain nearly all of its cases. An answer "as if the contact were ignored"
@@ -290,7 +461,7 @@ class HypothesisSearch {
       const std::vector<std::size_t> examined = spread(cases_of(h), most_examined);
       const std::vector<std::vector<std::size_t>> others = subsets_without(h);
       const auto explained = static_cast<std::size_t>(std::ranges::count_if(
-          examined, [&](std::size_t number) { return !first_explaining(others, wrong_[number]).empty(); }));
+          examined, [&](std::size_t number) { return !first_explaining(others, number).empty(); }));
       if (10 * explained >= 9 * examined.size()) {
         leave_out(h);
         return;
@@ -302,7 +473,7 @@ class HypothesisSearch {
     left_out_.insert(explanation_.found[hypothesis].as_if);
     const std::vector<std::vector<std::size_t>> others = subsets_without(hypothesis);
     for (const std::size_t number : cases_of(hypothesis)) {
-      explanation_.by[number] = first_explaining(others, wrong_[number]);
+      explanation_.by[number] = first_explaining(others, number);
       if (explanation_.by[number].empty()) {
         rest_.push_back(number);
       }
@@ -320,7 +491,7 @@ class HypothesisSearch {
   void explain_by_known() {
     const std::vector<std::vector<std::size_t>> all = subsets_without(std::nullopt);
     for (const std::size_t number : rest_) {
-      explanation_.by[number] = first_explaining(all, wrong_[number]);
+      explanation_.by[number] = first_explaining(all, number);
     }
   }
 
@@ -332,7 +503,7 @@ class HypothesisSearch {
       for (const std::vector<std::size_t>& other : all) {
         const auto is_missing = [&](std::size_t h) { return std::ranges::find(other, h) == other.end(); };
         if (other.size() == explanation_.by[i].size() && std::ranges::any_of(needed, is_missing) &&
-            explains(joined(explanation_.found, other, nullptr), wrong_[i])) {
+            do_explain(joined(explanation_.found, other, nullptr), i)) {
           std::erase_if(needed, is_missing);
         }
       }
@@ -341,21 +512,26 @@ class HypothesisSearch {
   }
 
   std::vector<KnownCase> wrong_;
+  std::span<const KnownCase> right_;
   double unit_roundoff_;                 // of the subject
   std::vector<std::size_t> rest_;        // the numbers of the cases that are not explained
   std::size_t known_;                    // so many of the found hypotheses were given
   std::multiset<std::string> left_out_;  // hypotheses that others replaced
+  std::vector<std::optional<bool>> applied_right_;
   Explanation explanation_;
 };
 
 }  // namespace
 
-Explanation explanation_of(std::span<const KnownCase> wrong, double unit_roundoff, std::vector<Hypothesis> known) {
-  return HypothesisSearch(wrong, unit_roundoff, std::move(known)).run();
+Explanation explanation_of(std::span<const KnownCase> wrong, double unit_roundoff, std::vector<Hypothesis> known,
+                           std::span<const KnownCase> right) {
+  return HypothesisSearch(wrong, unit_roundoff, std::move(known), right).run();
 }
 
 Hypothesis impulses_of_any_size() {
-  return {"the impulse had another size", "what the impulse depends on", {}, FittedLength{}};
+  return {"the impulse had another size",
+          "what the impulse depends on",
+          {with_steps([](Steps& steps, const KnownCase&) { steps.freedom = Freedom::length; })}};
 }
 
 }  // namespace carom::properties::diagnosis

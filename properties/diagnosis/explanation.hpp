@@ -23,8 +23,10 @@ struct Explanation {
 /// An answer that one hypothesis does not explain may have several of the mistakes. Precondition: the answers are
 /// visibly off. `known` are hypotheses about the subject that other evidence shows; they are the first of the found
 /// ones. After the first hypothesis, the next ones explain an answer only within rounding (`rounding_distance`).
+/// `right` are cases with right answers. Of two hypotheses that explain as many answers, the one wins that is wrong in
+/// fewer of them.
 [[nodiscard]] Explanation explanation_of(std::span<const KnownCase> wrong, double unit_roundoff,
-                                         std::vector<Hypothesis> known = {});
+                                         std::vector<Hypothesis> known = {}, std::span<const KnownCase> right = {});
 
 /// The size of the impulse is wrong in each answer, and its direction is right.
 [[nodiscard]] Hypothesis impulses_of_any_size();

@@ -10,7 +10,7 @@
 #include <carom/oracles/judge/coulomb_answers.hpp>
 #include <carom/oracles/laws/equations.hpp>
 #include <carom/properties/diagnosis/fault.hpp>
-#include <carom/properties/diagnosis/fits.hpp>
+#include <carom/properties/diagnosis/friction.hpp>
 #include <carom/properties/diagnosis/where.hpp>
 
 namespace carom::properties::diagnosis {
@@ -72,7 +72,6 @@ struct Shares {
   double across = 0;
   double restitution = 0;  // of the collision
   double computed_restitution = 0;
-  double length = 0;  // ‖F‖ as computed
 };
 
 /// Friction as computed. F_T and V_T are the parts of F and V across N.
@@ -174,47 +173,8 @@ Told told_of(const ViolatedCase& violated, Law law) {
   return {Step::impulse,
           Shares{oracles::nearest_double(c.normal.dot(computed)) / right_along,
                  norm(c.normal.cross(missed)) / length / std::max(norm(*right), norm(computed)),
-                 violated.one.collision.restitution, computed_restitution(c, after), norm(computed)},
+                 violated.one.collision.restitution, computed_restitution(c, after)},
           friction};
-}
-
-bool are_alike(const std::vector<double>& numbers) {
-  const auto [least, greatest] = std::minmax_element(numbers.begin(), numbers.end());
-  return *greatest - *least <= visible * std::max(std::abs(*least), std::abs(*greatest));
-}
-
-/// The one ε that all outcomes show, or the one number that all add to ε, in words. Otherwise empty.
-std::string restitution_in_words(const std::vector<Shares>& all) {
-  std::vector<double> added;
-  std::vector<double> computed;
-  for (const Shares& shares : all) {
-    added.push_back(shares.computed_restitution - shares.restitution);
-    computed.push_back(shares.computed_restitution);
-  }
-  if (all.size() < least_alike) {
-    return {};
-  }
-  if (are_alike(computed)) {
-    return fmt::format("The bodies separate as if ε were always {:.4g}", computed[0] + 0.0);  // −0 + 0 is 0
-  }
-  if (are_alike(added)) {
-    return fmt::format("The bodies separate as if {:.4g} were added to ε", added[0]);
-  }
-  return {};
-}
-
-/// The length that many impulses share, in words. Empty if there is none.
-std::string limit_in_words(const std::vector<Shares>& all) {
-  for (const Shares& one : all) {
-    const auto same = static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [&](const Shares& other) {
-      return std::abs(other.length - one.length) <= visible * visible * one.length;
-    }));
-    if (same >= std::max(least_alike, all.size() / 4)) {
-      return fmt::format("{} of {} wrong impulses are {:.4g} N s, as if this were a limit", same, all.size(),
-                         one.length);
-    }
-  }
-  return {};
 }
 
 /// The fault of friction in most of the outcomes, in words. Empty if there is none.
@@ -291,62 +251,24 @@ Words impulse_in_words(const std::vector<Shares>& all, const std::vector<Frictio
   });
   const std::string look_at =
       "the computation of the impulse: the relative velocity, K, the law, limits on any of these";
-  if (const std::string limit = limit_in_words(all); !limit.empty()) {
-    return {limit + '.', "limits on the impulse"};
-  }
   if (is_normal_right || (is_restitution_right && !frictions.empty())) {
     const std::string friction = friction_in_words(frictions);
     return {friction.empty() ? "The normal velocity after its impulse is right, and the tangential part is wrong."
                              : friction + '.',
             "friction: the slip V_T, what stops it, the limit μ F_n, the direction; " + look_at};
   }
-  if (const std::string restitution = restitution_in_words(all); !restitution.empty()) {
-    return {restitution + '.', "the source of the coefficient of restitution; " + look_at};
-  }
   const std::string tangential = across == 0 ? ", and its tangential part is right" : "";
   if (along.back() - along.front() < visible * std::abs(middle)) {
     return {fmt::format("The normal part of its impulse is {:.4g} times the right one{}.", middle, tangential),
             look_at};
   }
+  const auto shown = [](double x) { return std::abs(x) < visible ? 0 : x; };
   return {fmt::format("The normal part of its impulse is between {:.3g} and {:.3g} times the right one{}.",
-                      along.front(), along.back(), tangential),
+                      shown(along.front()), shown(along.back()), tangential),
           look_at};
 }
 
 }  // namespace
-
-/// Speeds that many wrong outcomes share and the law does not give, in words. Empty if there are none.
-std::string limits_in_words(std::span<const ViolatedCase> cases, Law law) {
-  struct Size {
-    OutcomeVector vector;
-    double computed;
-  };
-  std::vector<Size> sizes;  // those that the law does not give
-  for (const ViolatedCase& violated : cases) {
-    const std::optional<KnownCase> known = known_case(violated, law);
-    for (const OutcomeVector k : all_outcome_vectors) {
-      const double computed = known ? vectors(known->answered)[k]->norm() : 0;
-      if (computed > 0 && std::abs(computed - vectors(known->truth)[k]->norm()) > visible * computed) {
-        sizes.push_back({k, computed});
-      }
-    }
-  }
-  for (const Size& one : sizes) {
-    const bool is_spin =
-        one.vector == OutcomeVector::angular_velocity_of_a || one.vector == OutcomeVector::angular_velocity_of_b;
-    std::size_t alike = 0;
-    for (const Size& other : sizes) {
-      const bool of_same_kind = is_spin == (other.vector == OutcomeVector::angular_velocity_of_a ||
-                                            other.vector == OutcomeVector::angular_velocity_of_b);
-      alike += of_same_kind && std::abs(other.computed - one.computed) <= visible * visible * one.computed ? 1 : 0;
-    }
-    if (alike >= std::max(least_alike, cases.size() / 4)) {
-      return fmt::format("{} of the wrong {} are {:.6g} {}, as if this were a limit.", alike,
-                         is_spin ? "spins" : "speeds", one.computed, is_spin ? "rad/s" : "m/s");
-    }
-  }
-  return {};
-}
 
 std::vector<std::string> lines_of(const Fault& fault) {
   std::vector<std::string> lines{in_one_sentence(fault.what, fault.where)};
@@ -415,7 +337,6 @@ Fault fault_of(std::span<const ViolatedCase> cases, Law law) {
   count_of(Step::spin_of_both) += of_a + of_b;
   count_of(Step::spin_of_a) = count_of(Step::spin_of_b) = 0;
   const auto most = std::max_element(counts.begin(), counts.end());
-  const std::string limits = limits_in_words(cases, law);
   switch (static_cast<Step>(most - counts.begin())) {
     case Step::immovable_moved:
       return {"An immovable body's velocity or spin changes.", "the treatment of bodies of infinite mass"};
@@ -425,17 +346,11 @@ Fault fault_of(std::span<const ViolatedCase> cases, Law law) {
       return {"It does not change the velocities of colliding contacts.",
               "the condition for solving a contact: thresholds, sleeping bodies, filters"};
     case Step::reaction:
-      if (!limits.empty()) {
-        return {limits, "limits on the velocities"};
-      }
       return {"A does not gain the linear momentum that B loses.",
               "the application of the impulse to each body: masses, signs, other terms"};
     case Step::spin_of_both:
     case Step::spin_of_a:
     case Step::spin_of_b: {
-      if (!limits.empty()) {
-        return {limits, "limits on the angular velocity"};
-      }
       const char* const whose = of_b == 0 && of_a == *most ? " of A" : of_a == 0 && of_b == *most ? " of B" : "";
       return {fmt::format("The change of spin{} does not follow from the impulse: J Δw is not r × F.", whose),
               "the lever arms, the frame of the inertia tensor, fast paths for some inertias, other terms of the "
@@ -443,7 +358,7 @@ Fault fault_of(std::span<const ViolatedCase> cases, Law law) {
     }
     case Step::impulse: {
       const auto [what, look_at] = impulse_in_words(shares, frictions);
-      return limits.empty() ? Fault{what, look_at} : Fault{limits, "limits on the velocities; " + look_at};
+      return {what, look_at};
     }
     case Step::restitution:
       return {"The normal velocity after the impulse is not −ε N·V⁻.",

@@ -96,6 +96,20 @@ Fault fault_of_outcomes(const std::vector<ViolatedCase>& outcomes, Law law, cons
   return fault;
 }
 
+/// Whether the velocities of an immovable body change, but for a limit that shortens them.
+bool moves_immovable(const KnownCase& one) {
+  const auto is_shortened = [](const Vector3<double>& before, const Vector3<double>& after) {
+    constexpr double rounding = 0x1p-40;
+    const double share = after.stableNorm() / before.stableNorm();
+    return before == after || (share < 1 && (after - share * before).stableNorm() <= rounding * after.stableNorm());
+  };
+  const auto moves = [&](const Body& body, const BodyVelocity<double>& after) {
+    return body.immovable && !(is_shortened(body.velocity, after.velocity) &&
+                               is_shortened(body.angular_velocity, after.angular_velocity));
+  };
+  return moves(one.collision.a, one.answered.a) || moves(one.collision.b, one.answered.b);
+}
+
 struct CasePlace {
   std::size_t family;
   std::uint64_t index;
@@ -192,9 +206,8 @@ class FaultSearch {
       }
       std::ranges::set_difference(of_matrix, others, std::back_inserter(matrix_alone_[f]));
       for (std::uint64_t index = 0; index < violations_.judged[f].first; ++index) {
-        const bool collides =
-            violations_.judged[f].has(index) && is_valid(f, index) &&
-            report_.sampled[f][index].approach == oracles::ContactState::colliding;
+        const bool collides = violations_.judged[f].has(index) && is_valid(f, index) &&
+                              report_.sampled[f][index].approach == oracles::ContactState::colliding;
         right += collides && !others.contains(index) ? 1 : 0;
       }
     }
@@ -265,6 +278,7 @@ class FaultSearch {
     roundoff_ = unit_roundoff(precision);
     const std::optional<int> digits = report_.options.limits.digits;
     small_ = none();
+    of_immovable_ = none();
     for (std::size_t f = 0; f < result_.families.size(); ++f) {
       for (const SampledAnswer& answer : result_.families[f].sampled_answers) {
         if (answer.kind != AnswerKind::outcome || !is_valid(f, answer.index) || !is_examined(answer.index, every_) ||
@@ -280,7 +294,9 @@ class FaultSearch {
           known->near =
               few_errors * std::pow(10, -*digits) * energy_distance(known->collision, known->before, known->truth);
         }
-        if (known && is_visibly_off(*known, roundoff_)) {
+        if (known && moves_immovable(*known)) {
+          of_immovable_[f].push_back(answer.index);
+        } else if (known && is_visibly_off(*known, roundoff_)) {
           places_.push_back({f, answer.index});
           wrong_.push_back(*known);
         } else {
@@ -309,15 +325,42 @@ class FaultSearch {
     }
   }
 
+  /// Some sampled cases with right answers.
+  [[nodiscard]] std::vector<KnownCase> right_cases() const {
+    constexpr std::size_t most = 4;  // of a family
+    std::vector<KnownCase> right;
+    for (std::size_t f = 0; f < result_.families.size(); ++f) {
+      std::size_t count = 0;
+      for (std::uint64_t index = 0; index < violations_.judged[f].first && count < most; ++index) {
+        if (violations_.judged[f].has(index) && is_valid(f, index) &&
+            !std::ranges::binary_search(violations_.violated[f], index)) {
+          const Collision& collision = report_.sampled[f][index].collision;
+          if (auto known = known_case(collision, unchanged(collision), result_.subject.law)) {
+            known->answered = known->truth;
+            right.push_back(*known);
+            ++count;
+          }
+        }
+      }
+    }
+    return right;
+  }
+
   void add_outcomes() {
     add_narrow();
     examine_outcomes();
+    const bool moves = size_of(of_immovable_) >= least_violated;
+    if (moves) {
+      add({"An immovable body's velocity or spin changes.", "the treatment of bodies of infinite mass"}, of_immovable_,
+          every_);
+    }
     const bool has_state = violates(&Invariant::is_of_session);
     // State may change the size of each impulse, whatever the other faults.
     std::vector<Hypothesis> known = has_state ? std::vector{impulses_of_any_size()} : std::vector<Hypothesis>();
     const std::size_t first = known.size();
-    const Explanation explanation =
-        wrong_.size() < least_violated ? Explanation() : explanation_of(wrong_, roundoff_, std::move(known));
+    const Explanation explanation = wrong_.size() < least_violated
+                                        ? Explanation()
+                                        : explanation_of(wrong_, roundoff_, std::move(known), right_cases());
     CaseNumbers rest = none();
     for (std::size_t i = 0; i < explanation.by.size(); ++i) {
       const std::vector<std::size_t>& by = explanation.by[i];
@@ -339,9 +382,9 @@ class FaultSearch {
     if (add_state(rest, is_explained) || is_explained) {
       return;
     }
-    if (explanation.found.size() > first) {
+    if (explanation.found.size() > first || (moves && wrong_.size() >= least_violated)) {
       add_step(outcomes_of(rest), rest, every_);
-    } else {
+    } else if (!moves) {
       add_unexplained(rest);
     }
   }
@@ -383,11 +426,40 @@ class FaultSearch {
     if (hypothesis.needs_condition && !is_main && where.conditions.empty()) {
       return;
     }
+    if (number > 0 && !is_main && is_refuted(explanation, number, where)) {
+      return;
+    }
     Fault fault{fmt::format("It answers as if {}.", hypothesis.as_if), hypothesis.look_at};
     fault.cases = size_of(cases);
     fault.where = in_words(where);
     fault.witness = witness_in(size_of(alone) > 0 ? alone : cases);
     faults_.push_back(std::move(fault));
+  }
+
+  /// Whether a further hypothesis gives wrong answers to most of the cases in which it matters, and has no condition
+  /// that leaves them out.
+  [[nodiscard]] bool is_refuted(const Explanation& explanation, std::size_t number, const Where& where) const {
+    std::size_t with_it = 0;
+    std::size_t without_it = 0;
+    for (std::size_t i = 0; i < wrong_.size(); ++i) {
+      const std::vector<std::size_t>& by = explanation.by[i];
+      if (std::ranges::find(by, number) != by.end()) {
+        ++with_it;
+      } else if (!by.empty() && matters(explanation.found[number], wrong_[i])) {
+        ++without_it;
+      }
+    }
+    const bool is_condition_clear = !where.conditions.empty() && 2 * where.there.violated >= where.there.cases;
+    return with_it < without_it && !is_condition_clear;
+  }
+
+  /// Whether each mistake of the hypothesis gives an answer other than the law's.
+  [[nodiscard]] static bool matters(const Hypothesis& hypothesis, const KnownCase& one) {
+    return std::ranges::all_of(hypothesis.mistakes, [&](const Mistake& mistake) {
+      Steps steps = right_steps(one);
+      const auto outcome = mistake(steps, one) ? outcome_of(steps, one) : std::nullopt;
+      return outcome && energy_distance(one.collision, *outcome, one.truth) > tolerance_of(one);
+    });
   }
 
   /// Adds the fault that answers depend on earlier collisions. Returns whether there is one.
@@ -459,6 +531,7 @@ class FaultSearch {
   double roundoff_ = 0;            // of the subject
   std::uint64_t every_ = 1;        // one outcome in so many is examined
   CaseNumbers matrix_alone_;       // only invariants of the matrix are violated
+  CaseNumbers of_immovable_;       // an immovable body moves otherwise
   CaseNumbers small_;              // wrong outcomes that are not visibly off
   NarrowAnswers narrow_;           // the examined outcomes, unless the subject claims binary32
 };

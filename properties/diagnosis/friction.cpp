@@ -24,6 +24,7 @@ struct Numbers {
   Vector normal;                       // of length 1
   Wide approach = 0;                   // N·V⁻ / ‖N‖
   Vector slip;
+  Wide read_spin = 1;  // the factor of the spins in the slip
   Wide restitution = 0;
   Wide friction = 0;
   Wide tangential_restitution = 0;
@@ -37,7 +38,7 @@ Matrix cross_matrix(const Vector& r) {
   return matrix;
 }
 
-Numbers numbers_of(const Collision& collision, const FrictionSteps& steps, InverseInertia inverse) {
+Numbers numbers_of(const Collision& collision, const FrictionSteps& steps, const MatrixSteps& matrix) {
   const BasicCollision<Wide> c = map_numbers<Wide>(collision, [](double x) { return static_cast<Wide>(x); });
   Numbers of;
   of.normal = c.normal.stableNormalized();
@@ -45,20 +46,25 @@ Numbers numbers_of(const Collision& collision, const FrictionSteps& steps, Inver
   Vector by_read_spins = Vector::Zero();
   for (const auto* body : {&c.a, &c.b}) {
     const Wide sign = body == &c.a ? 1 : -1;
+    const auto factor = static_cast<Wide>(body == &c.a ? steps.spin_of_a : steps.spin_of_b);
     const Vector arm = oracles::lever_arm(*body, c.point);
     const Vector read = steps.has_arms_of_length_1 ? Vector(arm.stableNormalized()) : arm;
     by_spins += sign * body->angular_velocity.cross(arm);
-    by_read_spins += sign * body->angular_velocity.cross(read);
+    by_read_spins += sign * factor * body->angular_velocity.cross(read);
     if (!body->immovable) {
       of.inverse_mass += 1 / body->mass;
       const Matrix r = cross_matrix(arm);
-      of.by_turning -= r * inverse(*body) * r;
+      of.by_turning -= r * (body == &c.a ? matrix.inverse_of_a : matrix.inverse_of_b)(*body) * r;
     }
   }
-  of.k = of.by_turning + Matrix::Identity() * of.inverse_mass;
+  of.k = of.by_turning + Matrix::Identity() * (of.inverse_mass + static_cast<Wide>(matrix.added));
+  if (matrix.is_diagonal) {
+    of.k = Matrix(of.k.diagonal().asDiagonal());
+  }
+  of.read_spin = static_cast<Wide>(steps.spin_of_a == 1 ? steps.spin_of_b : steps.spin_of_a);
   const Vector of_centres = c.a.velocity - c.b.velocity;
   of.approach = of.normal.dot(of_centres + by_spins);
-  of.slip = across(of, of_centres + static_cast<Wide>(steps.spin) * by_read_spins);
+  of.slip = across(of, of_centres + by_read_spins);
   of.restitution = c.restitution;
   of.friction = c.friction;
   of.tangential_restitution = c.tangential_restitution;
@@ -141,7 +147,7 @@ Vector stopping(const Numbers& of, const FrictionSteps& steps, const Vector& sli
     case FrictionResponse::of_read_slip: {
       // If friction increases this slip, it never ends.
       constexpr Wide endless = 0x1p-200L;
-      const Wide response = of.inverse_mass + static_cast<Wide>(steps.spin) * along.dot(of.by_turning * along);
+      const Wide response = of.inverse_mass + of.read_spin * along.dot(of.by_turning * along);
       return -slip / std::max(response, endless * of.inverse_mass);
     }
     case FrictionResponse::by_matrix:
@@ -382,9 +388,9 @@ Matrix3<long double> inverse_inertia(const BasicBody<long double>& body) {
 bool has_friction(Law law) { return law == Law::sticking || law == Law::rough || law == Law::coulomb; }
 
 std::optional<Vector3<double>> impulse_by(const Collision& collision, Law law, const FrictionSteps& steps,
-                                          InverseInertia inverse) {
+                                          const MatrixSteps& matrix) {
   CAROM_EXPECTS(has_movable_body(collision));
-  const Numbers of = numbers_of(collision, steps, inverse);
+  const Numbers of = numbers_of(collision, steps, matrix);
   const bool is_of_one_pass =
       steps.order == FrictionOrder::after_normal || steps.order == FrictionOrder::of_slip_before ||
       steps.order == FrictionOrder::before_normal || steps.order == FrictionOrder::before_approach;

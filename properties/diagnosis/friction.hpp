@@ -51,8 +51,9 @@ struct FrictionSteps {
   FrictionLimit limit = FrictionLimit::cone;
   Tangents tangents = Tangents::beside_normal;
   FrictionResponse response = FrictionResponse::along_slip;
-  double stopped = 1;                 // the share of the slip that friction stops
-  double spin = 1;                    // the factor of the spins in the slip
+  double stopped = 1;    // the share of the slip that friction stops
+  double spin_of_a = 1;  // the factor of A's spin in the slip
+  double spin_of_b = 1;
   bool has_arms_of_length_1 = false;  // in the slip
 
   bool operator==(const FrictionSteps&) const = default;
@@ -64,12 +65,22 @@ using InverseInertia = Matrix3<long double> (*)(const BasicBody<long double>&);
 /// R diag(1/I) Rᵀ.
 [[nodiscard]] Matrix3<long double> inverse_inertia(const BasicBody<long double>& body);
 
+/// How a solver computes the collision matrix K, and J⁻¹ in both steps. The default makes no mistake.
+struct MatrixSteps {
+  InverseInertia inverse_of_a = inverse_inertia;
+  InverseInertia inverse_of_b = inverse_inertia;
+  double added = 0;  // to the diagonal [1/kg]
+  bool is_diagonal = false;
+
+  bool operator==(const MatrixSteps&) const = default;
+};
+
 /// Whether the law has a tangential impulse against the slip.
 [[nodiscard]] bool has_friction(Law law);
 
 /// The impulse on A [N s] of a solver that makes these mistakes, in the formula for a contact that collides. No value
 /// if there is none, or if `coulomb` has several answers. Preconditions: the collision is valid; a body is movable.
 [[nodiscard]] std::optional<Vector3<double>> impulse_by(const Collision& collision, Law law, const FrictionSteps& steps,
-                                                        InverseInertia inverse = inverse_inertia);
+                                                        const MatrixSteps& matrix = {});
 
 }  // namespace carom::properties::diagnosis

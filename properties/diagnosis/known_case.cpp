@@ -109,9 +109,9 @@ bool is_known(const oracles::Truth<oracles::Enclosure>& truth) {
   });
 }
 
-/// An upper bound of the growth of rounding errors, for which the impulse of `coulomb` in extended precision has a
-/// relative error below 2⁹ u · 2²⁰ ≤ 2⁻³⁴. Errors below 2⁻³³ are not visible.
-constexpr double most_growth_of_coulomb = 0x1p20;
+/// An upper bound of the growth of rounding errors, for which an impulse in extended precision has a relative error
+/// below 2⁹ u · 2²⁰ ≤ 2⁻³⁴. Errors below 2⁻³³ are not visible.
+constexpr double most_growth_of_quick = 0x1p20;
 
 std::optional<Vector3<double>> coulomb_impulse(const oracles::ExactCase& exact_case, oracles::ContactState as) {
   if (as != oracles::ContactState::colliding) {
@@ -119,11 +119,50 @@ std::optional<Vector3<double>> coulomb_impulse(const oracles::ExactCase& exact_c
   }
   const Collision& collision = exact_case.collision();
   const bool is_known = exact_case.state() == as && exact_case.is_moderate() &&
-                        oracles::growth_in_collision_matrix(collision) <= most_growth_of_coulomb;
+                        oracles::growth_in_collision_matrix(collision) <= most_growth_of_quick;
   return is_known ? impulse_by(collision, Law::coulomb, {}) : std::nullopt;
 }
 
+/// The sign of N·V⁻, if rounding does not decide it.
+std::optional<oracles::ContactState> clear_state(const Collision& collision) {
+  if (!has_movable_body(collision)) {
+    return oracles::ContactState::inert;
+  }
+  const BasicCollision<Wide> c = widened<Wide>(collision);
+  Wide approach = 0;
+  Wide terms = 0;
+  for (const auto* body : {&c.a, &c.b}) {
+    const Wide sign = body == &c.a ? 1 : -1;
+    const Vector3<Wide> arm = oracles::lever_arm(*body, c.point);
+    approach += sign * c.normal.dot(body->velocity + body->angular_velocity.cross(arm));
+    terms += c.normal.cwiseAbs().sum() *
+             (body->velocity.cwiseAbs().sum() +
+              2 * body->angular_velocity.cwiseAbs().sum() * (c.point.cwiseAbs() + body->position.cwiseAbs()).sum());
+  }
+  constexpr Wide rounding = 0x1p-50L;
+  if (!(std::abs(approach) > rounding * terms)) {
+    return std::nullopt;
+  }
+  return approach < 0 ? oracles::ContactState::colliding : oracles::ContactState::separating;
+}
+
+/// Whether extended precision gives the impulse well enough, and soon.
+bool is_quick(const Collision& collision, oracles::ContactState as) {
+  return as != oracles::ContactState::colliding ||
+         (!is_wide_slow && oracles::growth_in_collision_matrix(collision) <= most_growth_of_quick);
+}
+
+std::optional<Vector3<double>> quick_impulse(const Collision& collision, Law law, oracles::ContactState as) {
+  return as == oracles::ContactState::colliding ? impulse_by(collision, law, {})
+                                                : std::optional(Vector3<double>(Vector3<double>::Zero()));
+}
+
 }  // namespace
+
+oracles::ContactState state_of(const Collision& collision) {
+  const std::optional<oracles::ContactState> clear = clear_state(collision);
+  return clear ? *clear : oracles::ExactCase(collision).state();
+}
 
 bool is_linear(Law law) { return std::ranges::find(oracles::linear_laws, law) != oracles::linear_laws.end(); }
 
@@ -141,6 +180,10 @@ LawAnswer law_answer(const Collision& collision, Law law, std::optional<oracles:
 
 std::optional<Vector3<double>> law_impulse(const Collision& collision, Law law,
                                            std::optional<oracles::ContactState> approach) {
+  if (const std::optional<oracles::ContactState> clear = clear_state(collision);
+      clear && is_quick(collision, approach.value_or(*clear))) {
+    return quick_impulse(collision, law, approach.value_or(*clear));
+  }
   const oracles::ExactCase exact_case(collision);
   const oracles::ContactState as = approach.value_or(exact_case.state());
   // A scalar with the unit roundoff u makes fewer than 2⁹ roundings, which grow by this factor. So the relative error
@@ -174,19 +217,19 @@ std::optional<KnownCase> known_case(const ViolatedCase& violated, Law law) {
 
 std::optional<KnownCase> known_case(const Collision& collision, const Outcome<double>& answered, Law law) {
   std::optional<LawAnswer> answer;
-  if (law == Law::coulomb) {
-    if (const auto impulse = law_impulse(collision, law)) {
+  const std::optional<oracles::ContactState> clear = clear_state(collision);
+  const oracles::ContactState state = clear ? *clear : oracles::ExactCase(collision).state();
+  if (law == Law::coulomb || (law != Law::any && clear && is_quick(collision, state))) {
+    if (const auto impulse = law_impulse(collision, law, state)) {
       answer = {pushed(collision, *impulse), *impulse};
     }
   } else if (determines_outcome(law)) {
-    answer = law_answer(collision, law);
+    answer = law_answer(collision, law, state);
   }
   if (!answer) {
     return std::nullopt;
   }
-  return KnownCase{
-      collision,      law, oracles::ExactCase(collision).state(), unchanged(collision), answered, answer->outcome,
-      answer->impulse};
+  return KnownCase{collision, law, state, unchanged(collision), answered, answer->outcome, answer->impulse};
 }
 
 double energy_product(const Collision& collision, const Outcome<double>& x, const Outcome<double>& y) {
@@ -216,17 +259,26 @@ double energy_distance(const Collision& collision, const Outcome<double>& x, con
 }
 
 bool is_explained_by(const Outcome<double>& outcome, const KnownCase& one) {
+  // A limit of the outcome may also change the velocity of an immovable body.
   const auto agree_if_immovable = [](const Body& body, const BodyVelocity<double>& x, const BodyVelocity<double>& y) {
-    return !body.immovable || (x.velocity == y.velocity && x.angular_velocity == y.angular_velocity);
+    constexpr double rounding = 0x1p-40;
+    const auto agree = [&](const Vector3<double>& given, const Vector3<double>& one_of, const Vector3<double>& other) {
+      return one_of == other || (one_of != given && (one_of - other).stableNorm() <= rounding * other.stableNorm());
+    };
+    return !body.immovable || (agree(body.velocity, x.velocity, y.velocity) &&
+                               agree(body.angular_velocity, x.angular_velocity, y.angular_velocity));
   };
   if (!agree_if_immovable(one.collision.a, outcome.a, one.answered.a) ||
       !agree_if_immovable(one.collision.b, outcome.b, one.answered.b)) {
     return false;
   }
+  return energy_distance(one.collision, outcome, one.answered) <= (one.tolerance ? *one.tolerance : tolerance_of(one));
+}
+
+double tolerance_of(const KnownCase& one) {
   constexpr double small_share = 0x1p-10;  // rounding is less than this share of a visible error
   const double error = energy_distance(one.collision, one.truth, one.answered);
-  return energy_distance(one.collision, outcome, one.answered) <=
-         std::max(one.near, std::min(one.most_distant, small_share * error));
+  return std::max(one.near, std::min(one.most_distant, small_share * error));
 }
 
 bool is_visibly_off(const KnownCase& one, double unit_roundoff) {

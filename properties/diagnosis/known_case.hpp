@@ -23,8 +23,11 @@ struct LawAnswer {
 [[nodiscard]] LawAnswer law_answer(const Collision& collision, Law law,
                                    std::optional<oracles::ContactState> approach = {});
 
-/// The impulse of `law_answer`, with a relative error below 2⁻⁴³. It takes less time. Of `coulomb`, the relative error
-/// is below 2⁻³⁴; there is no value if the law has several answers, or if its answer cannot be computed so well.
+/// `ExactCase::state`, in less time where the sign of N·V⁻ is clear.
+[[nodiscard]] oracles::ContactState state_of(const Collision& collision);
+
+/// The impulse of `law_answer`, with a relative error below 2⁻³⁴. It takes less time. There is no value if `coulomb`
+/// has several answers, or if its answer cannot be computed so well.
 [[nodiscard]] std::optional<Vector3<double>> law_impulse(const Collision& collision, Law law,
                                                          std::optional<oracles::ContactState> approach = {});
 
@@ -39,7 +42,8 @@ struct KnownCase {
   Vector3<double> impulse;  // of the law, on A
   /// An outcome at a larger energy distance from the subject's does not explain it.
   double most_distant = std::numeric_limits<double>::infinity();
-  double near = 0;  // an outcome at this energy distance explains it; of answers with few digits
+  double near = 0;                       // an outcome at this energy distance explains it; of answers with few digits
+  std::optional<double> tolerance = {};  // the energy distance at which an outcome explains it, if it is known
 };
 
 /// No value if the collision is invalid, if the answer is not an outcome of finite numbers, or if the law determines no
@@ -59,6 +63,9 @@ struct KnownCase {
 /// Whether the outcome is near the subject's: within a thousandth of the subject's error and `most_distant`, or within
 /// `near`. An immovable body must have the same velocities.
 [[nodiscard]] bool is_explained_by(const Outcome<double>& outcome, const KnownCase& one);
+
+/// The energy distance at which an outcome explains the subject's answer.
+[[nodiscard]] double tolerance_of(const KnownCase& one);
 
 /// Whether the outcome is so far off that rounding with this unit roundoff cannot be the cause.
 [[nodiscard]] bool is_visibly_off(const KnownCase& one, double unit_roundoff);

@@ -17,6 +17,7 @@ struct Misreading {
   bool of_mechanics;  // whether both steps read it: mass, moments, orientation, lever arm
   void (*change)(Body& body, const Body& other, const Collision& collision);
   bool of_one_body_alone = false;  // misreading both bodies would change nothing
+  bool is_squared = false;         // the collision matrix shows nothing of it
 };
 
 constexpr double practically_infinite = 0x1p100;
@@ -39,6 +40,8 @@ const char* const moments = "the code that reads the moments of inertia, and the
 const char* const spin_terms = "the term w × r in the velocity of the contact point";
 
 const std::array misreadings{
+    Misreading{"{} could not rotate", "1/I: set to zero, or the rotational part of K is missing", true,
+               [](Body& b, const Body&, const Collision& c) { b.principal_inertia = infinite_moments(b, c.point); }},
     Misreading{"the lever arm of {} began at the world's origin", arms, true,
                [](Body& b, const Body&, const Collision&) { b.position.setZero(); }},
     Misreading{"the lever arm of {} were that of the other body", arms, true,
@@ -55,7 +58,7 @@ const std::array misreadings{
                  b.position = c.point - (c.point - b.position).stableNormalized();
                }},
     Misreading{"the lever arm of {} had the other sign", arms, true,
-               [](Body& b, const Body&, const Collision& c) { b.position = 2 * c.point - b.position; }},
+               [](Body& b, const Body&, const Collision& c) { b.position = 2 * c.point - b.position; }, false, true},
     Misreading{"the lever arm of {} were rotated into the body's frame", frames, true,
                [](Body& b, const Body&, const Collision& c) {
                  b.position = c.point - turned_by(oracles::conjugate(b.orientation), c.point - b.position);
@@ -72,6 +75,10 @@ const std::array misreadings{
                  const Quaternion<double> q = b.orientation;
                  b.orientation = {q[3], q[0], q[1], q[2]};
                }},
+    Misreading{
+        "the quaternion of {} were read in the order z, y, x, w", "the order of the quaternion's components: w first",
+        true,
+        [](Body& b, const Body&, const Collision&) { b.orientation = Quaternion<double>(b.orientation.reverse()); }},
     Misreading{"the quaternion of {} lost the sign of its w",
                "the sign of the quaternion: −q has the signs of all four numbers", true,
                [](Body& b, const Body&, const Collision&) { b.orientation[0] = std::abs(b.orientation[0]); }},
@@ -81,8 +88,6 @@ const std::array misreadings{
                  const double squared_length = b.orientation.squaredNorm();
                  b.principal_inertia /= squared_length * squared_length;
                }},
-    Misreading{"{} could not rotate", "1/I: set to zero, or the rotational part of K is missing", true,
-               [](Body& b, const Body&, const Collision& c) { b.principal_inertia = infinite_moments(b, c.point); }},
     Misreading{
         "each moment of {} were the mean of the three", moments, true,
         [](Body& b, const Body&, const Collision&) { b.principal_inertia.setConstant(b.principal_inertia.mean()); }},
@@ -95,6 +100,10 @@ const std::array misreadings{
                      return;
                    }
                  }
+               }},
+    Misreading{"each moment of {} were the greatest one", moments, true,
+               [](Body& b, const Body&, const Collision&) {
+                 b.principal_inertia.setConstant(b.principal_inertia.maxCoeff());
                }},
     Misreading{"each moment of {} were the first one", moments, true,
                [](Body& b, const Body&, const Collision&) { b.principal_inertia.setConstant(b.principal_inertia[0]); }},
@@ -123,14 +132,6 @@ const std::array misreadings{
                  const Vector3<double> given = b.principal_inertia;
                  b.principal_inertia = {given[2], given[0], given[1]};
                }},
-    Misreading{"the moments of {} were doubled", moments, true,
-               [](Body& b, const Body&, const Collision&) { b.principal_inertia *= 2; }},
-    Misreading{"the moments of {} were halved", moments, true,
-               [](Body& b, const Body&, const Collision&) { b.principal_inertia /= 2; }},
-    Misreading{"the moments of {} were multiplied by 10000, as kg cm² read as kg m²", moments, true,
-               [](Body& b, const Body&, const Collision&) { b.principal_inertia *= 1e4; }},
-    Misreading{"the moments of {} were divided by 10000, as kg m² read as kg cm²", moments, true,
-               [](Body& b, const Body&, const Collision&) { b.principal_inertia /= 1e4; }},
     Misreading{"{} had the lever arm, the moments and the orientation of the other body",
                "the body whose terms are read", true,
                [](Body& b, const Body& other, const Collision& c) {
@@ -153,8 +154,6 @@ const std::array misreadings{
                [](Body& b, const Body&, const Collision&) { b.mass = 1; }},
     Misreading{"the mass of {} were replaced by its inverse", "m in place of 1/m", true,
                [](Body& b, const Body&, const Collision&) { b.mass = 1 / b.mass; }},
-    Misreading{"the mass of {} were doubled", "the mass", true,
-               [](Body& b, const Body&, const Collision&) { b.mass *= 2; }},
     Misreading{"{} were immovable", "the test for immovable bodies: mass thresholds, sleeping bodies, flags", true,
                [](Body& b, const Body&, const Collision& c) {
                  b.mass *= practically_infinite;
@@ -210,8 +209,18 @@ const std::array misreadings{
                [](Body& b, const Body&, const Collision&) {
                  b.angular_velocity = turned_by(oracles::conjugate(b.orientation), b.angular_velocity);
                }},
-    Misreading{"the spin of {} in V⁻ were halved", spin_terms, false,
-               [](Body& b, const Body&, const Collision&) { b.angular_velocity /= 2; }},
+    Misreading{"the x component of the lever arm of {} were 0", arms, true,
+               [](Body& b, const Body&, const Collision& c) { b.position[0] = c.point[0]; }},
+    Misreading{"the x component of the spin of {} in V⁻ were 0", spin_terms, false,
+               [](Body& b, const Body&, const Collision&) { b.angular_velocity[0] = 0; }},
+    Misreading{"the y component of the lever arm of {} were 0", arms, true,
+               [](Body& b, const Body&, const Collision& c) { b.position[1] = c.point[1]; }},
+    Misreading{"the y component of the spin of {} in V⁻ were 0", spin_terms, false,
+               [](Body& b, const Body&, const Collision&) { b.angular_velocity[1] = 0; }},
+    Misreading{"the z component of the lever arm of {} were 0", arms, true,
+               [](Body& b, const Body&, const Collision& c) { b.position[2] = c.point[2]; }},
+    Misreading{"the z component of the spin of {} in V⁻ were 0", spin_terms, false,
+               [](Body& b, const Body&, const Collision&) { b.angular_velocity[2] = 0; }},
 };
 
 struct Who {
@@ -268,64 +277,124 @@ Matrix3<Wide> axes_of_unit_quaternion(const BasicBody<Wide>& body) {
   return axes;
 }
 
+Matrix3<Wide> inverse_by_unit_quaternion(const BasicBody<Wide>& b) {
+  return axes_of_unit_quaternion(b) * inverse_moments_of(b) * axes_of_unit_quaternion(b).transpose();
+}
+
+/// The same in a solver that does not turn the tensor of a sphere.
+Matrix3<Wide> inverse_by_unit_quaternion_but_of_spheres(const BasicBody<Wide>& b) {
+  return b.principal_inertia.minCoeff() == b.principal_inertia.maxCoeff() ? inverse_inertia(b)
+                                                                          : inverse_by_unit_quaternion(b);
+}
+
 /// Wrong formulas of J⁻¹ = R diag(1/I) Rᵀ, which both steps use.
 std::vector<Hypothesis> misread_inertia() {
-  const auto of = [](const char* as_if, const char* look_at, InverseInertia inverse) {
-    return Hypothesis{as_if, look_at, {[inverse](Steps& steps, const KnownCase&) {
-                        steps.inverse = inverse;
-                        steps.has_right_impulse = false;
-                        return true;
-                      }}};
-  };
   const char* const one_side = "the inverse inertia in world axes: R diag(1/I) Rᵀ";
   const char* const inverted = "I in place of 1/I; the inverse inertia in world axes is R diag(1/I) Rᵀ";
-  return {of("J⁻¹ were R diag(1/I)", one_side,
-             [](const BasicBody<Wide>& b) -> Matrix3<Wide> { return axes_of(b) * inverse_moments_of(b); }),
-          of("J⁻¹ were diag(1/I) R", one_side,
-             [](const BasicBody<Wide>& b) -> Matrix3<Wide> { return inverse_moments_of(b) * axes_of(b); }),
-          of("J⁻¹ were diag(1/I) Rᵀ", one_side,
-             [](const BasicBody<Wide>& b) -> Matrix3<Wide> { return inverse_moments_of(b) * axes_of(b).transpose(); }),
-          of("the matrix R were I + 2w [q] + 2 [q]² of a quaternion whose length is not 1",
-             "the orientation: normalise the quaternion",
-             [](const BasicBody<Wide>& b) -> Matrix3<Wide> {
-               return axes_of_unit_quaternion(b) * inverse_moments_of(b) * axes_of_unit_quaternion(b).transpose();
-             }),
-          of("J⁻¹ were R diag(I), with I in place of 1/I", inverted,
-             [](const BasicBody<Wide>& b) -> Matrix3<Wide> { return axes_of(b) * moments_of(b); }),
-          of("J⁻¹ were diag(I) R, with I in place of 1/I", inverted,
-             [](const BasicBody<Wide>& b) -> Matrix3<Wide> { return moments_of(b) * axes_of(b); })};
+  struct Formula {
+    const char* as_if;
+    const char* look_at;
+    InverseInertia inverse;
+    InverseInertia another = nullptr;
+  };
+  const std::array formulas{
+      Formula{"J⁻¹ of {} were R diag(1/I)", one_side,
+              [](const BasicBody<Wide>& b) -> Matrix3<Wide> { return axes_of(b) * inverse_moments_of(b); }},
+      Formula{"J⁻¹ of {} were diag(1/I) R", one_side,
+              [](const BasicBody<Wide>& b) -> Matrix3<Wide> { return inverse_moments_of(b) * axes_of(b); }},
+      Formula{"J⁻¹ of {} were diag(1/I) Rᵀ", one_side,
+              [](const BasicBody<Wide>& b) -> Matrix3<Wide> { return inverse_moments_of(b) * axes_of(b).transpose(); }},
+      Formula{"the matrix R of {} were I + 2w [q] + 2 [q]² of a quaternion whose length is not 1",
+              "the orientation: normalise the quaternion", inverse_by_unit_quaternion,
+              inverse_by_unit_quaternion_but_of_spheres},
+      Formula{"J⁻¹ of {} were R diag(I), with I in place of 1/I", inverted,
+              [](const BasicBody<Wide>& b) -> Matrix3<Wide> { return axes_of(b) * moments_of(b); }},
+      Formula{"J⁻¹ of {} were diag(I) R, with I in place of 1/I", inverted,
+              [](const BasicBody<Wide>& b) -> Matrix3<Wide> { return moments_of(b) * axes_of(b); }}};
+  std::vector<Hypothesis> all;
+  for (const Formula& formula : formulas) {
+    for (const Who& who : whom) {
+      Hypothesis& hypothesis = all.emplace_back(Hypothesis{filled(formula.as_if, who.name), formula.look_at, {}});
+      for (const InverseInertia inverse : {formula.inverse, formula.another}) {
+        if (inverse != nullptr) {
+          hypothesis.mistakes.push_back(with_steps([inverse, who](Steps& steps, const KnownCase&) {
+            steps.matrix.inverse_of_a = who.a ? inverse : steps.matrix.inverse_of_a;
+            steps.matrix.inverse_of_b = who.b ? inverse : steps.matrix.inverse_of_b;
+            steps.has_right_impulse = false;
+          }));
+        }
+      }
+    }
+  }
+  return all;
+}
+
+/// The velocity and the normal in the body's frame, and the lever arm and the spin in the world's. The second mistake
+/// also leaves J⁻¹ out of the change of spin.
+std::vector<Hypothesis> mixed_frames() {
+  std::vector<Hypothesis> all;
+  for (const Who& who : whom) {
+    const auto mixed = [who](bool has_inertia) {
+      return [who, has_inertia](Steps& steps, const KnownCase&) {
+        steps.has_right_impulse = false;
+        for (const bool is_a : {true, false}) {
+          Body& body = is_a ? steps.computed_from.a : steps.computed_from.b;
+          Body& struck = is_a ? steps.applied_to.a : steps.applied_to.b;
+          if (!(is_a ? who.a : who.b) || body.immovable) {
+            continue;
+          }
+          // In the world's frame, the solver turns the lever arm and the spin the other way.
+          body.position =
+              steps.computed_from.point - turned_by(body.orientation, steps.computed_from.point - body.position);
+          body.angular_velocity = turned_by(body.orientation, body.angular_velocity);
+          (is_a ? steps.has_turned_torque_of_a : steps.has_turned_torque_of_b) = true;
+          if (has_inertia) {
+            continue;
+          }
+          struck.principal_inertia.setOnes();
+        }
+      };
+    };
+    all.push_back(
+        {filled("the velocity and the normal were turned into the frame of {}, but not the lever arm and the spin",
+                who.name),
+         "the frames of v, w, r and N: all in the world's or all in the body's; J⁻¹ in the change of spin",
+         {with_steps(mixed(true)), with_steps(mixed(false))}});
+  }
+  return all;
 }
 
 }  // namespace
 
 std::vector<Hypothesis> misread_bodies() {
-  struct Step {
-    const char* where;
-    bool of_mechanics_alone;
-    Mistake (*mistake)(std::function<void(Collision&)> change);
-  };
-  constexpr std::array steps{Step{"", false, misread_as},
-                             Step{" in the computation of the impulse, which is applied correctly", true, computed_as},
-                             Step{" in the application of the impulse, which itself is right", true, applied_as}};
+  using enum Use;
+  static const std::vector<Use> uses_of_motion{computation};
+  static const std::vector<Use> uses_of_mechanics{everywhere, computation, application};
+  static const std::vector<Use> uses_of_arms{everywhere, computation, application, velocity, matrix};
   std::vector<Hypothesis> all;
   for (const Misreading& misreading : misreadings) {
-    for (const Step& step : steps) {
-      if (step.of_mechanics_alone && !misreading.of_mechanics) {
+    const bool is_of_arm = misreading.look_at == arms;
+    for (const Use use : is_of_arm ? uses_of_arms : (misreading.of_mechanics ? uses_of_mechanics : uses_of_motion)) {
+      if (use == matrix && misreading.is_squared) {
         continue;
       }
-      Hypothesis of_any{filled(misreading.as_if, "one body or both") + step.where, misreading.look_at, {}};
+      const char* const where = misreading.of_mechanics ? words_of(use) : "";
+      const bool is_applied = use == everywhere || use == application;
+      Hypothesis of_any{filled(misreading.as_if, "one body or both") + where, misreading.look_at, {}, is_applied};
       of_any.is_choice = true;
       for (const Who& who : whom) {
         if (!(who.a && who.b && misreading.of_one_body_alone)) {
-          const Mistake mistake = step.mistake([&misreading, who](Collision& c) { misread(c, misreading, who); });
-          all.push_back({filled(misreading.as_if, who.name) + step.where, misreading.look_at, {mistake}});
+          const Mistake mistake = misread_in(use, [&misreading, who](Collision& c) { misread(c, misreading, who); });
+          all.push_back({filled(misreading.as_if, who.name) + where, misreading.look_at, {mistake}, is_applied});
           of_any.mistakes.push_back(mistake);
         }
       }
       all.push_back(std::move(of_any));
     }
   }
-  std::ranges::move(misread_inertia(), std::back_inserter(all));
+  for (const auto part : {misread_inertia, mixed_frames}) {
+    std::ranges::move(part(), std::back_inserter(all));
+  }
   return all;
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
+#include <utility>
 
 #include <carom/properties/diagnosis/hypothesis.hpp>
 
@@ -43,17 +44,19 @@ std::vector<Mistake> with_tangents(FrictionLimit limit) {
 }
 
 /// The factor of the spins in the slip. Friction stops this slip in one pass, or as time goes on.
-std::vector<Mistake> with_spins(double factor) {
-  return {with_friction([factor](FrictionSteps& steps) { steps.spin *= factor; }),
-          with_friction([factor](FrictionSteps& steps) {
-            steps.spin *= factor;
-            steps.order = FrictionOrder::of_slip_before;
-          }),
-          with_friction([factor](FrictionSteps& steps) {
-            steps.spin *= factor;
-            steps.order = FrictionOrder::of_slip_before;
-            steps.response = FrictionResponse::of_read_slip;
-          })};
+std::vector<Mistake> with_spins(double of_a, double of_b) {
+  std::vector<Mistake> all;
+  for (const auto& [order, response] : {std::pair(FrictionOrder::together, FrictionResponse::along_slip),
+                                        std::pair(FrictionOrder::of_slip_before, FrictionResponse::along_slip),
+                                        std::pair(FrictionOrder::of_slip_before, FrictionResponse::of_read_slip)}) {
+    all.push_back(with_friction([of_a, of_b, order = order, response = response](FrictionSteps& steps) {
+      steps.spin_of_a *= of_a;
+      steps.spin_of_b *= of_b;
+      steps.order = order;
+      steps.response = response;
+    }));
+  }
+  return all;
 }
 
 Mistake with_response(FrictionResponse response, FrictionOrder order) {
@@ -69,8 +72,12 @@ std::vector<Hypothesis> misread_slip() {
       {"friction had the wrong sign, along the slip",
        "the sign of friction: it is against the slip V_T of A over B",
        {with_friction([](FrictionSteps& steps) { steps.stopped *= -1; })}},
-      {"the spin had the wrong sign in the slip, so that its friction has the wrong sign", spins, with_spins(-1)},
-      {"the spin were left out of the slip", spins, with_spins(0)},
+      {"the spin had the wrong sign in the slip, so that its friction has the wrong sign", spins, with_spins(-1, -1)},
+      {"the spin were left out of the slip", spins, with_spins(0, 0)},
+      {"the spin of A had the wrong sign in the slip", spins, with_spins(-1, 1)},
+      {"the spin of B had the wrong sign in the slip", spins, with_spins(1, -1)},
+      {"the spin of A were left out of the slip", spins, with_spins(0, 1)},
+      {"the spin of B were left out of the slip", spins, with_spins(1, 0)},
       {"the slip had w × r / ‖r‖, without the radius",
        "the slip V_T: its lever arm r has a length",
        {with_friction([](FrictionSteps& steps) { steps.has_arms_of_length_1 = true; })}},
@@ -159,6 +166,17 @@ std::vector<Hypothesis> misread_friction() {
   std::vector<Hypothesis> joined;
   for (const auto part : {misread_slip, misread_order, misread_limit, misread_friction_coefficient}) {
     std::ranges::move(part(), std::back_inserter(joined));
+  }
+  for (Hypothesis& hypothesis : joined) {
+    hypothesis.changes_application = false;
+    // A solver that computes friction otherwise has no e_t.
+    const std::vector<Mistake> with_restitution = hypothesis.mistakes;
+    for (const Mistake& mistake : with_restitution) {
+      hypothesis.mistakes.push_back([mistake](Steps& steps, const KnownCase& one) {
+        steps.computed_from.tangential_restitution = 0;
+        return steps.law == Law::rough && mistake(steps, one);
+      });
+    }
   }
   return joined;
 }

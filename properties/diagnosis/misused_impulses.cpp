@@ -18,6 +18,13 @@ Hypothesis with_factor(std::string as_if, std::string look_at, double (*factor)(
           }}};
 }
 
+Hypothesis dropped(char axis) {
+  return {std::string("the ") + axis + " component of the impulse were 0",
+          "the components of the impulse",
+          {with_steps([axis](Steps& steps, const KnownCase&) { steps.components[axis - 'x'] = 0; })},
+          false};
+}
+
 Mistake solved_twice(ApproachTest test) {
   return [test](Steps& steps, const KnownCase& one) {
     steps.is_solved_twice = true;
@@ -68,6 +75,9 @@ std::vector<Hypothesis> misused_impulses() {
       of_factors("B's velocity were changed in the wrong direction", "the sign of F/m for B", {1, 1, -1, 1}),
       of_factors("A's velocity were changed in the wrong direction", "the sign of F/m for A", {-1, 1, 1, 1}),
       of_factors("the impulse were applied twice", twice, {2, 2, 2, 2}),
+      dropped('x'),
+      dropped('y'),
+      dropped('z'),
       {"the impulse were applied twice, the second time for the new velocities",
        twice,
        {solved_twice(ApproachTest::right), solved_twice(ApproachTest::missing)}},

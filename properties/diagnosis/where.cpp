@@ -80,6 +80,17 @@ const char* usual_cause_from(double limit, const ComparedQuantity& quantity) {
          "the torque by each moment in the body's axes";
 }
 
+/// A solver lets a body sleep if both of its speeds are small.
+const ComparedQuantity slower_motion{
+    "the larger of the slower body's speed and spin [m/s, rad/s]", [](const Collision& c) {
+      double least = std::numeric_limits<double>::infinity();
+      for (const Body* body : {&c.a, &c.b}) {
+        const double size = std::max(body->velocity.stableNorm(), body->angular_velocity.stableNorm());
+        least = size > 0 ? std::min(least, size) : least;
+      }
+      return least;
+    }};
+
 /// The value of a kind, such as "solid_spheres".
 std::string in_plain_words(std::string_view value) {
   std::string words(value);
@@ -228,14 +239,16 @@ class Sample {
   /// cases far away do not move a limit. Adds the limits that all violated cases keep too.
   void add_sizes() {
     const std::span<const ComparedQuantity> quantities = all_compared_quantities();
-    for (std::size_t q = 0; q < quantities.size(); ++q) {
+    for (std::size_t q = 0; q <= quantities.size(); ++q) {
+      const ComparedQuantity& quantity = q < quantities.size() ? quantities[q] : slower_motion;
       std::vector<Sized> values;
       for_each([&](std::size_t number, const SampledCase& one) {
-        if (!std::isnan(one.quantities[q])) {
-          values.push_back({one.quantities[q], violated_.has(number), number});
+        const float size =
+            q < quantities.size() ? one.quantities[q] : static_cast<float>(std::log10(quantity.of(one.collision)));
+        if (std::isfinite(size)) {
+          values.push_back({size, violated_.has(number), number});
         }
       });
-      const ComparedQuantity& quantity = quantities[q];
       std::ranges::sort(values);
       add_limits(values, [&](double limit, CaseSet kept) {
         add(limit_in_words(quantity, "most", limit), Plainness::size, std::move(kept));
@@ -379,6 +392,7 @@ Where where_in(const Sample& sample, double left_out) {
       break;
     }
   }
+  where.there = where.all;
   const CaseSet of_kind = here;
   Where telling = where;
   Share now = where.all;  // of the cases that meet all conditions
@@ -412,6 +426,7 @@ Where where_in(const Sample& sample, double left_out) {
         greatest_chance) {
       break;
     }
+    where.there = of_best;
     where.conditions.push_back({best->words, best->usual_cause, share_of(of_kind & best->cases, sample)});
     has_sizes_alone = has_sizes_alone && best->plainness == Plainness::size;
     now = of_best;

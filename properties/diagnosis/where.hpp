@@ -32,6 +32,7 @@ struct Where {
   std::vector<Condition> conditions;
   std::uint64_t violated = 0;  // sampled cases in which something is violated
   Share all;                   // of the kind
+  Share there;                 // of the kind, where all conditions hold
 };
 
 /// The judged sampled cases of a family: the first ones of its sample, without those that the subject skipped.

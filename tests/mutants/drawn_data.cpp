@@ -272,6 +272,9 @@ DrawnDefect lever_arm_multiplied(Random& random) {
     defect.named_by +=
         fmt::format(" | spin & {0} & {1} & !relative | torque & {0} & {1}", c < 0 ? "%sign" : "%times", which.part);
   }
+  if (uses == in_matrix) {  // the square of the factor
+    defect.named_by += fmt::format(" | angular term & %times & {}", which.part);
+  }
   if (uses == in_velocity || (uses == in_impulse && c < 0)) {
     defect.named_by += fmt::format(" | spin & {} & {} & !changed", c < 0 ? "%sign" : "%times", which.part);
   }
@@ -345,7 +348,8 @@ DrawnDefect point_elsewhere(Random& random) {
 DrawnDefect normal_replaced(Random& random) {
   const int kind = static_cast<int>(random.below(3));
   constexpr std::array words{"points the other way", "joins the centres", "is the nearest axis"};
-  constexpr std::array names{"normal & %sign | test for approach & %sign | separating & solved", "normal & centres",
+  constexpr std::array names{"normal & %sign | test for approach & %sign | separating & solved",
+                             "normal & centres | normal & from B's centre to A's centre",
                              "normal & axis | normal & axes"};
   DrawnDefect defect{.words = fmt::format("the normal {}", words[static_cast<std::size_t>(kind)]),
                      .named_by = names[static_cast<std::size_t>(kind)]};

@@ -176,6 +176,9 @@ DrawnDefect tangential_impulse_multiplied(Random& random) {
   const char* how = c < 0 ? "%sign" : (c > 0 ? "%times" : "%none");
   DrawnDefect defect{.words = fmt::format("the tangential impulse is multiplied by {}", c),
                      .named_by = fmt::format("friction & {0} | tangential & {0} | tangential impulse & {0}", how)};
+  if (c < 0) {
+    defect.named_by += " | tangential & multiplied by -1";
+  }
   if (c == 0) {
     defect.named_by += " | law were frictionless";
   } else if (c > 0) {
@@ -254,7 +257,9 @@ DrawnDefect reaction_wrong(Random& random) {
   constexpr std::array words{"{} gets no impulse", "the impulse on {} has the wrong sign", "{} gets no torque"};
   const std::array names{
       fmt::format("{0} & no reaction | {0} & %none & impulse | {0} & immovable & !each | {0} & no impulse", body),
-      fmt::format("impulse & %sign & {0} | reaction & %sign & {0} | {0} & wrong direction & !spin", body),
+      fmt::format("impulse & %sign & {0} | reaction & %sign & {0} | {0} & wrong direction & !spin | "
+                  "{0} & pushed in the same direction",
+                  body),
       fmt::format("{0} & %none & spin | {0} & no torque | {0} & rotate | {0} & turn | {0} & lever arm & %none", body)};
   DrawnDefect defect{.words = fmt::format(fmt::runtime(words[static_cast<std::size_t>(kind)]), body),
                      .named_by = names[static_cast<std::size_t>(kind)]};
