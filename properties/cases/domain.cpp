@@ -222,7 +222,8 @@ namespace {
   std::vector<std::string_view> named;
   std::ranges::transform(domains, std::back_inserter(named), [](const NamedDomain& one) { return one.name; });
   throw std::invalid_argument(fmt::format(
-      "'{}' names no quantity; expected QUANTITY=LEAST:MOST with one of {}, KIND=VALUE with one of {}, or a domain: {}",
+      "'{}' names no quantity; expected QUANTITY=LEAST:MOST with one of {}, KIND=VALUE with one of {}, or a domain: {}; "
+      "commas join these",
       part, fmt::join(names, ", "), fmt::join(kind_names(), ", "), fmt::join(named, ", ")));
 }
 
@@ -241,13 +242,26 @@ void set_range_from(Domain& domain, LimitedQuantity quantity, std::string_view r
   set_range(domain, quantity, least, colon < range.size() ? end_from(range.substr(colon + 1)) : least);
 }
 
-/// Reads a list of ranges and kinds. Empty text stands for everything.
+/// Reads a list of ranges and kinds, and of a named domain, whose ranges the others replace. Empty text stands for
+/// everything.
 Domain domain_from_list(std::string_view text) {
-  Domain domain;
-  std::set<std::string_view> given;
+  std::vector<std::string_view> parts;
   for (std::size_t begin = 0; !text.empty() && begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
-    const std::string_view part = text.substr(begin, end - begin);
+    parts.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  Domain domain;
+  const auto is_named = [](std::string_view part) { return domain_named(part).has_value(); };
+  if (const auto named = std::find_if(parts.begin(), parts.end(), is_named); named != parts.end()) {
+    if (const auto other = std::find_if(named + 1, parts.end(), is_named); other != parts.end()) {
+      throw std::invalid_argument(fmt::format("expected one of the domains {} and {}", *named, *other));
+    }
+    domain = *domain_named(*named);
+    parts.erase(named);
+  }
+  std::set<std::string_view> given;
+  for (const std::string_view part : parts) {
     const std::size_t sign = std::min(part.find('='), part.size());
     const std::string_view name = part.substr(0, sign);
     const std::string_view limit = part.substr(std::min(sign + 1, part.size()));
@@ -261,7 +275,6 @@ Domain domain_from_list(std::string_view text) {
     } else {
       fail_unknown(part);
     }
-    begin = end + 1;
   }
   return domain;
 }
@@ -269,9 +282,6 @@ Domain domain_from_list(std::string_view text) {
 }  // namespace
 
 Domain domain_from(std::string_view text) {
-  if (const std::optional<Domain> named = domain_named(text)) {
-    return *named;
-  }
   if (!text.starts_with('{')) {
     return domain_from_list(text);
   }

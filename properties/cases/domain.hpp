@@ -100,8 +100,8 @@ void set_range(Domain& domain, LimitedQuantity quantity, std::optional<double> l
 
 /// Reads a domain. "size=0.1:10,mass_ratio=:100" lists the ranges that are not whole, and "restitution=0.5" permits one
 /// value. "plane=xy" limits a kind. {"size": [0.1, 10], "mass_ratio": [null, 100], "plane": "xy"} gives the same as
-/// JSON. "games" is the name of a shipped domain. Empty text stands for everything. Throws std::invalid_argument with
-/// the wrong part.
+/// JSON. "games" is the name of a shipped domain; in "games,speed=:50,plane=xy" the other parts replace its ranges.
+/// Empty text stands for everything. Throws std::invalid_argument with the wrong part.
 [[nodiscard]] Domain domain_from(std::string_view text);
 
 /// The text that `domain_from` reads back; "everything" if no range and no kind is limited.

@@ -122,8 +122,8 @@ CLI::Option* add_within(CLI::App& command, std::optional<properties::Domain>& do
   return add_domain_option(
       command, "--within", domain,
       "Draw every case into this domain: games, robotics, granular, everything, a JSON file, or ranges and kinds such "
-      "as size=0.1:10,bodies=spheres,movable=both,walls=resting,plane=xy (default: the domain that a program declares, "
-      "otherwise everything)");
+      "as size=0.1:10,bodies=spheres,movable=both,walls=resting,plane=xy, also together: games,plane=xy (default: the "
+      "domain that a program declares, otherwise everything)");
 }
 
 void add_deviates(CLI::App& command, std::vector<std::string>& deviates, const std::string& effect) {

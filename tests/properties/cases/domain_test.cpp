@@ -154,6 +154,8 @@ TEST(Domain, IsReadFromItsText) {
             domain_from("size=0.1:10,mass_ratio=:100"));
   EXPECT_EQ(domain_from(R"({"plane": "xy", "size": [0.1, 10]})"), domain_from("size=0.1:10,plane=xy"));
   EXPECT_EQ(domain_from("{}"), Domain());
+  EXPECT_EQ(domain_from("plane=xy,games,speed=:50"),
+            domain_from("size=0.1:10,speed=:50,distance=:500,friction=:1,plane=xy"));
 }
 
 TEST(Domain, NamesTheWrongPartOfAText) {
@@ -179,6 +181,7 @@ TEST(Domain, NamesTheWrongPartOfAText) {
       {"{\"plane\": \"x\"}", "plane: expected one of xy, yz, zx, found 'x'"},
       {"{\"plane\": [0, 1]}", "plane: expected one of xy, yz, zx, found '0:1'"},
       {"{\"size\": \"big\"}", "size: expected LEAST:MOST with finite numbers, found 'big'"},
+      {"games,robotics", "expected one of the domains games and robotics"},
       {"game", "'game' names no quantity; expected QUANTITY=LEAST:MOST"},
       {"{\"size\": [1]}", "/size: expected two numbers, the least and the greatest value"},
       {"{\"size\": [2, 1]}", "size: expected two numbers from 0 to infinity, the lesser first, found 2:1"},
