@@ -67,8 +67,8 @@ std::vector<Reading> read(const oracles::Fall& fall, const std::vector<Bounce>& 
   return readings;
 }
 
-PosedRun posed(const Directions& d, double step, unsigned phase, double share, double restitution, bool is_long) {
-  PosedRun run{step, phase, {on_the_floor(d), step, {}}, d.is_planar, {}};
+PosedRun posed(const Directions& d, double step, double share, double restitution, bool is_long) {
+  PosedRun run{step, {on_the_floor(d), step, {}}, {}};
   SteppedBody falling = ball(d, radius);
   falling.state.position = d.at(0, radius + height_of_fall(1, step, share));
   run.stepping.scene.restitution = restitution;
@@ -98,9 +98,9 @@ std::vector<PosedRun> runs(const Ladder& ladder, bool planar) {
   const Directions d = directions(planar);
   std::vector<PosedRun> all;
   const double shortest_long = ladder.steps[std::min<std::size_t>(ladder.steps.size(), 3) - 1];
-  each_phase(ladder, [&](double step, unsigned phase, double share) {
+  each_phase(ladder, [&](double step, double share) {
     for (const double restitution : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-      all.push_back(posed(d, step, phase, share, restitution, restitution == 1 && step >= shortest_long));
+      all.push_back(posed(d, step, share, restitution, restitution == 1 && step >= shortest_long));
     }
   });
   return all;

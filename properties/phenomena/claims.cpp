@@ -15,12 +15,12 @@
 namespace carom::properties {
 namespace {
 
-/// Reads a number > 0 from "0.5", or from "1/60" if it may be a fraction. 0 if the text is no such number.
+/// Reads a number > 0 from "0.5" or "1/60". 0 if the text is no such number.
 double positive_number(const std::string& text) {
   std::istringstream in(text);
   in.imbue(std::locale::classic());
   double x = 0;
-  in >> x;
+  in >> std::noskipws >> x;
   if (!in.eof() && in.peek() == '/') {
     double divisor = 0;
     in.get();
@@ -35,15 +35,22 @@ bool is_step(double step, double other) { return std::abs(step - other) <= 0x1p-
 
 }  // namespace
 
+std::optional<double> step_from(const std::string& text) {
+  const double step = positive_number(text);
+  return step >= least_step && step <= greatest_step ? std::optional(step) : std::nullopt;
+}
+
 TimeClaim time_claim_from(std::string_view text) {
   std::istringstream in{std::string(text)};
   const std::vector<std::string> words{std::istream_iterator<std::string>(in), {}};
   const bool has_form =
       words.size() == 6 && words[1] == "within" && words[2].back() == '%' && words[3] == "at" && words[5] == "s";
   const double percent = has_form ? positive_number(words[2].substr(0, words[2].size() - 1)) : 0;
-  const double step = has_form ? positive_number(words[4]) : 0;
-  if (percent == 0 || step == 0) {
-    throw std::invalid_argument(fmt::format("the claim '{}' is not written as 'bounce within 5% at 1/60 s'", text));
+  const std::optional<double> step = has_form ? step_from(words[4]) : std::nullopt;
+  if (percent == 0 || !step) {
+    throw std::invalid_argument(
+        fmt::format("the claim '{}' is not written as 'bounce within 5% at 1/60 s', with a step from {} to {} s", text,
+                    least_step, greatest_step));
   }
   std::vector<std::string> names;
   std::transform(all_phenomena().begin(), all_phenomena().end(), std::back_inserter(names),
@@ -52,7 +59,7 @@ TimeClaim time_claim_from(std::string_view text) {
     throw std::invalid_argument(
         fmt::format("the claim '{}' names no phenomenon{}", text, did_you_mean(words[0], names)));
   }
-  return {words[0], percent / 100, step};
+  return {words[0], percent / 100, *step};
 }
 
 ClaimVerdict verdict_of(const TimeClaim& claim, const Measurement& measurement) {

@@ -13,8 +13,8 @@ using namespace posing;
 
 constexpr double half_height = 0.25;
 
-PosedRun posed(const Directions& d, double step, unsigned phase, double share, double restitution, double degrees) {
-  PosedRun run{step, phase, {on_the_floor(d), step, {}}, d.is_planar, {}};
+PosedRun posed(const Directions& d, double step, double share, double restitution, double degrees) {
+  PosedRun run{step, {on_the_floor(d), step, {}}, {}};
   SteppedBody box = block(d, 1.2, 0.8, 2 * half_height, 1);
   const double half_angle = degrees * std::numbers::pi / 360;
   box.state.orientation[0] = std::cos(half_angle);
@@ -46,11 +46,11 @@ PosedRun posed(const Directions& d, double step, unsigned phase, double share, d
 std::vector<PosedRun> runs(const Ladder& ladder, bool planar) {
   const Directions d = directions(planar);
   std::vector<PosedRun> all;
-  each_phase(ladder, [&](double step, unsigned phase, double share) {
+  each_phase(ladder, [&](double step, double share) {
     for (const double restitution : {0.0, 0.5}) {
-      all.push_back(posed(d, step, phase, share, restitution, 0));
+      all.push_back(posed(d, step, share, restitution, 0));
       if (!planar) {
-        all.push_back(posed(d, step, phase, share, restitution, 30));
+        all.push_back(posed(d, step, share, restitution, 30));
       }
     }
   });

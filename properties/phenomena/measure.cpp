@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <iterator>
 #include <map>
@@ -30,10 +31,10 @@ std::vector<double> each(const std::vector<const Read*>& reads, F f) {
   return values;
 }
 
-double shift(const Read& read) { return (read.reading.measured - read.reading.right) / read.reading.scale; }
+double shift(const Reading& reading) { return (reading.measured - reading.right) / reading.scale; }
 
 Rung rung_of(double step, const std::vector<const Read*>& reads) {
-  const auto errors = each(reads, [](const Read& read) { return std::abs(shift(read)); });
+  const auto errors = each(reads, [](const Read& read) { return std::abs(shift(read.reading)); });
   const auto worths = each(reads, [](const Read& read) {
     const Reading& one = read.reading;
     return one.step_worth > 0 ? std::abs(one.measured - one.right) / one.step_worth : 0.0;
@@ -48,7 +49,7 @@ Rung rung_of(double step, const std::vector<const Read*>& reads) {
           *std::max_element(worths.begin(), worths.end()),
           *std::max_element(roundings.begin(), roundings.end()),
           median(each(reads, [](const Read& read) { return read.reading.right / read.reading.scale; })),
-          median(each(reads, shift))};
+          median(each(reads, [](const Read& read) { return shift(read.reading); }))};
 }
 
 /// The readings in the order in which they were first read, with the rungs in the order of the ladder.
@@ -132,6 +133,27 @@ SteppingAnswer checked(SteppingAnswer answer, const Stepping& stepping) {
   return answer;
 }
 
+Stepper::Session patient(Stepper::Session session, std::stop_token stop, double lost) {
+  using Clock = std::chrono::steady_clock;
+  constexpr double most_lost = 180;  // [s]: a program that always hangs would take hours
+  return
+      [session = std::move(session), stop = std::move(stop), lost](const Stepping& stepping) mutable -> SteppingAnswer {
+        const Clock::time_point start = Clock::now();
+        if (!stop.stop_requested() && lost < most_lost) {
+          SteppingAnswer answer = session(stepping);
+          if (!std::holds_alternative<Failed>(answer)) {
+            return answer;
+          }
+          lost += std::chrono::duration<double>(Clock::now() - start).count();
+          if (!stop.stop_requested()) {
+            return answer;
+          }
+        }
+        return Skipped{stop.stop_requested() ? "the measurement was interrupted"
+                                             : "runs that failed took three minutes before"};
+      };
+}
+
 std::optional<double> fitted_order(std::span<const Rung> rungs) {
   std::vector<std::pair<double, double>> points;
   for (const Rung& rung : rungs) {
@@ -187,6 +209,10 @@ Measurement measure(const Phenomenon& phenomenon, const Stepper& stepper, Steppe
       const auto& states = std::get<SteppedStates>(answer);
       seconds[run.step].push_back(states.seconds / static_cast<double>(steps_of(run.stepping)));
       for (Reading& reading : run.read(states)) {
+        if (!std::isfinite(shift(reading))) {
+          note(result.unanswered, "no number can be read off the states: " + reading.what, true, run.step);
+          continue;
+        }
         const double rounding = rounding_of(reading, run.stepping, stepper.precision);
         reads.push_back({run.step, std::move(reading), rounding});
       }

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,9 @@ struct Measurement {
   std::vector<Unanswered> unanswered;
   unsigned runs = 0;  // posed, answered or not
 };
+
+/// The session, which skips each run after a request to stop, or once failed runs took three minutes.
+[[nodiscard]] Stepper::Session patient(Stepper::Session session, std::stop_token stop, double lost = 0);
 
 /// Poses the runs of the phenomenon. After three failures one after the other, the other runs are not asked.
 [[nodiscard]] Measurement measure(const Phenomenon& phenomenon, const Stepper& stepper, Stepper::Session& session,

@@ -11,6 +11,7 @@ using namespace posing;
 
 constexpr double radius = 0.1;
 constexpr double diameter = 2 * radius;
+constexpr double thickness = radius;  // of the wall
 constexpr double restitution = 0.5;
 
 struct Shot {
@@ -19,8 +20,8 @@ struct Shot {
   bool is_continuous;
 };
 
-PosedRun posed(const Directions& d, double step, unsigned phase, double share, const Shot& shot) {
-  PosedRun run{step, phase, {}, d.is_planar, {}};
+PosedRun posed(const Directions& d, double step, double share, const Shot& shot) {
+  PosedRun run{step, {}, {}};
   const double speed = shot.diameters * diameter / step;
   const double path = shot.diameters * diameter * (3 + share);
   SteppedBody shell = ball(d, radius);
@@ -28,9 +29,9 @@ PosedRun posed(const Directions& d, double step, unsigned phase, double share, c
   SteppedBody target = ball(d, radius);
   if (shot.at_wall) {
     shell.state.position = -(path + radius) * d.right;
-    target = block(d, radius, 4, 4, 1);
+    target = block(d, thickness, 4, 4, 1);
     target.is_fixed = true;
-    target.state.position = radius / 2 * d.right;
+    target.state.position = thickness / 2 * d.right;
   } else {
     // Both have half the speed. They meet in the middle.
     shell.state.velocity /= 2;
@@ -45,7 +46,8 @@ PosedRun posed(const Directions& d, double step, unsigned phase, double share, c
                          (shot.is_continuous ? ", continuous" : "");
   run.read = [d, at, at_wall = shot.at_wall, before = d.right.dot(shell.state.velocity)](const SteppedStates& states) {
     const std::vector<BodyState>& now = states.states.at(0);
-    const double beyond = d.right.dot(now[1].position) - (at_wall ? 0.0 : d.right.dot(now[0].position));
+    // The far face of the wall, or the centre of the other sphere.
+    const double beyond = d.right.dot(now[1].position) - (at_wall ? thickness : d.right.dot(now[0].position));
     return std::vector{reading("passes" + at, "", beyond > 0 ? 1 : 0, {}, 1, 0, 0),
                        reading("velocity after" + at, "m/s", d.right.dot(now[1].velocity), {-restitution * before, 0},
                                before, 0, before)};
@@ -59,11 +61,11 @@ std::vector<PosedRun> runs(const Ladder& ladder, bool planar) {
   // The answer depends on the diameters a step and hardly on the step.
   Ladder longest = ladder;
   longest.steps.resize(std::min<std::size_t>(ladder.steps.size(), 2));
-  each_phase(longest, [&](double step, unsigned phase, double share) {
+  each_phase(longest, [&](double step, double share) {
     for (const double diameters : {0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0}) {
       for (const bool at_wall : {true, false}) {
         for (const bool is_continuous : {false, true}) {
-          all.push_back(posed(d, step, phase, share, {diameters, at_wall, is_continuous}));
+          all.push_back(posed(d, step, share, {diameters, at_wall, is_continuous}));
         }
       }
     }
@@ -83,8 +85,8 @@ Phenomenon pass_through() {
       "diameters. They meet in the fourth step, at each phase. Continuous detection is off and on. The two longest "
       "steps are measured. The plane has discs.",
       "The sphere does not pass, and leaves at −ε v. Source: Newton's law of restitution.",
-      "Whether the sphere is beyond the wall or the other sphere (1) or not (0), and its velocity, relative to the "
-      "velocity before, 0.02 s after the impact and at least 6 steps after it.",
+      "Whether the sphere's centre is beyond the far face of the wall or the other sphere's centre (1) or not (0), and "
+      "its velocity, relative to the velocity before, 0.02 s after the impact and at least 6 steps after it.",
       "Nothing explains an error but rounding, because the sphere is as fast at the end of a step as at the impact.",
       runs};
 }

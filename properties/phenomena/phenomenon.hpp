@@ -25,10 +25,8 @@ struct Reading {
 
 /// A scene, posed with a step and a phase, and how its answer is read.
 struct PosedRun {
-  double step = 0;     // h [s]
-  unsigned phase = 0;  // the impact happens phase/phases of a step after the end of a step
+  double step = 0;  // h [s]
   Stepping stepping;
-  bool is_planar = false;  // the scene lies in the plane z = 0, with a sphere for a disc and a box for a rectangle
   std::function<std::vector<Reading>(const SteppedStates&)> read;
 };
 
@@ -53,7 +51,7 @@ struct Phenomenon {
   std::string_view answer;    // the equation, with its source
   std::string_view measured;  // what is read off the states
   std::string_view yardstick;
-  /// The runs for a ladder. A planar stepper gets only those that are planar.
+  /// The runs for a ladder. A planar stepper gets only scenes in the plane z = 0, with discs and rectangles.
   std::vector<PosedRun> (*runs)(const Ladder& ladder, bool planar);
 };
 

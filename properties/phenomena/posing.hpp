@@ -56,15 +56,19 @@ struct Reported {
 [[nodiscard]] Reported reported_at(const SteppedStates& states, const std::vector<std::uint64_t>& report, double time,
                                    double step);
 
-/// Calls f(step, phase, share of a step) for each step of the ladder and each phase.
+/// Calls f(step, share of a step) for each step of the ladder and each phase.
 template <class F>
 void each_phase(const Ladder& ladder, F f) {
   for (const double step : ladder.steps) {
     for (unsigned phase = 0; phase < ladder.phases; ++phase) {
-      f(step, phase, static_cast<double>(phase) / static_cast<double>(ladder.phases));
+      f(step, static_cast<double>(phase) / static_cast<double>(ladder.phases));
     }
   }
 }
+
+/// The run posed(directions, step) for each step of the ladder.
+[[nodiscard]] std::vector<PosedRun> at_each_step(const Ladder& ladder, bool planar,
+                                                 PosedRun (*posed)(const Directions& d, double step));
 
 /// A height near `height`. A fall from it takes a whole number of steps and the share of one.
 [[nodiscard]] double height_of_fall(double height, double step, double share);

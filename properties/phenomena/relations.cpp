@@ -131,6 +131,7 @@ std::variant<SteppedStates, std::string> states_of(const Stepper& stepper, Stepp
 void compare(RelationResult& result, const Stepping& stepping, const SteppedStates& first,
              const SteppedStates& second) {
   bool is_same_so_far = true;
+  bool are_as_fast = true;
   double greatest = 0;
   for (std::size_t k = 0; k < stepping.report.size(); ++k) {
     const std::vector<BodyState>& x = first.states[k];
@@ -138,6 +139,7 @@ void compare(RelationResult& result, const Stepping& stepping, const SteppedStat
     result.time = stepping.step * static_cast<double>(stepping.report[k]);
     for (std::size_t i = 1; i < x.size(); ++i) {
       is_same_so_far = is_same_so_far && is_same(x[i], y[i]);
+      are_as_fast = are_as_fast && x[i].velocity == y[i].velocity && x[i].angular_velocity == y[i].angular_velocity;
       greatest = std::max(greatest, difference(x[i], y[i]));
     }
     if (greatest > tolerance) {
@@ -145,7 +147,9 @@ void compare(RelationResult& result, const Stepping& stepping, const SteppedStat
       return;
     }
   }
-  result.likeness = is_same_so_far ? Likeness::same_bits : Likeness::same_digits;
+  result.likeness = is_same_so_far                  ? Likeness::same_bits
+                    : greatest == 0 && !are_as_fast ? Likeness::same_places
+                                                    : Likeness::same_digits;
   result.digits = greatest > 0 ? static_cast<int>(std::floor(-std::log10(greatest))) : 16;
 }
 
@@ -240,6 +244,8 @@ std::string in_words(const RelationResult& result) {
   switch (result.likeness) {
     case Likeness::same_bits:
       return "same bits";
+    case Likeness::same_places:
+      return fmt::format("same places, other velocities until {:.3g} s", result.time);
     case Likeness::same_digits:
       return fmt::format("same to {} digits until {:.3g} s", result.digits, result.time);
     case Likeness::differs:

@@ -11,7 +11,7 @@
 /// row of balls, which does not gain energy.
 namespace carom::properties {
 
-enum class Likeness { same_bits, same_digits, differs, unanswered };
+enum class Likeness { same_bits, same_places, same_digits, differs, unanswered };
 
 struct RelationResult {
   std::string_view name;    // of the relation of impulses, if there is one
@@ -30,8 +30,8 @@ struct RelationResult {
 [[nodiscard]] std::vector<RelationResult> heap_relations(const Stepper& stepper, Stepper::Session& session,
                                                          double step);
 
-/// "same bits", "same to 6 digits until 2 s", "differs from 0.65 s on", "0.98 times the energy", or the reason for no
-/// answer.
+/// "same bits", "same places, other velocities until 2 s", "same to 6 digits until 2 s", "differs from 0.65 s on",
+/// "0.98 times the energy", or the reason for no answer.
 [[nodiscard]] std::string in_words(const RelationResult& result);
 
 }  // namespace carom::properties

@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <algorithm>
-#include <iterator>
-
 #include <carom/oracles/motion/sliding.hpp>
 #include <carom/properties/phenomena/phenomena.hpp>
 #include <carom/properties/phenomena/posing.hpp>
@@ -16,7 +13,7 @@ constexpr double half_way = 0.34;  // v₀/(μg) is 0.680 s
 constexpr double at_rest = 1.2;
 
 PosedRun posed(const Directions& d, double step) {
-  PosedRun run{step, 0, {on_the_floor(d), step, report_at({half_way, at_rest}, step)}, d.is_planar, {}};
+  PosedRun run{step, {on_the_floor(d), step, report_at({half_way, at_rest}, step)}, {}};
   SteppedBody box = block(d, 1, 1, 0.5, 1);
   box.state.position = d.at(0, 0.25);
   box.state.velocity = the_slide.speed * d.right;
@@ -40,12 +37,7 @@ PosedRun posed(const Directions& d, double step) {
   return run;
 }
 
-std::vector<PosedRun> runs(const Ladder& ladder, bool planar) {
-  std::vector<PosedRun> all;
-  std::transform(ladder.steps.begin(), ladder.steps.end(), std::back_inserter(all),
-                 [d = directions(planar)](double step) { return posed(d, step); });
-  return all;
-}
+std::vector<PosedRun> runs(const Ladder& ladder, bool planar) { return at_each_step(ladder, planar, posed); }
 
 }  // namespace
 

@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: BSL-1.0
-#include <algorithm>
-#include <iterator>
-
 #include <carom/oracles/motion/sliding.hpp>
 #include <carom/properties/phenomena/phenomena.hpp>
 #include <carom/properties/phenomena/posing.hpp>
@@ -16,7 +13,7 @@ constexpr double in_slip = 0.1;  // slip ends at 0.194 s, or 0.227 s for the dis
 constexpr double at_end = 2;
 
 PosedRun posed(const Directions& d, double step) {
-  PosedRun run{step, 0, {on_the_floor(d), step, report_at({in_slip, at_end}, step)}, d.is_planar, {}};
+  PosedRun run{step, {on_the_floor(d), step, report_at({in_slip, at_end}, step)}, {}};
   SteppedBody rolling = ball(d, radius);
   const oracles::SlideToRoll roll{{2, 0.3, gravity}, rolling.mass, rolling_inertia(d, rolling), radius};
   rolling.state.position = d.at(0, radius);
@@ -44,12 +41,7 @@ PosedRun posed(const Directions& d, double step) {
   return run;
 }
 
-std::vector<PosedRun> runs(const Ladder& ladder, bool planar) {
-  std::vector<PosedRun> all;
-  std::transform(ladder.steps.begin(), ladder.steps.end(), std::back_inserter(all),
-                 [d = directions(planar)](double step) { return posed(d, step); });
-  return all;
-}
+std::vector<PosedRun> runs(const Ladder& ladder, bool planar) { return at_each_step(ladder, planar, posed); }
 
 }  // namespace
 

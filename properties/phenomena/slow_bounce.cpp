@@ -12,8 +12,8 @@ using namespace posing;
 constexpr double radius = 0.5;
 constexpr double restitution = 0.5;
 
-PosedRun posed(const Directions& d, double step, unsigned phase, double share, double speed) {
-  PosedRun run{step, phase, {}, d.is_planar, {}};
+PosedRun posed(const Directions& d, double step, double share, double speed) {
+  PosedRun run{step, {}, {}};
   SteppedBody flying = ball(d, radius);
   flying.state.position = d.at(0, radius + speed * (4 + share) * step);
   flying.state.velocity = -speed * d.up;
@@ -31,9 +31,9 @@ PosedRun posed(const Directions& d, double step, unsigned phase, double share, d
 std::vector<PosedRun> runs(const Ladder& ladder, bool planar) {
   const Directions d = directions(planar);
   std::vector<PosedRun> all;
-  each_phase(ladder, [&](double step, unsigned phase, double share) {
+  each_phase(ladder, [&](double step, double share) {
     for (const double speed : {0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0}) {
-      all.push_back(posed(d, step, phase, share, speed));
+      all.push_back(posed(d, step, share, speed));
     }
   });
   return all;

@@ -27,8 +27,8 @@ constexpr Meeting planar_meetings[] = {
 constexpr Meeting spatial_meetings[] = {{"gripping, diagonal", 1.2, 1.6, 0, 0, 5},
                                         {"slipping, diagonal", 3, 4, 0, 0, 5}};
 
-PosedRun posed(const Directions& d, double step, unsigned phase, double share, const Meeting& meeting) {
-  PosedRun run{step, phase, {}, d.is_planar, {}};
+PosedRun posed(const Directions& d, double step, double share, const Meeting& meeting) {
+  PosedRun run{step, {}, {}};
   SteppedBody flying = ball(d, radius);
   const oracles::WallImpact impact{
       flying.mass,
@@ -78,8 +78,8 @@ PosedRun posed(const Directions& d, double step, unsigned phase, double share, c
 std::vector<PosedRun> runs(const Ladder& ladder, bool planar) {
   const Directions d = directions(planar);
   std::vector<PosedRun> all;
-  each_phase(ladder, [&](double step, unsigned phase, double share) {
-    const auto add = [&](const Meeting& meeting) { all.push_back(posed(d, step, phase, share, meeting)); };
+  each_phase(ladder, [&](double step, double share) {
+    const auto add = [&](const Meeting& meeting) { all.push_back(posed(d, step, share, meeting)); };
     std::for_each(std::begin(planar_meetings), std::end(planar_meetings), add);
     if (!planar) {
       std::for_each(std::begin(spatial_meetings), std::end(spatial_meetings), add);

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 #include <filesystem>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
+
+#include <carom/report/results/time_run.hpp>
 
 #include "support/expect_in.hpp"
 #include "support/program.hpp"
@@ -53,7 +56,7 @@ class TimeCommand : public testing::Test {
   /// Runs `carom time` on an unmoving engine, quickly.
   [[nodiscard]] RunResult measured(const std::string& fault, const std::vector<std::string>& more,
                                    const std::vector<std::string>& claims = {}) const {
-    std::string subject = "exec:python3 '" + directory_.write("unmoving.py", unmoving) + "' '" + fault + '\'';
+    std::string subject = "exec:/usr/bin/python3 '" + directory_.write("unmoving.py", unmoving) + "' '" + fault + '\'';
     for (const std::string& claim : claims) {
       subject += " '" + claim + '\'';
     }
@@ -105,8 +108,19 @@ TEST_F(TimeCommand, EndsInOneIfAClaimIsNotKept) {
   pugi::xml_document junit;
   ASSERT_TRUE(junit.load_file((out + "/junit.xml").c_str()));
   EXPECT_EQ(junit.select_nodes("//failure").size(), 2U);
+  EXPECT_TRUE(junit.select_node("/testsuites[@tests = 3 and @failures = 2 and @errors = 0]"));
   const RunResult unreadable = measured("none", one, {"bonce within 5% at 1/60 s"});
   expect_error(unreadable, {"unmoving: time_claims: ", "bonce", "did you mean 'bounce'?"});
+}
+
+TEST_F(TimeCommand, EndsInTwoIfNoClaimWasJudged) {
+  const std::string out = directory_.path() / "time";
+  const RunResult run = measured("none", {"--phenomena", "slow-bounce", "--out", out}, {"slide within 5% at 1/60 s"});
+  EXPECT_EQ(run.exit_status, 2);
+  unit::expect_in(run.output, {"claims slide within 5% at 1/60 s: not judged: slide was not measured"});
+  pugi::xml_document junit;
+  ASSERT_TRUE(junit.load_file((out + "/junit.xml").c_str()));
+  EXPECT_TRUE(junit.select_node("//testcase[@name = 'claim: slide within 5% at 1/60 s']/skipped"));
 }
 
 TEST_F(TimeCommand, PrintsARecordThatItsSchemaAccepts) {
@@ -115,6 +129,7 @@ TEST_F(TimeCommand, PrintsARecordThatItsSchemaAccepts) {
   const RunResult absent = run_carom({"time", "exec:/no/such", "--quick", "--format", "json"});
   json unknown = json::parse(named.output);
   EXPECT_EQ(unknown.at("exit_status"), 1);
+  EXPECT_TRUE(unknown.at("engines").at(0).at("specification").get<std::string>().starts_with("exec:/usr/bin/python3"));
   unknown["engines"][0]["colour"] = "red";
   std::vector<std::string> files{directory_.write("named.json", named.output),
                                  directory_.write("absent.json", absent.output)};
@@ -126,7 +141,7 @@ TEST_F(TimeCommand, PrintsARecordThatItsSchemaAccepts) {
 TEST_F(TimeCommand, TellsAnEngineThatForgetsASavedState) {
   const std::string restored = "saved at 1 s, run to the end, and restored: ";
   unit::expect_in(measured("none", {"--steps", "1/60"}).output, {restored + "same bits"});
-  unit::expect_in(measured("forget", {"--steps", "1/60"}).output, {restored + "same to 16 digits"});
+  unit::expect_in(measured("forget", {"--steps", "1/60"}).output, {restored + "same places, other velocities"});
 }
 
 TEST_F(TimeCommand, EndsInOneIfANamedEngineFailsInPart) {
@@ -149,10 +164,84 @@ TEST_F(TimeCommand, EndsInTwoIfNoReplyCanBeRead) {
   unit::expect_in(text.output, {"bounce, 3 of 60 runs failed: ", "/states/0/0/velocity/1: expected a number"});
 }
 
+TEST_F(TimeCommand, SaysWhatAProgramSaidThatDoesNotStart) {
+  const std::string out = directory_.path() / "time";
+  const RunResult run = run_carom({"time", "exec:python3 -c 'import no_such_module'", "--quick", "--out", out});
+  EXPECT_EQ(run.exit_status, 2);
+  unit::expect_in(run.output, {"ended with status 1; standard error: ", "ModuleNotFoundError: "});
+  pugi::xml_document junit;
+  ASSERT_TRUE(junit.load_file((out + "/junit.xml").c_str()));
+  EXPECT_TRUE(junit.select_node("/testsuites[@errors = 1 and @skipped = 0]"));
+}
+
+// The engine hangs, so the errors come before the measurement.
+TEST_F(TimeCommand, RefusesDirectoriesThatCannotBeMade) {
+  for (const std::string option : {"--out", "--pages"}) {
+    const RunResult run = measured("hang", {option, "/proc/no-such", "--timeout", "20"});
+    expect_error(run, {option + ": the directory /proc/no-such cannot be created"});
+  }
+}
+
+TEST_F(TimeCommand, EndsInTwoIfItsOutputCannotBeWritten) {
+  const RunResult run = run_program(
+      "/bin/sh",
+      {"-c", R"("$0" time scene --phenomena slow-bounce --steps 1/60 --format json >/dev/full)", carom_program()});
+  expect_error(run, {"standard output cannot be written"});
+}
+
+// The errors of the reading with the greater median are rounding.
+TEST(WorstReading, IsNotOneThatRoundingExplains) {
+  properties::Measurement measurement;
+  for (const double error : {1e-5, 2e-5}) {
+    properties::Rung rung;
+    rung.step = 0.01;
+    rung.median = error;
+    rung.rounding = error > 1e-5 ? 1e-4 : 1e-6;
+    measurement.readings.push_back({error > 1e-5 ? "rounded" : "wrong", "", {rung}, {}});
+  }
+  EXPECT_EQ(report::worst_reading(measurement, 0.01)->what, "wrong");
+}
+
+/// The answers of `carom-scene steps` to requests, one a line.
+RunResult answers_of_scene(const std::string& requests) {
+  const TemporaryDirectory directory;
+  return run_program("/bin/sh", {"-c", R"sh("$(dirname "$0")"/carom-scene steps <"$1")sh", carom_program(),
+                                 directory.write("requests.jsonl", requests)});
+}
+
+TEST(SceneInSteps, ReportsOneRunAsSeveralRuns) {
+  std::string requests;
+  for (const char* const report : {"[30]", "[60]", "[30,60]"}) {
+    requests += R"({"cmd":"run","id":1,"step":0.01,"steps":60,"report":)" + std::string(report) +
+                R"(,"scene":{"gravity":[0,0,-9.81],"restitution":0.5,"friction":0,"bodies":[)"
+                R"({"fixed":true,"half_space":[0,0,1],"position":[0,0,0]},)"
+                R"({"sphere":0.1,"mass":1,"principal_inertia":[0.004,0.004,0.004],"position":[0,0,1.1],)"
+                R"("orientation":[1,0,0,0],"velocity":[0,0,0],"angular_velocity":[0,0,0]}]}})"
+                "\n";
+  }
+  std::istringstream lines(answers_of_scene(requests).output);
+  json states;
+  for (std::string line; std::getline(lines, line);) {
+    states.push_back(json::parse(line).at("states"));
+  }
+  ASSERT_EQ(states.size(), 3U);
+  EXPECT_EQ(states[2], (json{states[0][0], states[1][0]}));
+  EXPECT_NE(states[2][0], states[2][1]);
+}
+
+TEST(SceneInSteps, NamesACommandThatIsNone) {
+  const RunResult run = answers_of_scene("{\"cmd\":1}\n");
+  EXPECT_EQ(run.exit_status, 2);
+  EXPECT_EQ(run.errors, "carom-scene: /cmd: expected start, run or stop, found 1\n");
+}
+
 TEST_F(TimeCommand, RefusesNamesAndStepsThatAreNone) {
   expect_error(run_carom({"time", "no-such-engine"}), {"no engine in time is named no-such-engine"});
   expect_error(run_carom({"time", "scene", "--phenomena", "bonce"}), {"no phenomenon is named bonce"});
-  expect_error(run_carom({"time", "scene", "--steps", "1/0"}), {"--steps: expected a number of seconds"});
+  expect_error(run_carom({"time", "scene", "scene"}), {"the engine scene is named twice"});
+  for (const char* const step : {"1/0", "0.5", "1e-300"}) {
+    expect_error(run_carom({"time", "scene", "--steps", step}), {"--steps: expected a number of seconds"});
+  }
 }
 
 }  // namespace

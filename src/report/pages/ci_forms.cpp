@@ -75,16 +75,6 @@ void add_case(pugi::xml_node suite, const properties::SubjectResult& result, con
   }
 }
 
-/// Counts the tests below the node, which is a suite or the root. `seconds` is the time in which subjects answered.
-void set_totals(pugi::xml_node node, double seconds) {
-  for (const auto& [total, path] :
-       {std::pair{"tests", ".//testcase"}, std::pair{"failures", ".//testcase/failure"},
-        std::pair{"errors", ".//testcase/error"}, std::pair{"skipped", ".//testcase/skipped"}}) {
-    node.append_attribute(total) = static_cast<unsigned>(node.select_nodes(path).size());
-  }
-  node.append_attribute("time") = fmt::format("{:.6f}", seconds).c_str();
-}
-
 double seconds_of(const properties::SubjectResult& result) {
   constexpr double nanosecond = 1e-9;
   return result.nanoseconds_per_solve * nanosecond * static_cast<double>(result.cases());
@@ -182,6 +172,15 @@ std::string violation(const Run& run, const properties::SubjectResult& result, c
 }
 
 }  // namespace
+
+void set_totals(pugi::xml_node node, double seconds) {
+  for (const auto& [total, path] :
+       {std::pair{"tests", ".//testcase"}, std::pair{"failures", ".//testcase/failure"},
+        std::pair{"errors", ".//testcase/error"}, std::pair{"skipped", ".//testcase/skipped"}}) {
+    node.append_attribute(total) = static_cast<unsigned>(node.select_nodes(path).size());
+  }
+  node.append_attribute("time") = fmt::format("{:.6f}", seconds).c_str();
+}
 
 std::string junit_xml(const Run& run) {
   pugi::xml_document document;

@@ -5,11 +5,16 @@
 #include <functional>
 #include <string>
 
+#include <pugixml.hpp>
+
 #include <carom/report/pages/document.hpp>
 #include <carom/report/results/run.hpp>
 
 /// The parts of pages.
 namespace carom::report {
+
+/// Counts JUnit's tests below the node, which is a suite or the root. `seconds` is the time in which subjects answered.
+void set_totals(pugi::xml_node node, double seconds);
 
 enum class Subjects { counting, all };
 
@@ -60,8 +65,8 @@ void add_subject_rows(Table& table, const Run& run, Subjects which, const std::f
 /// A terminal has no room for everything.
 enum class Form { terminal, summary, page };
 
-/// The faults of the subject at this place. The section begins with the first fault in a sentence, a short case, the place to
-/// check, and the command that replays it. Precondition: the subject has violations.
+/// The faults of the subject at this place. The section begins with the first fault in a sentence, a short case, the
+/// place to check, and the command that replays it. Precondition: the subject has violations.
 [[nodiscard]] Section finding_part(const Run& run, std::size_t s, const std::string& out_directory, Form form);
 
 /// `finding_part` of each subject with violations, for a page.

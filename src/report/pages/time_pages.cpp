@@ -8,6 +8,7 @@
 #include <pugixml.hpp>
 
 #include <carom/report/pages/document.hpp>
+#include <carom/report/pages/parts.hpp>
 #include <carom/report/pages/time_pages.hpp>
 #include <carom/report/pictures/markup.hpp>
 #include <carom/report/pictures/time_pictures.hpp>
@@ -119,12 +120,11 @@ Document engine_part(const TimedEngine& engine, double step) {
   }
   List claims;
   for (const JudgedClaim& one : engine.claims) {
-    claims.items.emplace_back(
-        fmt::format("claims {}: {}{}", one.claim,
-                    !one.is_judged        ? "not judged: "
-                    : one.verdict.is_kept ? "kept"
-                                          : "NOT KEPT: ",
-                    one.verdict.why));
+    claims.items.emplace_back(fmt::format("claims {}: {}{}", one.claim,
+                                          !one.is_judged        ? "not judged: "
+                                          : one.verdict.is_kept ? "kept"
+                                                                : "NOT KEPT: ",
+                                          one.verdict.why));
   }
   Document document;
   const auto add_list = [&](const std::string& title, List list) {
@@ -292,7 +292,8 @@ std::string time_html(const TimeRun& run) {
   }
   for (const TimedEngine& engine : run.engines) {
     if (Document part = engine_part(engine, step); !part.empty()) {
-      add_part("engine-" + engine.name, engine.name + ' ' + engine.version, std::move(part));
+      // Two programs may give themselves one name.
+      add_part(fmt::format("engine-{}", page.contents.size()), engine.name + ' ' + engine.version, std::move(part));
     }
   }
   page.main = with(std::move(page.main), absent_part(run));
@@ -302,13 +303,14 @@ std::string time_html(const TimeRun& run) {
 std::string time_junit(const TimeRun& run) {
   pugi::xml_document xml;
   const pugi::xml_node root = add(xml, "testsuites", {{"name", "carom time"}});
+  double seconds = 0;
   for (const TimedEngine& engine : run.engines) {
     const pugi::xml_node suite = add(root, "testsuite", {{"name", engine.name}});
     const auto add_test = [&](const std::string& name) {
       return add(suite, "testcase", {{"classname", engine.name}, {"name", name}, {"time", "0"}});
     };
     if (!engine.absent.empty()) {
-      add(add_test("start"), "skipped", {{"message", engine.absent}});
+      add(add_test("start"), run.are_named ? "error" : "skipped", {{"message", engine.absent}});
     }
     for (const Measurement& measurement : engine.measurements) {
       const pugi::xml_node test = add_test(measurement.phenomenon);
@@ -328,7 +330,10 @@ std::string time_junit(const TimeRun& run) {
         add(test, "failure", {{"message", one.verdict.why}, {"type", "violated"}});
       }
     }
+    set_totals(suite, engine.seconds);
+    seconds += engine.seconds;
   }
+  set_totals(root, seconds);
   std::ostringstream text;
   xml.save(text, " ");
   return text.str();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <carom/collision/json/json.hpp>
 #include <carom/report/results/time_run.hpp>
@@ -54,6 +55,9 @@ json measurement_record(const properties::Measurement& measurement) {
 
 json engine_record(const TimedEngine& engine) {
   json record{{"name", engine.name}, {"version", engine.version}, {"precision", name_of(engine.precision)}};
+  if (!engine.specification.empty()) {
+    record["specification"] = engine.specification;
+  }
   if (!engine.absent.empty()) {
     record["absent"] = engine.absent;
     return record;
@@ -71,6 +75,7 @@ json engine_record(const TimedEngine& engine) {
   }
   for (const JudgedClaim& one : engine.claims) {
     record["claims"].push_back({{"claim", one.claim},
+                                {"judged", one.is_judged},
                                 {"kept", one.verdict.is_kept},
                                 {"greatest", number_to_json(one.verdict.greatest)},
                                 {"why", one.verdict.why}});
@@ -97,13 +102,17 @@ int TimeRun::exit_status() const {
       std::any_of(engines.begin(), engines.end(), [](const TimedEngine& one) { return one.is_measured(); });
   const bool is_any_missing =
       std::any_of(engines.begin(), engines.end(), [](const TimedEngine& one) { return !one.is_measured(); });
-  if (interrupted || !is_any_measured || (are_named && is_any_missing)) {
+  const bool is_any_unjudged = std::any_of(engines.begin(), engines.end(), [](const TimedEngine& engine) {
+    return !engine.claims.empty() && std::none_of(engine.claims.begin(), engine.claims.end(),
+                                                  [](const JudgedClaim& one) { return one.is_judged; });
+  });
+  if (interrupted || !is_any_measured || is_any_unjudged || (are_named && is_any_missing)) {
     return exit_usage;
   }
   const bool is_any_at_fault = std::any_of(engines.begin(), engines.end(), [&](const TimedEngine& engine) {
     return (are_named && engine.has_failed()) ||
            std::any_of(engine.claims.begin(), engine.claims.end(),
-                       [](const JudgedClaim& one) { return !one.verdict.is_kept; });
+                       [](const JudgedClaim& one) { return one.is_judged && !one.verdict.is_kept; });
   });
   return is_any_at_fault ? exit_violated : exit_all_hold;
 }
@@ -125,11 +134,14 @@ const properties::MeasuredReading* worst_reading(const properties::Measurement& 
   for (const properties::MeasuredReading& reading : measurement.readings) {
     most = std::max(most, reading.rungs.size());
   }
+  const auto is_less = [](const properties::Rung& x, const properties::Rung& y) {
+    return std::pair(x.median > x.rounding, x.median) < std::pair(y.median > y.rounding, y.median);
+  };
   const properties::MeasuredReading* worst = nullptr;
   for (const properties::MeasuredReading& reading : measurement.readings) {
     const properties::Rung* const rung = rung_at(reading, step);
     if (rung != nullptr && reading.rungs.size() == most &&
-        (worst == nullptr || rung->median > rung_at(*worst, step)->median)) {
+        (worst == nullptr || is_less(*rung_at(*worst, step), *rung))) {
       worst = &reading;
     }
   }

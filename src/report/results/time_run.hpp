@@ -18,6 +18,7 @@ namespace carom::report {
 struct JudgedClaim {
   std::string claim;  // as the engine says it
   properties::ClaimVerdict verdict;
+  bool is_judged = true;  // otherwise `why` says why not
 };
 
 struct TimedEngine {
@@ -28,7 +29,8 @@ struct TimedEngine {
   std::vector<properties::Measurement> measurements = {};
   std::vector<properties::RelationResult> relations = {};
   std::vector<JudgedClaim> claims = {};
-  double seconds = 0;  // of wall time
+  double seconds = 0;              // of wall time
+  std::string specification = {};  // "exec:PROGRAM ARG…"; empty for a built-in engine
 
   /// Whether it answered a run.
   [[nodiscard]] bool is_measured() const;
@@ -43,8 +45,9 @@ struct TimeRun {
   bool are_named = false;  // whether the user named the engines, so that each has to answer
   bool interrupted = false;
 
-  /// 2 if no engine was measured, if an engine that was named was not, or if the run was interrupted. Otherwise 1 if a
-  /// claim is not kept, or if a run of an engine that was named failed. Otherwise 0.
+  /// 2 if no engine was measured, if an engine that was named was not, if an engine has claims and none was judged, or
+  /// if the run was interrupted. Otherwise 1 if a claim is not kept, or if a run of an engine that was named failed.
+  /// Otherwise 0.
   [[nodiscard]] int exit_status() const;
 };
 
@@ -55,7 +58,7 @@ struct TimeRun {
 [[nodiscard]] const properties::Rung* rung_at(const properties::MeasuredReading& reading, double step);
 
 /// The reading whose median error at this step is the greatest, of those that were read at the most steps; nullptr if
-/// there is none.
+/// there is none. An error that rounding explains is less than one that it does not.
 [[nodiscard]] const properties::MeasuredReading* worst_reading(const properties::Measurement& measurement, double step);
 
 /// The step of the ladder that is nearest to 1/60 s, at which engines are compared.

@@ -28,7 +28,12 @@ class SteppingProgram {
  public:
   SteppingProgram(const std::vector<std::string>& words, const ExecOptions& options)
       : process_(words, options.limits, options.stop) {
-    process_.exchange(start_request(), 1, [&](std::string_view line) { stepper_ = stepper_from(line); });
+    try {
+      process_.exchange(start_request(), 1, [&](std::string_view line) { stepper_ = stepper_from(line); });
+    } catch (const std::exception& error) {
+      const std::string said = process_.standard_error();
+      throw std::runtime_error(error.what() + (said.empty() ? said : "; standard error: " + said));
+    }
   }
 
   [[nodiscard]] const Stepper& stepper() const { return stepper_; }

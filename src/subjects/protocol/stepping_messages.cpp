@@ -306,8 +306,9 @@ RunRequest run_request_from(std::string_view line) {
   for (const json& after : report) {
     const std::string place = fmt::format("/report/{}", request.stepping.report.size());
     const std::uint64_t number = count(after, place);
-    if (number > steps || (!request.stepping.report.empty() && number < request.stepping.report.back())) {
-      throw FormatError(place, "expected ascending numbers of steps, at most `steps`" + carom::detail::found(after));
+    if (number > steps || (!request.stepping.report.empty() && number <= request.stepping.report.back())) {
+      throw FormatError(
+          place, "expected ascending numbers of steps, each once and at most `steps`" + carom::detail::found(after));
     }
     request.stepping.report.push_back(number);
   }

@@ -63,24 +63,46 @@ scene::Scene scene_of(const SteppedScene& posed) {
   return scene;
 }
 
-/// The states of the bodies at the end of the scene. The simulation knows no orientation of a sphere.
-std::vector<BodyState> states_at_end(const scene::Scene& scene, const SteppedScene& posed) {
-  scene::SphereSimulation simulation(scene);
-  while (simulation.advance() != nullptr) {
+std::vector<scene::Arc> arcs_of(const scene::SphereSimulation& simulation) {
+  std::vector<scene::Arc> arcs;
+  for (std::size_t sphere = 0; sphere < simulation.size(); ++sphere) {
+    arcs.push_back(simulation.arc(sphere));
   }
+  return arcs;
+}
+
+/// The states of the bodies at a time. The simulation knows no orientation of a sphere.
+std::vector<BodyState> states_at(double time, const std::vector<scene::Arc>& arcs, const SteppedScene& posed) {
   std::vector<BodyState> states;
   std::size_t sphere = 0;
   for (const SteppedBody& body : posed.bodies) {
     BodyState state = body.state;
     if (!body.is_fixed) {
-      const scene::Arc arc = simulation.arc(sphere++);
-      state.position = position_at(arc.path, scene.duration);
-      state.velocity = velocity_at(arc.path, scene.duration);
-      state.angular_velocity = angular_velocity_at(arc, scene.duration);
+      const scene::Arc& arc = arcs[sphere++];
+      state.position = position_at(arc.path, time);
+      state.velocity = velocity_at(arc.path, time);
+      state.angular_velocity = angular_velocity_at(arc, time);
     }
     states.push_back(state);
   }
   return states;
+}
+
+/// Throws SceneError if the run cannot go on.
+SteppedStates reported_states(const scene::Scene& scene, const Stepping& stepping) {
+  scene::SphereSimulation simulation(scene);
+  std::vector<scene::Arc> arcs = arcs_of(simulation);  // before the next event
+  const scene::Event* event = simulation.advance();
+  SteppedStates answer;
+  for (const std::uint64_t after : stepping.report) {
+    const double time = static_cast<double>(after) * stepping.step;
+    while (event != nullptr && event->time <= time) {
+      arcs = arcs_of(simulation);
+      event = simulation.advance();
+    }
+    answer.states.push_back(states_at(time, arcs, stepping.scene));
+  }
+  return answer;
 }
 
 SteppingAnswer answer_to(const Stepping& stepping) {
@@ -89,18 +111,14 @@ SteppingAnswer answer_to(const Stepping& stepping) {
       return Skipped{std::move(why)};
     }
   }
+  scene::Scene scene = scene_of(stepping.scene);
+  scene.duration = static_cast<double>(steps_of(stepping)) * stepping.step;
+  if (const std::optional<scene::SceneDefect> defect = first_defect(scene)) {
+    return Skipped{describe(*defect)};
+  }
   try {
-    scene::Scene scene = scene_of(stepping.scene);
-    SteppedStates answer;
-    for (const std::uint64_t after : stepping.report) {
-      scene.duration = static_cast<double>(after) * stepping.step;
-      if (const std::optional<scene::SceneDefect> defect = first_defect(scene)) {
-        return Skipped{describe(*defect)};
-      }
-      answer.states.push_back(states_at_end(scene, stepping.scene));
-    }
-    return answer;
-  } catch (const std::exception& error) {  // the run cannot go on
+    return reported_states(scene, stepping);
+  } catch (const scene::SceneError& error) {  // another error is a fault, and ends the program
     return Skipped{error.what()};
   }
 }
@@ -117,13 +135,16 @@ int serve_steps() {
   while (std::getline(std::cin, line)) {
     try {
       const nlohmann::json request = parse_json(line);
-      const std::string command = request.is_object() ? request.value("cmd", "") : "";
+      const nlohmann::json command = request.is_object() ? request.value("cmd", nlohmann::json()) : nlohmann::json();
       if (command == "stop") {
         break;
       }
       if (command == "start") {
         std::cout << introduction() << std::flush;
         continue;
+      }
+      if (command != "run") {
+        throw FormatError("/cmd", "expected start, run or stop, found " + command.dump());
       }
       const RunRequest run = subjects::protocol::run_request_from(line);
       std::cout << subjects::protocol::run_reply(run.id, answer_to(run.stepping)) << std::flush;

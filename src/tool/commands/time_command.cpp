@@ -43,30 +43,19 @@ struct TimeArguments {
   std::string format = "text";
 };
 
-/// The step of a text: a number of seconds, or 1/N. Throws UsageError.
-double step_of(const std::string& text) {
-  const std::size_t slash = text.find('/');
-  char* end = nullptr;
-  const double number = std::strtod(text.c_str(), &end);
-  double step = number;
-  if (slash != std::string::npos && end == text.c_str() + slash) {
-    const char* const denominator = text.c_str() + slash + 1;
-    step = number / std::strtod(denominator, &end);
-    end = end == denominator ? nullptr : end;
-  }
-  if (end != text.c_str() + text.size() || !(step > 0 && step <= 1)) {
-    throw UsageError(
-        report::shown(fmt::format("--steps: expected a number of seconds from 0 to 1, such as 1/60, found {}", text)));
-  }
-  return step;
-}
-
+/// Throws UsageError.
 properties::Ladder ladder_of(const TimeArguments& arguments) {
   properties::Ladder ladder = arguments.is_quick ? properties::quick_ladder() : properties::full_ladder();
   if (!arguments.steps.empty()) {
     ladder.steps.clear();
     for (const std::string& text : arguments.steps) {
-      ladder.steps.push_back(step_of(text));
+      const std::optional<double> step = properties::step_from(text);
+      if (!step) {
+        throw UsageError(
+            report::shown(fmt::format("--steps: expected a number of seconds from {} to {}, such as 1/60, found {}",
+                                      properties::least_step, properties::greatest_step, text)));
+      }
+      ladder.steps.push_back(*step);
     }
     std::sort(ladder.steps.rbegin(), ladder.steps.rend());
     ladder.steps.erase(std::unique(ladder.steps.begin(), ladder.steps.end()), ladder.steps.end());
@@ -102,6 +91,9 @@ std::vector<Stepper> chosen_engines(const TimeArguments& arguments, const std::s
   const std::vector<Stepper> all = subjects::all_steppers();
   std::vector<Stepper> chosen;
   for (const std::string& name : arguments.subjects) {
+    if (std::count(arguments.subjects.begin(), arguments.subjects.end(), name) > 1) {
+      throw UsageError(report::shown(fmt::format("the engine {} is named twice", name)));
+    }
     if (name.starts_with(subjects::protocol::exec_prefix)) {
       chosen.push_back(subjects::protocol::exec_stepper(name, options));
       continue;
@@ -129,11 +121,12 @@ report::TimedEngine measured(const Stepper& stepper, const TimeArguments& argume
                              bool has_relations, const std::stop_token& stop,
                              const std::function<void()>& on_phenomenon) {
   report::TimedEngine engine{stepper.name, stepper.version, stepper.precision, stepper.absent};
+  engine.specification = stepper.specification;
   if (!engine.absent.empty()) {
     return engine;
   }
   const auto start = std::chrono::steady_clock::now();
-  Stepper::Session session = stepper.open();
+  Stepper::Session session = properties::patient(stepper.open(), stop);
   for (const properties::Phenomenon* const phenomenon : chosen_phenomena(arguments.phenomena)) {
     if (stop.stop_requested()) {
       break;
@@ -146,7 +139,12 @@ report::TimedEngine measured(const Stepper& stepper, const TimeArguments& argume
   }
   for (const std::string& text : stepper.claims) {
     const properties::TimeClaim claim = properties::time_claim_from(text);
-    if (const properties::Measurement* const of_claim = measurement_of(engine, claim.phenomenon)) {
+    const properties::Measurement* const of_claim = measurement_of(engine, claim.phenomenon);
+    if (of_claim == nullptr) {
+      engine.claims.push_back({text, {false, 0, claim.phenomenon + " was not measured"}, false});
+    } else if (stop.stop_requested()) {
+      engine.claims.push_back({text, {false, 0, "the measurement was interrupted"}, false});
+    } else {
       engine.claims.push_back({text, verdict_of(claim, *of_claim)});
     }
   }
@@ -200,26 +198,40 @@ void draw_pictures(const report::TimeRun& run, const std::filesystem::path& dire
   }
 }
 
-void write_reports(const report::TimeRun& run, const TimeArguments& arguments) {
-  const std::string record = time_record(run).dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
-  if (!arguments.out.empty()) {
-    StagedOutput staged(arguments.out);
-    draw_pictures(run, staged.stage());
-    write_file(staged.stage() / "time.json", record);
-    write_file(staged.stage() / "junit.xml", time_junit(run));
-    write_file(staged.stage() / "report.html", time_html(run));
-    staged.put_in_place("report.html");
-  }
-  if (!arguments.pages.empty()) {
-    make_directories(arguments.pages);
-    for (const properties::Phenomenon* const one : chosen_phenomena(arguments.phenomena)) {
-      write_file(std::filesystem::path(arguments.pages) / fmt::format("{}.md", one->name), phenomenon_page(*one, run));
+/// The directories are made before the measurement, which may take minutes.
+class TimeReports {
+ public:
+  explicit TimeReports(const TimeArguments& arguments) : arguments_(arguments) {
+    if (!arguments.out.empty()) {
+      staged_.emplace(arguments.out);
+    }
+    if (!arguments.pages.empty()) {
+      make_directories(arguments.pages, "--pages");
     }
   }
-  const std::string text = arguments.format == "json" ? record : time_text(run);
-  std::fwrite(text.data(), 1, text.size(), stdout);
-  flush_output();
-}
+
+  void write(const report::TimeRun& run) {
+    const std::string record = time_record(run).dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+    write_output(arguments_.format == "json" ? record : time_text(run));
+    if (staged_) {
+      draw_pictures(run, staged_->stage());
+      write_file(staged_->stage() / "time.json", record);
+      write_file(staged_->stage() / "junit.xml", time_junit(run));
+      write_file(staged_->stage() / "report.html", time_html(run));
+      staged_->put_in_place("report.html");
+    }
+    for (const properties::Phenomenon* const one : chosen_phenomena(arguments_.phenomena)) {
+      if (!arguments_.pages.empty()) {
+        write_file(std::filesystem::path(arguments_.pages) / fmt::format("{}.md", one->name),
+                   phenomenon_page(*one, run), "--pages");
+      }
+    }
+  }
+
+ private:
+  const TimeArguments& arguments_;
+  std::optional<StagedOutput> staged_;
+};
 
 /// Throws UsageError for a text that is no claim.
 void read_claims(const std::vector<Stepper>& engines) {
@@ -240,17 +252,18 @@ int measure_in_time(const TimeArguments& arguments) {
   static_cast<void>(chosen_phenomena(arguments.phenomena));
   const std::vector<Stepper> engines = chosen_engines(arguments, stop);
   read_claims(engines);
+  TimeReports reports(arguments);
   const bool is_full = !arguments.is_quick && arguments.steps.empty();
   if (is_full && arguments.format == "text") {
     const report::TimeRun first = measured(engines, arguments, properties::quick_ladder(), false, stop);
     if (first.interrupted) {
-      write_reports(first, arguments);
+      reports.write(first);
       return report::exit_usage;
     }
     write_output("A first pass, as by --quick:\n\n" + time_summary(first) + "\nAll steps and phases:\n\n");
   }
   const report::TimeRun run = measured(engines, arguments, ladder, arguments.phenomena.empty(), stop);
-  write_reports(run, arguments);
+  reports.write(run);
   return run.exit_status();
 }
 
@@ -261,14 +274,16 @@ void add_time(CLI::App& app, Chosen& chosen) {
   CLI::App* command = app.add_subcommand("time",
                                          "Measure engines that step in time against ten phenomena with known answers; "
                                          "exit status 0 measured, 1 a claim is "
-                                         "not kept, 2 usage or environment error, or nothing measured");
+                                         "not kept, 2 usage or environment error, or nothing measured or judged");
   command->add_option(
       "SUBJECT", arguments->subjects,
       "A built-in engine, or 'exec:PROGRAM ARG…' for a program that answers `run` (default: all engines)");
   command->add_option("--phenomena", arguments->phenomena, "Names of phenomena (default: all)")
       ->delimiter(',')
       ->type_name("NAMES");
-  command->add_option("--steps", arguments->steps, "Steps in seconds, such as 1/60,1/240 (default: 1/30 to 1/3840)")
+  command
+      ->add_option("--steps", arguments->steps,
+                   "Steps in seconds from 1/100000 to 1/10, such as 1/60,1/240 (default: 1/30 to 1/3840)")
       ->delimiter(',')
       ->type_name("STEPS");
   command->add_flag("--quick", arguments->is_quick, "Two steps and six phases: some seconds for an engine");

@@ -23,8 +23,8 @@
 
 namespace carom::tool {
 
-void fail_to_write(const std::filesystem::path& path, int error) {
-  throw UsageError(fmt::format("--out: {} cannot be written: {}", path.string(),
+void fail_to_write(const std::filesystem::path& path, int error, const std::string& option) {
+  throw UsageError(fmt::format("{}: {} cannot be written: {}", option, path.string(),
                                subjects::protocol::message_of({error, std::generic_category()})));
 }
 
@@ -40,13 +40,13 @@ namespace {
 
 }  // namespace
 
-void write_file(const std::filesystem::path& path, const std::string& text) {
+void write_file(const std::filesystem::path& path, const std::string& text, const std::string& option) {
   errno = 0;
   std::ofstream file(path, std::ios::binary);
   file << text;
   file.close();
   if (!file) {
-    fail_to_write(path, errno);
+    fail_to_write(path, errno, option);
   }
 }
 
@@ -68,7 +68,7 @@ void require_writable(const std::string& option, const std::filesystem::path& pa
   }
 }
 
-void make_directories(const std::filesystem::path& directory) {
+void make_directories(const std::filesystem::path& directory, const std::string& option) {
   std::error_code error;
   std::filesystem::create_directories(directory, error);
   if (error) {
@@ -76,10 +76,10 @@ void make_directories(const std::filesystem::path& directory) {
     (void)std::filesystem::current_path(gone);
     if (gone && directory.is_relative()) {
       throw UsageError(
-          fmt::format("--out: the directory {} cannot be created: the working directory does not exist any more",
+          fmt::format("{}: the directory {} cannot be created: the working directory does not exist any more", option,
                       directory.string()));
     }
-    throw UsageError(fmt::format("--out: the directory {} cannot be created: {}; choose another directory",
+    throw UsageError(fmt::format("{}: the directory {} cannot be created: {}; choose another directory", option,
                                  directory.string(), subjects::protocol::message_of(error)));
   }
 }

@@ -9,10 +9,11 @@
 namespace carom::tool {
 
 /// Throws the UsageError for a file that cannot be written. `error` is an errno.
-[[noreturn]] void fail_to_write(const std::filesystem::path& path, int error);
+[[noreturn]] void fail_to_write(const std::filesystem::path& path, int error, const std::string& option = "--out");
 
-/// Writes the text as the whole file. Throws UsageError that names the file if the file cannot be written.
-void write_file(const std::filesystem::path& path, const std::string& text);
+/// Writes the text as the whole file. Throws UsageError that names the file's option and the file if the file cannot be
+/// written.
+void write_file(const std::filesystem::path& path, const std::string& text, const std::string& option = "--out");
 
 /// Appends the text to the file. An empty text only checks that appending is possible. Throws UsageError that names the
 /// file's option if appending is not possible.
@@ -21,8 +22,8 @@ void append_to_file(const std::string& option, const std::filesystem::path& path
 /// Leaves the path as it is. Throws UsageError, which names the option, if the file cannot be written.
 void require_writable(const std::string& option, const std::filesystem::path& path);
 
-/// Makes a directory that is --out or below it, with its parents. Throws UsageError if it cannot be made.
-void make_directories(const std::filesystem::path& directory);
+/// Makes a directory that is the option's or below it, with its parents. Throws UsageError if it cannot be made.
+void make_directories(const std::filesystem::path& directory, const std::string& option = "--out");
 
 /// The files of a run, which appear in the directory of --out together or not at all. They are written into a stage, a
 /// temporary directory inside that directory. When all files are complete, they replace the previous files. One run at

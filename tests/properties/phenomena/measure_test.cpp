@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
+#include <stop_token>
 
 #include <gtest/gtest.h>
 
@@ -39,7 +41,6 @@ TEST(Phenomena, HaveUniqueNamesAndReadings) {
     for (const Phenomenon& phenomenon : all_phenomena()) {
       EXPECT_FALSE(std::string(phenomenon.yardstick).empty()) << phenomenon.name;
       for (const PosedRun& run : phenomenon.runs(quick_ladder(), planar)) {
-        EXPECT_EQ(run.is_planar, planar) << phenomenon.name;
         for (const Reading& reading : run.read(unmoved(run.stepping))) {
           EXPECT_GT(reading.scale, 0) << reading.what;
           EXPECT_LT(reading.bound, 1e-12 * reading.scale) << reading.what;
@@ -83,6 +84,62 @@ TEST(Measure, GivesUpAfterThreeFailures) {
     return states;
   });
   EXPECT_EQ(incomplete.unanswered[0].why, "the answer has not a state for each body at each time");
+}
+
+// The square of the speed overflows, so the height of the bounce is no number.
+TEST(Measure, TakesAReadingThatIsNoNumberForAFailure) {
+  const Measurement fast = measured(
+      [](const Stepping& stepping) -> SteppingAnswer {
+        SteppedStates states = unmoved(stepping);
+        states.states[0][1].velocity[2] = 1e200;
+        return states;
+      },
+      {}, bounce());
+  ASSERT_FALSE(fast.unanswered.empty());
+  EXPECT_TRUE(fast.unanswered[0].is_failure);
+  EXPECT_EQ(fast.unanswered[0].why, "no number can be read off the states: height of bounce 1, ε = 0");
+  for (const MeasuredReading& reading : fast.readings) {
+    EXPECT_LT(reading.rungs[0].greatest, 1e300) << reading.what;
+  }
+}
+
+TEST(Measure, AsksNoMoreAfterAStopOrThreeMinutesOfFailures) {
+  unsigned asked = 0;
+  const Stepper::Session hung = [&](const Stepping&) -> SteppingAnswer {
+    ++asked;
+    return Failed{"hung"};
+  };
+  const Stepping any{{}, 1.0 / 60, {1}};
+  EXPECT_EQ(std::get<Failed>(patient(hung, {}, 179)(any)).why, "hung");
+  EXPECT_EQ(std::get<Skipped>(patient(hung, {}, 181)(any)).why, "runs that failed took three minutes before");
+  std::stop_source source;
+  source.request_stop();
+  EXPECT_EQ(std::get<Skipped>(patient(hung, source.get_token())(any)).why, "the measurement was interrupted");
+  EXPECT_EQ(asked, 1U);
+}
+
+// The wall stands from 0 to 0.1 m.
+TEST(PassThrough, IsBeyondTheFarFaceOfTheWall) {
+  const auto passes = [](SteppingAnswer (*answer)(const Stepping&)) {
+    for (const MeasuredReading& reading : measured(answer, {}, pass_through()).readings) {
+      if (reading.what == "passes, wall, 1 diameters a step") {
+        return reading.rungs[0].median;
+      }
+    }
+    return -1.0;
+  };
+  EXPECT_EQ(passes([](const Stepping& stepping) -> SteppingAnswer {
+              SteppedStates stuck = unmoved(stepping);
+              stuck.states[0][1].position[0] = 0.05;
+              return stuck;
+            }),
+            0);
+  EXPECT_EQ(passes([](const Stepping& stepping) -> SteppingAnswer {
+              SteppedStates beyond = unmoved(stepping);
+              beyond.states[0][1].position[0] = 0.15;
+              return beyond;
+            }),
+            1);
 }
 
 TEST(Measure, GathersErrorsAndTimes) {
@@ -134,6 +191,14 @@ TEST(TimeClaims, AreRead) {
   EXPECT_NEAR(claim.within, 0.005, 1e-15);
   EXPECT_NEAR(claim.step, 1.0 / 240, 1e-15);
   EXPECT_NEAR(time_claim_from("bounce within 5% at 0.01 s").step, 0.01, 1e-15);
+}
+
+TEST(TimeClaims, HaveStepsThatThePhenomenaCanTake) {
+  EXPECT_EQ(step_from("1/60"), 1.0 / 60);
+  EXPECT_EQ(step_from("0.1"), 0.1);
+  for (const char* text : {"", "0.5", "1e-300", "1e-6", "1/0", "1/", "-1/60", " 1/60", "1/ 60", "0x1p-6", "nan"}) {
+    EXPECT_EQ(step_from(text), std::nullopt) << text;
+  }
 }
 
 TEST(TimeClaims, ThatAreNoneAreRefused) {
@@ -200,6 +265,17 @@ TEST(Relations, TellARowOfBallsThatGainsEnergy) {
   const RelationResult result = heap_relations(stepper, session, 1.0 / 60).back();
   EXPECT_EQ(result.likeness, Likeness::differs);
   EXPECT_EQ(in_words(result), "10 times the energy");
+}
+
+TEST(Relations, TellVelocitiesThatDifferAlone) {
+  Stepper stepper;
+  double calls = 0;
+  Stepper::Session session = [&](const Stepping& stepping) -> SteppingAnswer {
+    SteppedStates states = unmoved(stepping);
+    states.states.back()[1].angular_velocity[0] = ++calls;
+    return states;
+  };
+  EXPECT_EQ(in_words(heap_relations(stepper, session, 1.0 / 60)[0]), "same places, other velocities until 2 s");
 }
 
 TEST(Relations, AskForARestoredStateIfTheEngineRestores) {

@@ -57,6 +57,7 @@ TEST(RunRequest, WithAnErrorNamesThePlace) {
   const std::vector<std::pair<std::pair<std::string, std::string>, std::string>> errors{
       {{"\"step\":0.01", "\"step\":-0.01"}, "/step: expected a number above 0"},
       {{"[0,3,7]", "[0,7,3]"}, "/report/2: expected ascending"},
+      {{"[0,3,7]", "[0,3,3]"}, "/report/2: expected ascending"},
       {{"[0,3,7]", "[]"}, "/report: expected an array"},
       {{"\"restitution\":0.5", "\"restitution\":1.5"}, "/scene/restitution: expected a number from 0 to 1"},
       {{"\"sphere\":0.1", "\"sphere\":0"}, "/scene/bodies/1/sphere: expected a number above 0"},

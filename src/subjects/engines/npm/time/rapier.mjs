@@ -28,15 +28,13 @@ function make_collider({ shape, sphere, box, half_space }) {
   }
 }
 
-const moves = ({ velocity }) => velocity.some((x) => x !== 0);
-
-function make_body(world, body, { friction, restitution, continuous }, configured) {
+function make_body(world, body, { friction, restitution, continuous, bodies }, configured) {
   const description = body.fixed ? RAPIER.RigidBodyDesc.fixed() : RAPIER.RigidBodyDesc.dynamic();
   const [w, x, y, z] = body.orientation;
   description.setTranslation(...body.position).setRotation({ w, x, y, z });
   description.setLinvel(...body.velocity).setAngvel(xyz(body.angular_velocity));
-  // Two bodies with continuous detection would pass through each other.
-  description.setCcdEnabled(continuous && moves(body)).setCanSleep(!configured);
+  // Two bodies with continuous detection do not find each other, so only the last body has it.
+  description.setCcdEnabled(continuous && body === bodies.at(-1)).setCanSleep(!configured);
   const made = world.createRigidBody(description);
   const collider = make_collider(body);
   if (!body.fixed) {

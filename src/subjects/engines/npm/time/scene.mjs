@@ -77,7 +77,8 @@ export function read_run({ step, steps, report, scene }) {
   const is_count = (n) => Number.isInteger(n) && n >= 0;
   expect(is_count(steps), 'steps', 'an integer of at least 0', steps);
   const is_next = (n, i) => is_count(n) && n <= steps && (i === 0 || n > report[i - 1]);
-  expect(Array.isArray(report) && report.every(is_next), 'report', `ascending integers from 0 to ${steps}`, report);
+  const is_report = Array.isArray(report) && report.length > 0 && report.every(is_next);
+  expect(is_report, 'report', `ascending integers from 0 to ${steps}`, report);
   return { step: positive(step, 'step'), steps, report, scene: scene === undefined ? undefined : read_scene(scene) };
 }
 
