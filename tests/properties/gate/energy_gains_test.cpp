@@ -53,6 +53,21 @@ TEST(EnergyGains, LeaveOutTheWorkOfADrivenWall) {
   EXPECT_DOUBLE_EQ(gains.greatest->share, 1.25);
 }
 
+TEST(EnergyGains, KeepTheGreatestOfEachSizeAndTheFirstOfEqualOnes) {
+  const auto of = [](double joules, double share, std::uint64_t index) {
+    const EnergyGain gain{joules, share, index};
+    return EnergyGains{1, 1, 0, gain, gain};
+  };
+  for (const bool is_reversed : {false, true}) {
+    EnergyGains sum = is_reversed ? of(10, 0.5, 3) : of(2, 0.8, 2);
+    sum += is_reversed ? of(2, 0.8, 2) : of(10, 0.5, 3);
+    sum += of(10, 0.5, 4);
+    EXPECT_EQ(sum.gaining, 3U);
+    EXPECT_EQ(sum.greatest->index, 3U);
+    EXPECT_EQ(sum.greatest_share->index, 2U);
+  }
+}
+
 EnergyGains gains_of(const Subject& subject, const oracles::Limits& limits = {}, Shard shard = {}) {
   GateOptions options = unit::gate_options(60, {"generic", "driven_wall", "structured"});
   options.workers = tool::threads(2);
