@@ -43,7 +43,8 @@ struct GateOptions {
   oracles::Limits limits = {};
   Workers workers = {};  // each worker opens a session of every subject
   /// Each relation is judged on one case in `relations_every`, and different relations on different cases. The value 0
-  /// means 1 for subjects in this process, and 4 for programs, for which a question costs a hundred times as much.
+  /// means 1 for subjects in this process, 2 for those of `coulomb`, whose answers take many steps, and 4 for programs,
+  /// for which a question costs a hundred times as much.
   /// Suppose that one answer in 100 is wrong, and only one relation in one family of 1000 cases shows this. With 4, the
   /// relation judges 250 cases with two answers each, and one run in 150 misses the fault (0.99^500).
   std::uint64_t relations_every = 0;
