@@ -142,5 +142,37 @@ TEST(Check, WritesItsReports) {
   EXPECT_EQ(json::parse(run_carom({"check", file, "--format", "json"}).output).at("hold"), 1);
 }
 
+TEST(Check, ReportsFitTheirSchemaAndASchemaErrorIsFound) {
+  const std::string docs = std::string(CAROM_SOURCE_DIR) + "/docs/";
+  const TemporaryDirectory directory;
+  std::vector<std::string> files;
+  const auto add = [&](const json& report) {
+    files.push_back(directory.write(std::to_string(files.size()) + ".json", report.dump()));
+  };
+  const auto report_on = [&](const std::string& file, const std::vector<std::string>& more = {}) {
+    return json::parse(run_carom({"check", file, "--format", "json"}, more).output);
+  };
+  const json example = report_on(docs + "examples/records.jsonl");
+  add(example);
+  add(report_on(directory.write("read_in_part.jsonl", two_balls().dump() + "\n{")));
+  add(report_on(directory.write("not_judged.json", two_balls().dump()), {"--law", "rough"}));
+  const std::vector<std::string> fitting = files;
+  for (const auto& [pointer, value] : std::vector<std::pair<const char*, json>>{
+           {"/mood", "good"},
+           {"/exit_status", 3},
+           {"/hold", "2"},
+           {"/law", "friction"},
+           {"/laws/coulomb/satisfied", -1},
+           {"/implied/restitution/median", nullptr},
+           {"/worst/0/violates", json::array()},
+           {"/worst/0/mood", 1},
+       }) {
+    json changed = example;
+    changed[json::json_pointer(pointer)] = value;
+    add(changed);
+  }
+  EXPECT_EQ(accepted_by(docs + "reference/schemas/records.schema.json", files), fitting);
+}
+
 }  // namespace
 }  // namespace carom::tests
