@@ -49,10 +49,13 @@ static_assert(counts_from_zero_to(all_recorded_fields, RecordedField::after));
 struct Spelling {
   int decimals = 0;
   int significant = 0;
+  char last = '0';  // digit
 };
 [[nodiscard]] Spelling spelling_of(std::string_view text);
 
-/// How precisely a set of records is written. A number is known to half a unit of its last digit.
+/// How precisely a set of records is written. A number is known to half a unit of its last digit. A field may be
+/// written shorter than the velocities after. Then it has their digits, unless it is a vector whose numbers look
+/// rounded.
 struct Resolution {
   enum class Form {
     exact,        // as the numbers stand
@@ -64,13 +67,13 @@ struct Resolution {
   Form form = Form::exact;
   int digits = 0;                             // of the velocities after; unused if `exact`
   Precision precision = Precision::binary64;  // of the arithmetic that the numbers come from
-  /// The longest spelling of each field. A field that is written longer than the velocities is known better.
-  EnumArray<RecordedField, Spelling, all_recorded_fields.size()> longest = {};
+  /// The decimals or significant digits to which each field is known.
+  EnumArray<RecordedField, Spelling, all_recorded_fields.size()> known = {};
 
   /// An upper bound of the length of the error of a scalar or vector with these components.
   [[nodiscard]] double half_unit(RecordedField field, std::span<const double> components) const;
 
-  /// "4 decimals, read off the numbers (--digits N sets it)".
+  /// "4 decimals (3 of normal), read off the numbers (--digits N sets it)".
   [[nodiscard]] std::string in_words() const;
 };
 
@@ -84,11 +87,16 @@ class DigitsReader {
   [[nodiscard]] Resolution resolution(std::optional<int> stated) const;
 
  private:
+  /// Velocities after, or numbers of another field that look rounded.
+  struct Counts {
+    std::array<std::uint64_t, 40> with_decimals{};     // with so many decimals
+    std::array<std::uint64_t, 40> with_significant{};  // and with so many significant digits
+    std::uint64_t fractions = 0;                       // of all numbers of the field
+  };
+
   EnumArray<RecordedField, Spelling, all_recorded_fields.size()> longest_;
-  std::array<std::uint64_t, 40> with_decimals_{};     // velocities after with so many decimals
-  std::array<std::uint64_t, 40> with_significant_{};  // and with so many significant digits
-  std::uint64_t count_ = 0;                           // of these velocities that are not zero
-  bool may_be_binary32_ = true;                       // no velocity after tells that it is no binary32 number
+  EnumArray<RecordedField, Counts, all_recorded_fields.size()> counts_;
+  bool may_be_binary32_ = true;  // no velocity after tells that it is no binary32 number
 };
 
 }  // namespace carom::properties::records

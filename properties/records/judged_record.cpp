@@ -102,7 +102,7 @@ HalfUnits half_units_of(const Record& record, const Resolution& resolution) {
       return;
     }
     double& length = quantities.back().length;
-    length = resolution.half_unit(*recorded_field(of.field), components);
+    length = resolution.half_unit(*recorded_field(FieldPath{of.body, of.field}.text()), components);
     const Record::Shape& shape = record.shapes.at(of.body == "a" ? 0 : 1);
     if (of.field == "principal_inertia" && shape.length != 0) {
       const double mass = (of.body == "a" ? record.collision.a : record.collision.b).mass;
@@ -178,7 +178,6 @@ class Judge {
         yardstick_(oracles::Yardstick::of(resolution.precision)),
         half_(half_units_of(record, resolution)),
         off_a_(has_movable_body(c_) && oracles::reads_impulse_off_a(c_)) {
-    for_each_number([this](const FieldPath& /*path*/, double& number) { numbers_.push_back(&number); }, moved_);
     const Outcome<double> before = unchanged(c_);
     const double approach = c_.normal.dot(oracles::relative_velocity<double>(c_, before));
     doubt_ = yardstick_.allowance() * exact_case_.normal_velocity_sensitivity() +
@@ -192,7 +191,9 @@ class Judge {
   Judge(const Judge&) = delete;
   Judge& operator=(const Judge&) = delete;
 
-  [[nodiscard]] bool is_judged_by(Law law) const { return law != Law::rough || record_.has_friction; }
+  [[nodiscard]] bool is_judged_by(Law law) const {
+    return law != Law::rough || (record_.has_restitution && record_.has_friction && record_.has_tangential_restitution);
+  }
 
   /// If `has_all`, every broken invariant is found, otherwise one.
   [[nodiscard]] Checks by(Law law, bool has_all) const {
@@ -211,6 +212,9 @@ class Judge {
     }
     return colliding;
   }
+
+  [[nodiscard]] bool separates() const { return has_movable_body(c_) && !may_collide_; }
+  [[nodiscard]] bool is_direction_open() const { return may_collide_ && may_separate_; }
 
   [[nodiscard]] Implied implied() const {
     constexpr double most_doubt = 0.05;
@@ -248,6 +252,9 @@ class Judge {
     if (is_exact_) {
       return 0;
     }
+    Collision moved = c_;
+    std::vector<double*> numbers;
+    for_each_number([&](const FieldPath& /*path*/, double& number) { numbers.push_back(&number); }, moved);
     const auto difference = [](const auto& sides) { return (sides.left - sides.right).eval(); };
     const auto here = difference(one(c_, at));
     const auto squared_change = [&](double& number, double by, const auto& sides) {
@@ -260,7 +267,7 @@ class Judge {
     for (const oracles::Quantity& q : half_.inputs) {
       double squares = 0;
       for (std::size_t j = q.first; q.length > 0 && j < q.first + q.count; ++j) {
-        squares += squared_change(*numbers_[j], q.length, [&] { return one(moved_, at); });
+        squares += squared_change(*numbers[j], q.length, [&] { return one(moved, at); });
       }
       slack += std::sqrt(squares);
     }
@@ -412,10 +419,8 @@ class Judge {
   oracles::LiftedOutcome outcome_;
   oracles::Yardstick yardstick_;
   HalfUnits half_;
-  mutable Collision moved_ = c_;  // each number may move for a moment
-  std::vector<double*> numbers_;  // of moved_
-  bool off_a_;                    // whether the velocities of A give the impulse
-  double doubt_ = 0;              // of N·V⁻
+  bool off_a_;        // whether the velocities of A give the impulse
+  double doubt_ = 0;  // of N·V⁻
   bool may_collide_ = false;
   bool may_separate_ = false;
   Checks shared_ = {};
@@ -456,6 +461,12 @@ JudgedRecord judged(const Record& record, const Resolution& resolution, Law law,
   });
   if (has_movable_body(record.collision)) {
     result.implied = judge.implied();
+  }
+  result.separates = judge.separates();
+  if (!result.broken.empty() || judge.is_direction_open()) {
+    Record reversed = record;
+    reversed.collision.normal = -record.collision.normal;
+    result.holds_reversed = Judge(reversed, resolution).by(law, false).hold();
   }
   return result;
 }

@@ -36,6 +36,9 @@ struct JudgedRecord {
   Satisfied satisfied;         // of each judged law
   std::vector<Broken> broken;  // under the law, likely causes first
   Implied implied;
+  bool separates = false;       // the bodies do not approach
+  bool holds_reversed = false;  // whether the record holds under the law with −N; if it holds with N, false unless the
+                                // digits leave open whether the bodies approach
 };
 
 /// Judges a record by the law. If `all_laws`, it also says which other laws the record satisfies.

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include <carom/collision/validate.hpp>
@@ -14,10 +16,32 @@ namespace carom::properties::records {
 namespace {
 
 constexpr std::size_t most_unknown = 20;
+constexpr std::size_t most_text = 1000;  // of a kept unknown field [bytes]
+
+/// The first unknown fields, each cut to a short text. A record may have megabytes.
+nlohmann::json shortened(const nlohmann::json& others) {
+  nlohmann::json kept = nlohmann::json::object();
+  for (const auto& [name, value] : others.items()) {
+    if (kept.size() == most_unknown) {
+      break;
+    }
+    const std::string text = value.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+    kept[name] = text.size() <= most_text ? value : nlohmann::json(text.substr(0, most_text) + "…");
+  }
+  return kept;
+}
 
 double seriousness_of(const std::vector<Broken>& broken) {
   const auto less = [](const Broken& x, const Broken& y) { return x.ratio < y.ratio; };
   return std::max_element(broken.begin(), broken.end(), less)->ratio;
+}
+
+/// The number of the line or element at the end of a place in the file; 1 if the file is one record.
+std::uint64_t number_of(const std::string& place, const std::string& file) {
+  std::uint64_t number = 1;
+  const std::string_view in_file = std::string_view(place).substr(std::min(file.size(), place.size()));
+  std::from_chars(in_file.data() + in_file.find_last_not_of("0123456789") + 1, in_file.data() + in_file.size(), number);
+  return number;
 }
 
 /// The law that most records satisfy, if this is more than a third of those that it judges. A log with a defect in some
@@ -51,6 +75,9 @@ Spread RecordTally::Values::spread() const {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::nth_element(values.begin(), middle, values.end());
     spread.median = *middle;
+    if (values.size() % 2 == 0) {
+      spread.median = (*middle + *std::max_element(values.begin(), middle)) / 2;
+    }
   }
   return spread;
 }
@@ -63,6 +90,7 @@ void RecordTally::keep_if_worst(const std::string& place, Record record, std::ve
   }
   const auto at = std::find_if(worst.begin(), worst.end(),
                                [&](const PlacedRecord& other) { return seriousness_of(other.broken) < own; });
+  record.others = shortened(record.others);
   worst.insert(at, {place, std::move(record), std::move(broken)});
   if (worst.size() > most_worst) {
     worst.pop_back();
@@ -94,8 +122,13 @@ void RecordTally::add(const std::string& place, Record record, JudgedRecord judg
     ++report_.violations[invariant];
     sampled.violated.push_back(invariant);
   }
+  report_.hold_reversed += judged.holds_reversed ? 1 : 0;
   if (!judged.broken.empty()) {
     ++report_.violated;
+    report_.violated_apart += judged.separates ? 1 : 0;
+    if (report_.violated_at.size() < most_violated_at) {
+      report_.violated_at.push_back(number_of(place, report_.file));
+    }
     violated_.add(sampled);
     keep_if_worst(place, std::move(record), std::move(judged.broken));
   } else if (!judged.satisfied[report_.law]) {

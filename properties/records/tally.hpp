@@ -61,8 +61,11 @@ struct RecordsReport {
   std::uint64_t records = 0;
   std::uint64_t violated = 0;
   std::uint64_t not_judged = 0;
-  PerLaw<std::uint64_t> judged{};     // records that were judged by each law
-  PerLaw<std::uint64_t> satisfied{};  // the number of those records that satisfy it
+  std::uint64_t violated_apart = 0;        // violated records whose bodies do not approach
+  std::uint64_t hold_reversed = 0;         // records that hold with −N
+  std::vector<std::uint64_t> violated_at;  // the lines or elements of the first violated records
+  PerLaw<std::uint64_t> judged{};          // records that were judged by each law
+  PerLaw<std::uint64_t> satisfied{};       // the number of those records that satisfy it
   PerInvariant<std::uint64_t> violations;
   Spread restitution;
   Spread friction;
@@ -78,6 +81,7 @@ struct RecordsReport {
 };
 
 inline constexpr std::size_t most_worst = 10;
+inline constexpr std::size_t most_violated_at = 10'000;
 
 class RecordTally {
  public:
@@ -86,8 +90,6 @@ class RecordTally {
 
   /// Adds records in the order of the file.
   void add(const std::string& place, Record record, JudgedRecord judged);
-
-  [[nodiscard]] std::uint64_t records() const { return report_.records; }
 
   /// The results so far, with the likely faults. This takes time.
   [[nodiscard]] RecordsReport report() const;

@@ -69,6 +69,76 @@ TEST(Check, PutsTheVerdictFirstAndPrintsUnknownFieldsBack) {
   EXPECT_EQ(run.output.find('\x1b'), std::string::npos);
 }
 
+/// A planar record, as docs/guide/check.md shows it.
+json planar_record() {
+  return json::parse(R"({
+    "a": {"mass": 2, "moment": 0.5, "position": [0, 1], "velocity": [1, -2], "angular_velocity": 3},
+    "b": {"immovable": true, "position": [0, 0], "velocity": [0, 0], "angular_velocity": 0},
+    "point": [0, 0], "normal": [0, 1], "restitution": 0.5, "friction": 0,
+    "after": {"a": {"velocity": [1, 1], "angular_velocity": 3}}})");
+}
+
+TEST(Check, SaysThatTheNormalIsReversed) {
+  const TemporaryDirectory directory;
+  json reversed = planar_record();
+  reversed["normal"] = {0, -1};
+  std::string lines = planar_record().dump() + '\n';
+  EXPECT_EQ(run_carom({"check", directory.write("right.jsonl", lines)}).exit_status, 0);
+  for (int i = 0; i < 3; ++i) {
+    lines += reversed.dump() + '\n';
+  }
+  expect_in(run_carom({"check", directory.write("log.jsonl", lines)}).output,
+            {"VIOLATED: 1 of 4 records hold", "; N points from B to", "with −N, 3 of 4 records hold\n"});
+  reversed["after"]["a"]["velocity"] = {1, 1.5};
+  expect_in(run_carom({"check", directory.write("one.json", reversed.dump())}).output,
+            {"; N points from B to", "with −N, 1 of 1 records approach\n"});
+}
+
+TEST(Check, NamesThePlacesOfAllViolatedRecords) {
+  const TemporaryDirectory directory;
+  std::string lines = wall_record().dump() + "\n\n";
+  for (int i = 0; i < 41; ++i) {
+    lines += wrong_record().dump() + '\n';
+  }
+  const std::string file = directory.write("log.jsonl", lines);
+  expect_in(run_carom({"check", file, "--digits", "6"}).output,
+            {"violated records: 3, 4, 5, ", " 41, 42, … (41 in all"});
+  const json report = json::parse(run_carom({"check", file, "--digits", "6", "--format", "json"}).output);
+  ASSERT_EQ(report.at("violated_at").size(), 41U);
+  EXPECT_EQ(report.at("violated_at").back(), 43);
+  EXPECT_EQ(report.at("violated_left_out"), 0);
+}
+
+TEST(Check, NamesAllMissingFields) {
+  const TemporaryDirectory directory;
+  const auto expect = [&](const json& record, const std::string& said) {
+    expect_error(run_carom({"check", directory.write("one.json", record.dump())}), {"one.json: " + said});
+  };
+  expect({{"bodyA", 1}}, "a, b, point, normal and after are missing; add these fields (docs/guide/check.md)");
+  json other = planar_record();
+  other["after"]["a"].erase("velocity");
+  other["a"].erase("moment");
+  other["a"]["circle"] = 1;
+  expect(other,
+         "a.moment and after.a.velocity are missing; add these fields; did you mean 'disc'? (docs/guide/check.md)");
+  other["after"] = planar_record()["after"];
+  other["a"]["inertia"] = other["a"]["circle"];
+  other["a"].erase("circle");
+  expect(other, "a.moment: is missing; add this field; did you mean 'moment'? (docs/guide/check.md)");
+}
+
+TEST(Check, ReadsPlanarColumns) {
+  const TemporaryDirectory directory;
+  const std::string head =
+      "a.mass,a.disc,a.position.x,a.position.y,a.velocity.x,a.velocity.y,a.angular_velocity.z,b.immovable,b.position.x,"
+      "b.position.y,b.velocity.x,b.velocity.y,b.angular_velocity,point.x,point.y,normal.x,normal.y,restitution,"
+      "friction,"
+      "after.a.velocity.x,after.a.velocity.y,after.a.angular_velocity.z\n";
+  const std::string file = directory.write("log.csv", head + "2,1,0,1,1,-2,3,1,0,0,0,0,0,0,0,0,1,0.5,0,1,1,3\n");
+  const RunResult run = run_carom({"check", file, "--law", "frictionless"});
+  EXPECT_EQ(run.exit_status, 0) << run.output << run.errors;
+}
+
 TEST(Check, ReadsColumns) {
   const TemporaryDirectory directory;
   const std::string head =
@@ -87,9 +157,51 @@ TEST(Check, ReadsColumns) {
   const RunResult wrong = run_carom({"check", directory.write("wrong.csv", head + line("\"a \"\"b\"\", c\"", "-1.7"))});
   EXPECT_EQ(wrong.exit_status, 1);
   expect_in(wrong.output, {"frame: \"a \\\"b\\\", c\"", "wrong.csv:2"});
+  const std::string marked = directory.write("marked.csv", "\xEF\xBB\xBF" + head + line("1", "-1.6"));
+  EXPECT_EQ(run_carom({"check", marked}).exit_status, 0);
+  expect_error(run_carom({"check", directory.write("signs.csv", head + line("1", "+-2"))}),
+               {"signs.csv:2: after.a.velocity.x: expected a number, found \"+-2\""});
   const std::string broken = head + line("1", "-1.6") + line("2", "x");
   expect_error(run_carom({"check", directory.write("broken.csv", broken)}),
                {"broken.csv:3: after.a.velocity.x: expected a number, found \"x\""});
+}
+
+TEST(Check, NamesTheColumnOfAnError) {
+  const TemporaryDirectory directory;
+  const auto expect = [&](const std::string& text, const std::vector<std::string>& parts) {
+    expect_error(run_carom({"check", directory.write("one.csv", text)}), parts);
+  };
+  expect("a,after,a.mass\n", {"one.csv:1: the columns a and a.mass contradict each other"});
+  expect("\na.angular_velocity.x,a.angular_velocity\n", {"one.csv:2: the columns a.angular_velocity and a.angular_v"});
+  expect("point.x,a.mass,point\n", {"one.csv:1: the columns point and point.x contradict each other"});
+  expect("a.mass,frame,frame\n", {"one.csv:1: the column frame occurs twice"});
+  expect("a.mass,\"b\n", {"one.csv:1: a quotation mark is not closed"});
+  expect("a.mass\n\n1e400\n", {"one.csv:3: a.mass: the number '1e400' overflows binary64"});
+}
+
+TEST(Check, EndsWith2IfMoreThanATenthIsNotJudged) {
+  const TemporaryDirectory directory;
+  json whole = wall_record();
+  whole.update({{"friction", 0.5}, {"tangential_restitution", 0}});
+  const std::string file = directory.write("log.jsonl", whole.dump() + '\n' + wall_record().dump() + '\n');
+  const RunResult run = run_carom({"check", file, "--law", "rough"});
+  EXPECT_EQ(run.exit_status, 2) << run.output << run.errors;
+  expect_in(run.output, {"NOT JUDGED: 1 of 2 records, which is more than a tenth; 1 of 2 records hold",
+                         "1 records: the record lacks restitution, friction or tangential_restitution"});
+  expect_in(run_carom({"check", file, "--law", "rough", "--format", "junit"}).output, {"errors=\"1\""});
+  EXPECT_EQ(run_carom({"check", file, "--law", "frictionless"}).exit_status, 0);
+}
+
+TEST(Check, CutsALongUnknownField) {
+  const TemporaryDirectory directory;
+  json wrong = wrong_record();
+  wrong["a"]["velocities"] = std::string(100'000, 'x');
+  wrong["b"]["mass"] = 0;
+  const std::string file = directory.write("log.json", wrong.dump());
+  const json report = json::parse(run_carom({"check", file, "--format", "json"}).output);
+  EXPECT_LT(report.at("worst").at(0).at("others").at("a.velocities").get<std::string>().size(), 1100U);
+  const std::string text = run_carom({"check", file}).output;
+  expect_in(text, {"fields that no law reads: a.velocities, frame"});
 }
 
 TEST(Check, PrintsWhatItFoundBeforeABrokenRecord) {
@@ -134,6 +246,7 @@ TEST(Check, WritesItsReports) {
   EXPECT_EQ(report.at("records"), 2);
   EXPECT_EQ(report.at("violated"), 1);
   EXPECT_EQ(report.at("violations").at("restitution"), 1);
+  EXPECT_NEAR(report.at("implied").at("restitution").at("median").get<double>(), 0.825, 1e-9);
   EXPECT_EQ(report.at("worst").at(0).at("others").at("frame"), 17);
   EXPECT_EQ(report.at("worst").at(0).at("place"), file + ": element 1");
   expect_in(content_of(out / "junit.xml"), {"<failure message=\"1 of 2 records violate it\"", "failures=\"1\""});

@@ -339,9 +339,9 @@ TEST(HostileInput, OfOneLongLineIsReadAsAWhole) {
 
 /// Each command waits for a pipe, first without a writer, then with a silent writer.
 TEST(InputThatNeverComes, IsNotAwaitedAfterASignal) {
-  for (const char* command : {"replay", "plan", "scene"}) {
+  for (const char* command : {"replay", "plan", "scene", "check"}) {
     const TemporaryDirectory directory;
-    const std::string pipe = (directory.path() / "pipe").string();
+    const std::string pipe = (directory.path() / "pipe.csv").string();  // `check` reads CSV
     ASSERT_EQ(mkfifo(pipe.c_str(), S_IRUSR | S_IWUSR), 0);
     for (const char* script : {"sleep 0.3; kill -TERM $1", "exec 3> \"$0\"; sleep 0.3; kill -TERM $1; sleep 1"}) {
       const pid_t waiting = start_carom({command, pipe});

@@ -43,7 +43,8 @@ struct Record {
 /// Parses JSON as parse_json does, but keeps each number that is not an integer as its text.
 [[nodiscard]] nlohmann::json parse_spelled(std::string_view text);
 
-/// Calls visit(path, text) for each number of a parsed record, as text: ("after.a.velocity", "-1.60").
+/// Calls visit(path, text) for each number of a parsed record, as text: ("after.a.velocity", "-1.60"). Leaves out
+/// fields that have a dot in their name.
 void for_each_spelling(const nlohmann::json& spelled,
                        const std::function<void(const std::string& path, const std::string& text)>& visit);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <sstream>
 #include <utility>
 
@@ -34,12 +35,41 @@ std::string law_in_words(const RecordsReport& report) {
                         : "under what holds for every law (--law names one)";
 }
 
+/// What −N would change, if most records are violated and separate. Empty otherwise.
+std::string reversed_in_words(const RecordsReport& report) {
+  if (2 * report.violated_apart <= report.records) {
+    return {};
+  }
+  const bool hold = report.hold_reversed > report.held();
+  return fmt::format("; N points from B to A in Carom; with −N, {} of {} records {}",
+                     hold ? report.hold_reversed : report.violated_apart, report.records, hold ? "hold" : "approach");
+}
+
+/// The places of the violated records in the file, cut to one line.
+std::string places_in_words(const RecordsReport& report) {
+  constexpr std::size_t most_shown = 40;
+  const auto& at = report.violated_at;
+  const std::span<const std::uint64_t> first(at.data(), std::min(at.size(), most_shown));
+  std::string text = fmt::format("{}", fmt::join(first, ", "));
+  if (report.violated > first.size()) {
+    text += fmt::format(", … ({} in all; --format json has {})", report.violated,
+                        report.violated > at.size() ? fmt::format("the first {}", at.size()) : "them");
+  }
+  return text;
+}
+
+bool leaves_out_many(const RecordsReport& report) { return 10 * report.not_judged > report.records; }
+
 std::string verdict_of(const RecordsReport& report) {
   if (report.held() + report.violated == 0) {
     return "NOT JUDGED: no record was judged";
   }
   const std::string held = fmt::format("{} of {} records hold {}", report.held(), report.records, law_in_words(report));
-  return (report.violated > 0 ? "VIOLATED: " : "") + held;
+  if (report.violated == 0 && leaves_out_many(report)) {
+    return fmt::format("NOT JUDGED: {} of {} records, which is more than a tenth; {}", report.not_judged,
+                       report.records, held);
+  }
+  return (report.violated > 0 ? "VIOLATED: " : "") + held + reversed_in_words(report);
 }
 
 /// The names of fields that a record may misspell.
@@ -47,7 +77,9 @@ std::string unknown_in_words(const RecordsReport& report) {
   std::vector<std::string> names;
   for (const std::string& path : report.unknown) {
     const std::string name = path.substr(path.rfind('.') + 1);
-    names.push_back(shown(path) + (path == "class" ? "" : properties::did_you_mean(name, fields_of_records())));
+    const std::vector<std::string>& known = fields_of_records();
+    const bool is_misspelt = path != "class" && std::find(known.begin(), known.end(), name) == known.end();
+    names.push_back(shown(path) + (is_misspelt ? properties::did_you_mean(name, known) : ""));
   }
   return names.empty() ? "" : fmt::format("{}", fmt::join(names, ", "));
 }
@@ -55,14 +87,14 @@ std::string unknown_in_words(const RecordsReport& report) {
 Document head_of(const RecordsReport& report) {
   std::string rest;
   if (report.not_judged > 0) {
-    rest = fmt::format("{} records: {}", report.not_judged,
-                       report.has_law && report.law == Law::rough && report.judged[Law::rough] == 0
-                           ? "the law rough needs friction, and the records have none"
-                           : "the record lacks what the law needs, or numbers leave their range");
+    rest = fmt::format(
+        "{} records: {}numbers leave their range", report.not_judged,
+        report.law == Law::rough ? "the record lacks restitution, friction or tangential_restitution, or " : "");
   }
   Document head{Paragraph{fmt::format("Carom {}: {}", version, shown(report.file))},
                 Paragraph{verdict_of(report), fmt::format("result exit-{}", exit_status_of(report))},
                 Facts{{{"digits", report.resolution.in_words()},
+                       {"violated records", places_in_words(report)},
                        {"not judged", rest},
                        {"fields that no law reads", unknown_in_words(report)},
                        {"not read to the end", shown(report.error)},
@@ -198,10 +230,13 @@ std::vector<const properties::Invariant*> judged_invariants(const RecordsReport&
 }  // namespace
 
 int exit_status_of(const RecordsReport& report) {
-  if (!report.error.empty() || report.interrupted || report.held() + report.violated == 0) {
+  if (!report.error.empty() || report.interrupted || report.records == 0) {
     return exit_usage;
   }
-  return report.violated > 0 ? exit_violated : exit_all_hold;
+  if (report.violated > 0) {
+    return exit_violated;
+  }
+  return leaves_out_many(report) ? exit_usage : exit_all_hold;
 }
 
 std::string records_text(const RecordsReport& report) {
@@ -247,6 +282,8 @@ json records_record(const RecordsReport& report) {
               {"records", report.records},
               {"hold", report.held()},
               {"violated", report.violated},
+              {"violated_at", report.violated_at},
+              {"violated_left_out", report.violated - report.violated_at.size()},
               {"not_judged", report.not_judged},
               {"laws", laws},
               {"implied",

@@ -10,7 +10,8 @@
 /// The judgement of recorded collisions (`carom check`), in every form.
 namespace carom::report {
 
-/// 0 if all records hold, 1 if one is violated, 2 if the file was not read to its end or no record was judged.
+/// 1 if a record is violated. Otherwise 2 if more than a tenth was not judged, or 0. 2 in any case if the file was not
+/// read to its end.
 [[nodiscard]] int exit_status_of(const properties::records::RecordsReport& report);
 
 /// For a terminal. The verdict comes first.
@@ -19,7 +20,7 @@ namespace carom::report {
 /// report.html: one page that needs no script, network or other file.
 [[nodiscard]] std::string records_html(const properties::records::RecordsReport& report);
 
-/// report.json.
+/// report.json (docs/reference/schemas/records.schema.json).
 [[nodiscard]] nlohmann::json records_record(const properties::records::RecordsReport& report);
 
 /// JUnit's XML: a suite for the file, with a test for each invariant that the law claims.

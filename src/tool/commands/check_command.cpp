@@ -45,6 +45,7 @@ struct CheckArguments {
 constexpr std::size_t records_for_digits = 1000;
 constexpr std::size_t records_of_batch = 4096;
 constexpr std::size_t records_of_work = 64;
+constexpr std::size_t text_of_batch = std::size_t{32} << 20;  // after which a batch ends [bytes]
 
 struct JudgedText {
   Record record;
@@ -89,8 +90,9 @@ class Check {
   /// Up to `most` records. Empty at the end of the file, or if it cannot be read.
   [[nodiscard]] Texts read(std::size_t most) {
     Texts batch;
+    const std::uint64_t end = read_ + text_of_batch;
     try {
-      while (batch.size() < most && unread_.empty()) {
+      while (batch.size() < most && read_ < end && unread_.empty()) {
         std::optional<RecordFile::Text> text = file_.next();
         if (!text) {
           break;
@@ -207,7 +209,7 @@ void add_check(CLI::App& app, Chosen& chosen) {
   CLI::App* command = app.add_subcommand("check",
                                          "Judge recorded collisions: velocities before and after; exit status 0 all "
                                          "records hold, 1 a record is violated, 2 "
-                                         "the file cannot be read, or no record was judged");
+                                         "the file cannot be read, or more than a tenth is not judged");
   command
       ->add_option("FILE", arguments->file,
                    "Records as JSON Lines, an array or one object; or as CSV, in a file whose name ends with .csv")

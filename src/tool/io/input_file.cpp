@@ -40,11 +40,6 @@ constexpr int glance = 50;  // interval between checks for a request to stop [ms
                                subjects::protocol::message_of({error, std::generic_category()})));
 }
 
-bool is_blank(const std::string& line) { return line.find_first_not_of(" \t\r") == std::string::npos; }
-
-/// The reason why a read ended. The end of a line is consumed, but not added to the text.
-enum class End { line, file, limit };
-
 using nlohmann::json;
 
 /// The longest message about a record [bytes]. A record may have megabytes.
@@ -137,126 +132,59 @@ ReadCollision read_record(const json& record, const std::string& place, OutOfRan
 
 }  // namespace
 
-/// A file of any kind, including a pipe or an endless device. Keeps only as many bytes as the caller asks for. All
-/// errors are UsageErrors that name the file.
-class BoundedInput {
- public:
-  /// Throws if the file is a directory or cannot be opened.
-  BoundedInput(std::string file, std::stop_token stop) : file_(std::move(file)), stop_(std::move(stop)) {
-    // O_NONBLOCK lets a stop end the wait for a pipe that no process has opened for writing.
-    descriptor_ = open(file_.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
-    if (descriptor_ < 0) {
-      if (errno == ENOENT) {
-        throw UsageError(fmt::format("{}: this file does not exist; check the path", file_));
-      }
-      fail_to_read(file_, errno);
-    }
-    struct stat facts {};
-    if (fstat(descriptor_, &facts) == 0 && S_ISDIR(facts.st_mode)) {
-      close(descriptor_);
-      throw UsageError(fmt::format("{}: expected a file, found a directory", file_));
-    }
-  }
-  ~BoundedInput() { close(descriptor_); }
-  BoundedInput(const BoundedInput&) = delete;
-  BoundedInput& operator=(const BoundedInput&) = delete;
+bool is_blank(std::string_view text) { return text.find_first_not_of(" \t\r\n") == std::string_view::npos; }
 
-  /// Appends to the text up to the end of the line, or until the text is longer than a line may be. Throws if the file
-  /// cannot be read, or if a stop is requested while the function waits.
-  End add_line(std::string& text) {
-    while (fill()) {
-      const std::size_t line_end = std::min(buffer_.find('\n', next_), buffer_.size());
-      text.append(buffer_, next_, line_end - next_);
-      const bool has_ended = line_end < buffer_.size();
-      next_ = line_end + (has_ended ? 1 : 0);
-      if (text.size() > longest_line) {
-        return End::limit;
-      }
-      if (has_ended) {
-        return End::line;
-      }
+BoundedInput::BoundedInput(std::string file, std::stop_token stop) : file_(std::move(file)), stop_(std::move(stop)) {
+  // O_NONBLOCK lets a stop end the wait for a pipe that no process has opened for writing.
+  descriptor_ = open(file_.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+  if (descriptor_ < 0) {
+    if (errno == ENOENT) {
+      throw UsageError(fmt::format("{}: this file does not exist; check the path", file_));
     }
-    return End::file;
+    fail_to_read(file_, errno);
   }
-
-  /// Appends the rest of the file to the text. Throws as add_line does, or if the text is too large.
-  void add_rest(std::string& text) {
-    while (fill()) {
-      text.append(buffer_, next_);
-      next_ = buffer_.size();
-      if (text.size() > largest_whole) {
-        throw UsageError(
-            fmt::format("{}: the file is larger than {} MiB; write it as JSON Lines", file_, largest_whole / mebibyte));
-      }
-    }
+  struct stat facts {};
+  if (fstat(descriptor_, &facts) == 0 && S_ISDIR(facts.st_mode)) {
+    close(descriptor_);
+    throw UsageError(fmt::format("{}: expected a file, found a directory", file_));
   }
-
- private:
-  /// Returns whether there is more to read. If there is, next_ < buffer_.size().
-  bool fill() {
-    if (next_ < buffer_.size()) {
-      return true;
-    }
-    next_ = 0;
-    buffer_.resize(buffer_size);
-    for (;;) {
-      if (stop_.stop_requested()) {
-        buffer_.clear();
-        throw UsageError(fmt::format("{}: the user stopped the program before the end of the file", file_));
-      }
-      pollfd waited{descriptor_, POLLIN, 0};
-      if (poll(&waited, 1, glance) == 0) {
-        continue;
-      }
-      const ssize_t count = read(descriptor_, buffer_.data(), buffer_.size());
-      if (count >= 0) {
-        buffer_.resize(static_cast<std::size_t>(count));
-        return count > 0;
-      }
-      if (errno != EAGAIN && errno != EINTR) {
-        buffer_.clear();
-        fail_to_read(file_, errno);
-      }
-    }
-  }
-
-  std::string file_;
-  std::stop_token stop_;
-  int descriptor_ = -1;
-  std::string buffer_;
-  std::size_t next_ = 0;  // in the buffer
-};
-
-JsonFile::JsonFile(const std::string& file, const std::stop_token& stop)
-    : file_(file), input_(std::make_unique<BoundedInput>(file, stop)) {
-  std::string line;
-  End end = End::line;
-  while (end == End::line && is_blank(line) && whole_.size() <= longest_line) {
-    whole_ += number_ > 0 ? line + '\n' : "";
-    line.clear();
-    ++number_;
-    end = input_->add_line(line);
-  }
-  if (end == End::line && !is_blank(line) && nlohmann::json::accept(line)) {
-    read_.push_back({number_, line});
-    if (std::optional<Line> second = next_line_of_input()) {
-      read_.push_back(std::move(*second));
-      is_lines_ = true;
-      whole_.clear();
-      return;
-    }
-    read_.clear();
-  }
-  whole_ += line + (end == End::line ? "\n" : "");
-  input_->add_rest(whole_);
 }
 
-JsonFile::~JsonFile() = default;
+BoundedInput::~BoundedInput() { close(descriptor_); }
 
-std::optional<JsonFile::Line> JsonFile::next_line_of_input() {
+BoundedInput::End BoundedInput::add_line(std::string& text) {
+  ++lines_;
+  while (fill()) {
+    const std::size_t line_end = std::min(buffer_.find('\n', next_), buffer_.size());
+    text.append(buffer_, next_, line_end - next_);
+    const bool has_ended = line_end < buffer_.size();
+    next_ = line_end + (has_ended ? 1 : 0);
+    if (text.size() > longest_line) {
+      return End::limit;
+    }
+    if (has_ended) {
+      return End::line;
+    }
+  }
+  return End::file;
+}
+
+void BoundedInput::add_rest(std::string& text) {
+  while (fill()) {
+    text.append(buffer_, next_);
+    next_ = buffer_.size();
+    if (text.size() > largest_whole) {
+      throw UsageError(
+          fmt::format("{}: the file is larger than {} MiB; write it as JSON Lines", file_, largest_whole / mebibyte));
+    }
+  }
+}
+
+std::optional<BoundedInput::Line> BoundedInput::next_line() {
   while (!has_ended_) {
-    Line line{++number_, {}};
-    const End end = input_->add_line(line.text);
+    Line line;
+    const End end = add_line(line.text);
+    line.number = lines_;
     if (end == End::limit) {
       throw UsageError(fmt::format("{}:{}: the line is longer than {} MiB; write one collision per line", file_,
                                    line.number, longest_line / mebibyte));
@@ -269,10 +197,62 @@ std::optional<JsonFile::Line> JsonFile::next_line_of_input() {
   return std::nullopt;
 }
 
+bool BoundedInput::fill() {
+  if (next_ < buffer_.size()) {
+    return true;
+  }
+  next_ = 0;
+  buffer_.resize(buffer_size);
+  for (;;) {
+    if (stop_.stop_requested()) {
+      buffer_.clear();
+      throw UsageError(fmt::format("{}: the user stopped the program before the end of the file", file_));
+    }
+    pollfd waited{descriptor_, POLLIN, 0};
+    if (poll(&waited, 1, glance) == 0) {
+      continue;
+    }
+    const ssize_t count = read(descriptor_, buffer_.data(), buffer_.size());
+    if (count >= 0) {
+      buffer_.resize(static_cast<std::size_t>(count));
+      return count > 0;
+    }
+    if (errno != EAGAIN && errno != EINTR) {
+      buffer_.clear();
+      fail_to_read(file_, errno);
+    }
+  }
+}
+
+JsonFile::JsonFile(const std::string& file, const std::stop_token& stop) : file_(file), input_(file, stop) {
+  using End = BoundedInput::End;
+  std::string line;
+  std::size_t number = 0;
+  End end = End::line;
+  while (end == End::line && is_blank(line) && whole_.size() <= longest_line) {
+    whole_ += number > 0 ? line + '\n' : "";
+    line.clear();
+    ++number;
+    end = input_.add_line(line);
+  }
+  if (end == End::line && !is_blank(line) && nlohmann::json::accept(line)) {
+    read_.push_back({number, line});
+    if (std::optional<Line> second = input_.next_line()) {
+      read_.push_back(std::move(*second));
+      is_lines_ = true;
+      whole_.clear();
+      return;
+    }
+    read_.clear();
+  }
+  whole_ += line + (end == End::line ? "\n" : "");
+  input_.add_rest(whole_);
+}
+
 std::optional<JsonFile::Line> JsonFile::next_line() {
   CAROM_EXPECTS(is_lines_, file_);
   if (read_.empty()) {
-    return next_line_of_input();
+    return input_.next_line();
   }
   Line line = std::move(read_.front());
   read_.pop_front();

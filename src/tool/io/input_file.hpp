@@ -4,17 +4,57 @@
 #include <cstddef>
 #include <deque>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <string_view>
 
 #include <carom/collision/expects.hpp>
 #include <carom/properties/cases/family.hpp>
 
 namespace carom::tool {
 
-class BoundedInput;
+/// Whether the text has nothing but blanks and ends of lines.
+[[nodiscard]] bool is_blank(std::string_view text);
+
+/// A file of any kind, including a pipe or an endless device. Keeps only as many bytes as the caller asks for. All
+/// errors are UsageErrors that name the file.
+class BoundedInput {
+ public:
+  /// Throws if the file is a directory or cannot be opened.
+  BoundedInput(std::string file, std::stop_token stop);
+  ~BoundedInput();
+  BoundedInput(const BoundedInput&) = delete;
+  BoundedInput& operator=(const BoundedInput&) = delete;
+
+  /// The reason why a read ended. The end of a line is consumed, but not added to the text.
+  enum class End { line, file, limit };
+  /// Appends to the text up to the end of the line, or until the text is longer than a line may be. Throws if the file
+  /// cannot be read, or if a stop is requested while the function waits.
+  [[nodiscard]] End add_line(std::string& text);
+
+  /// Appends the rest of the file to the text. Throws as add_line does, or if the text is too large.
+  void add_rest(std::string& text);
+
+  struct Line {
+    std::size_t number = 0;  // from 1
+    std::string text = {};
+  };
+  /// The next line that is not blank; none at the end. Throws as add_line does, or if the line is too long.
+  [[nodiscard]] std::optional<Line> next_line();
+
+ private:
+  /// Returns whether there is more to read. If there is, next_ < buffer_.size().
+  [[nodiscard]] bool fill();
+
+  std::string file_;
+  std::stop_token stop_;
+  int descriptor_ = -1;
+  std::string buffer_;
+  std::size_t next_ = 0;   // in the buffer
+  std::size_t lines_ = 0;  // that were read
+  bool has_ended_ = false;
+};
 
 /// A JSON file. It is JSON Lines, of any length, if its first non-blank line is a complete JSON text and another
 /// non-blank line follows. Otherwise it is one JSON text. Errors are UsageErrors that name the file and, for JSON
@@ -23,17 +63,11 @@ class JsonFile {
  public:
   /// Reads until the form is known. Throws if the file cannot be read, or is a single text that is too large.
   explicit JsonFile(const std::string& file, const std::stop_token& stop = {});
-  ~JsonFile();
-  JsonFile(const JsonFile&) = delete;
-  JsonFile& operator=(const JsonFile&) = delete;
 
   [[nodiscard]] const std::string& file() const { return file_; }
   [[nodiscard]] bool is_lines() const { return is_lines_; }
 
-  struct Line {
-    std::size_t number;  // from 1
-    std::string text;
-  };
+  using Line = BoundedInput::Line;
   /// The next line that is not blank; none at the end. Throws if the line cannot be read or is too long. Precondition:
   /// is_lines().
   [[nodiscard]] std::optional<Line> next_line();
@@ -45,14 +79,10 @@ class JsonFile {
   }
 
  private:
-  [[nodiscard]] std::optional<Line> next_line_of_input();
-
   std::string file_;
-  std::unique_ptr<BoundedInput> input_;
+  BoundedInput input_;
   bool is_lines_ = false;
   std::deque<Line> read_;  // lines that were read ahead
-  std::size_t number_ = 0;
-  bool has_ended_ = false;
   std::string whole_;
 };
 

@@ -4,14 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cerrno>
 #include <charconv>
-#include <cstdio>
-#include <filesystem>
+#include <cmath>
+#include <cstdlib>
 #include <memory>
-#include <set>
 #include <string_view>
 #include <system_error>
+#include <tuple>
 #include <utility>
 #include <variant>
 
@@ -23,7 +22,6 @@
 #include <libfccp/csv.h>
 
 #include <carom/collision/json/json.hpp>
-#include <carom/subjects/protocol/shortage.hpp>
 
 #include "io/input_file.hpp"
 #include "io/usage_error.hpp"
@@ -33,8 +31,6 @@ namespace carom::tool {
 using nlohmann::json;
 
 namespace {
-
-bool is_blank(std::string_view text) { return text.find_first_not_of(" \t\r\n") == std::string_view::npos; }
 
 /// The elements of the array that the text is; none if it is no array. Each element is found by its brackets, so that
 /// parsing it finds its errors.
@@ -74,14 +70,16 @@ std::optional<std::vector<std::string_view>> elements_of(std::string_view text) 
 
 /// A record's column in a CSV file.
 struct Column {
-  std::vector<std::string> path;  // "after", "a", "velocity"; for an unknown column, its name alone
-  int component = -1;             // of a vector
+  std::string name;
+  std::vector<std::string> path = {};  // "after", "a", "velocity"; for an unknown column, its name alone
+  int component = -1;                  // of a vector
+  std::size_t length = 0;              // the number of components that the columns of this vector name
   bool is_known = false;
   bool is_flag = false;
 };
 
 Column column_named(const std::string& name) {
-  Column column;
+  Column column{name};
   for (std::size_t begin = 0; begin <= name.size();) {
     const std::size_t end = std::min(name.find('.', begin), name.size());
     column.path.push_back(name.substr(begin, end - begin));
@@ -109,7 +107,7 @@ Column column_named(const std::string& name) {
   column.is_known = is_field && has_form && (is_after || is_of_body || (path.size() == 1 && is_of_contact));
   column.is_flag = field == "immovable";
   if (!column.is_known) {
-    column = {{name}};
+    column = {name, {name}};
   }
   return column;
 }
@@ -120,14 +118,22 @@ std::string trimmed(std::string_view text) {
                                          : std::string(text.substr(first, text.find_last_not_of(" \t") - first + 1));
 }
 
-/// The number in the text; "nan", "inf" and "-inf" as JSON spells them; other text as it is.
+/// The number in the text; "nan", "inf" and "-inf" as JSON spells them; other text as it is. Throws FormatError if the
+/// number overflows.
 json number_in(const std::string& text) {
-  const char* const begin = text.data() + (text.starts_with('+') ? 1 : 0);
+  const char* const begin = text.data() + (text.starts_with('+') && !text.starts_with("+-") ? 1 : 0);
   const char* const end = text.data() + text.size();
   double number = 0;
   const auto [stop, error] = std::from_chars(begin, end, number);
   if (error == std::errc() && stop == end) {
     return number_to_json(number);
+  }
+  if (error == std::errc::result_out_of_range && stop == end) {
+    number = std::strtod(begin, nullptr);  // from_chars does not tell overflow from underflow
+    if (std::isinf(number)) {
+      throw FormatError("the number '" + text + "' overflows binary64");
+    }
+    return number;
   }
   return text;
 }
@@ -179,28 +185,29 @@ std::vector<std::string> cells_of(const std::string& line, char separator) {
 
 class CsvRecords {
  public:
-  explicit CsvRecords(const std::string& file) : file_(file), lines_(file, opened(file)) {
-    std::string header;
-    while (is_blank(header)) {
-      const std::optional<std::string> line = next_line();
-      if (!line) {
-        throw UsageError(fmt::format("{}: the file is empty; expected a line of column names", file));
-      }
-      header = *line;
+  CsvRecords(const std::string& file, const std::stop_token& stop) : file_(file), input_(file, stop) {
+    std::optional<BoundedInput::Line> line = input_.next_line();
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    if (line && line->text.starts_with(byte_order_mark)) {
+      line->text.erase(0, byte_order_mark.size());
     }
+    if (!line || is_blank(line->text)) {
+      throw UsageError(fmt::format("{}: the file is empty; expected a line of column names", file));
+    }
+    const std::string header = without_return(std::move(line->text));
     for (const char separator : {',', ';', '\t'}) {
       if (header.find(separator) != std::string::npos) {
         separator_ = separator;
         break;
       }
     }
-    std::set<std::string> names;
-    for (const std::string& name : cells_of(header, separator_)) {
-      if (!names.insert(name).second) {
-        throw UsageError(
-            fmt::format("{}:{}: the column {} occurs twice; keep one of them", file, lines_.get_file_line(), name));
+    try {
+      for (const std::string& name : cells_of(header, separator_)) {
+        columns_.push_back(column_named(name));
       }
-      columns_.push_back(column_named(name));
+      relate_columns();
+    } catch (const FormatError& error) {
+      throw UsageError(fmt::format("{}:{}: {}", file, line->number, error.what()));
     }
     if (std::none_of(columns_.begin(), columns_.end(), [](const Column& column) { return column.is_known; })) {
       throw UsageError(
@@ -209,12 +216,10 @@ class CsvRecords {
   }
 
   std::optional<RecordFile::Text> next() {
-    while (std::optional<std::string> line = next_line()) {
-      if (!is_blank(*line)) {
-        return RecordFile::Text{fmt::format("{}:{}", file_, lines_.get_file_line()), *std::move(line)};
-      }
-    }
-    return std::nullopt;
+    std::optional<BoundedInput::Line> line = input_.next_line();
+    return line ? std::optional(RecordFile::Text{fmt::format("{}:{}", file_, line->number),
+                                                 without_return(std::move(line->text))})
+                : std::nullopt;
   }
 
   [[nodiscard]] json parsed(const RecordFile::Text& record, bool spelled) const {
@@ -234,58 +239,71 @@ class CsvRecords {
         place = &(*place)[name];
       }
       if (column.component >= 0) {
-        const auto size = static_cast<std::size_t>(column.component) + 1;
-        while (place->size() < std::max(size, length_of(column))) {
+        while (place->size() < column.length) {
           place->push_back(nullptr);
         }
-        place = &(*place)[size - 1];
+        place = &(*place)[static_cast<std::size_t>(column.component)];
       }
       if (column.is_known && column.is_flag) {
         *place = flag_in(cells[i]);
       } else {
-        *place = spelled || !column.is_known ? json(cells[i]) : number_in(cells[i]);
+        *place = spelled || !column.is_known ? json(cells[i]) : number_at(column.name, cells[i]);
       }
     }
     return result;
   }
 
  private:
-  static FILE* opened(const std::string& file) {
-    std::error_code ignored;
-    if (std::filesystem::is_directory(file, ignored)) {
-      throw UsageError(fmt::format("{}: expected a file, found a directory", file));
+  static std::string without_return(std::string line) {
+    if (line.ends_with('\r')) {
+      line.pop_back();
     }
-    FILE* const stream = std::fopen(file.c_str(), "rb");
-    if (stream == nullptr) {
-      throw UsageError(errno == ENOENT ? fmt::format("{}: this file does not exist; check the path", file)
-                                       : fmt::format("{}: the file cannot be read: {}", file,
-                                                     subjects::protocol::message_of({errno, std::generic_category()})));
-    }
-    return stream;
+    return line;
   }
 
-  std::optional<std::string> next_line() {
+  static json number_at(const std::string& column, const std::string& text) {
     try {
-      const char* const line = lines_.next_line();
-      return line == nullptr ? std::nullopt : std::optional<std::string>(line);
-    } catch (const io::error::base&) {
-      throw UsageError(fmt::format("{}:{}: the line is longer than 16 MiB", file_, lines_.get_file_line()));
+      return number_in(text);
+    } catch (const FormatError& error) {
+      throw FormatError(column, error.what());
     }
   }
 
-  /// The number of components that the columns of this vector name.
-  [[nodiscard]] std::size_t length_of(const Column& of) const {
-    std::size_t length = 0;
-    for (const Column& column : columns_) {
-      if (column.path == of.path) {
-        length = std::max(length, static_cast<std::size_t>(column.component) + 1);
-      }
+  /// Sets the lengths. Throws FormatError if a column occurs twice, or if one column is a part of another.
+  void relate_columns() {
+    std::vector<Column*> sorted;
+    for (Column& column : columns_) {
+      sorted.push_back(&column);
     }
-    return length;
+    const auto key = [](const Column* column) { return std::tie(column->path, column->component, column->name); };
+    std::sort(sorted.begin(), sorted.end(), [&](const Column* x, const Column* y) { return key(x) < key(y); });
+    // The columns of a vector, and those that a column contains, follow it.
+    for (std::size_t i = sorted.size(); i-- > 0;) {
+      Column& column = *sorted[i];
+      const bool is_first = i == 0 || sorted[i - 1]->path != column.path;
+      if (is_first && column.component == 2 && column.path.back() == "angular_velocity") {
+        column.component = -1;  // a planar log may name the only component
+      }
+      column.length = static_cast<std::size_t>(column.component + 1);
+      if (i + 1 == sorted.size()) {
+        continue;
+      }
+      const Column& next = *sorted[i + 1];
+      if (column.name == next.name) {
+        throw FormatError(fmt::format("the column {} occurs twice; keep one of them", column.name));
+      }
+      const bool contains_next = column.path.size() <= next.path.size() &&
+                                 std::equal(column.path.begin(), column.path.end(), next.path.begin());
+      if (contains_next && (column.path != next.path || column.component < 0)) {
+        throw FormatError(
+            fmt::format("the columns {} and {} contradict each other; keep one of them", column.name, next.name));
+      }
+      column.length = contains_next ? next.length : column.length;
+    }
   }
 
   std::string file_;
-  io::LineReader lines_;
+  BoundedInput input_;
   char separator_ = ',';
   std::vector<Column> columns_;
 };
@@ -343,7 +361,7 @@ class RecordFile::Source {
 
 RecordFile::RecordFile(const std::string& file, const std::stop_token& stop)
     : source_(file.ends_with(".csv") || file.ends_with(".CSV")
-                  ? std::make_unique<Source>(std::in_place_type<CsvRecords>, file)
+                  ? std::make_unique<Source>(std::in_place_type<CsvRecords>, file, stop)
                   : std::make_unique<Source>(std::in_place_type<JsonRecords>, file, stop)) {}
 
 RecordFile::~RecordFile() = default;
