@@ -201,7 +201,8 @@ class ChildProcess::State {
         throw ChildError(how_it_ended());
       } else {
         read_output();
-        wait("wrote no line within ", "; it must write one line for each request and flush it");
+        wait("wrote no line within ",
+             "; it must write one line for each request and flush it (--timeout gives it more time)");
       }
     }
     while (is_writing_) {  // the child may reply before it has read the whole text

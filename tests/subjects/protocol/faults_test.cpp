@@ -51,7 +51,8 @@ struct Gate {
   [[nodiscard]] const json& subject(std::size_t index) const { return report.at("subjects").at(index); }
 };
 
-constexpr const char* no_line = "wrote no line within 0.7 s";
+constexpr const char* no_line =
+    "wrote no line within 0.7 s; it must write one line for each request and flush it (--timeout gives it more time)";
 
 struct Fault {
   std::string fault;
