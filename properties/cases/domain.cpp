@@ -221,10 +221,11 @@ namespace {
   std::ranges::transform(facts, std::back_inserter(names), [](const QuantityFacts& one) { return one.name; });
   std::vector<std::string_view> named;
   std::ranges::transform(domains, std::back_inserter(named), [](const NamedDomain& one) { return one.name; });
-  throw std::invalid_argument(fmt::format(
-      "'{}' names no quantity; expected QUANTITY=LEAST:MOST with one of {}, KIND=VALUE with one of {}, or a domain: {}; "
-      "commas join these",
-      part, fmt::join(names, ", "), fmt::join(kind_names(), ", "), fmt::join(named, ", ")));
+  throw std::invalid_argument(
+      fmt::format("'{}' names no quantity; expected QUANTITY=LEAST:MOST with one of {}, KIND=VALUE with one of {}, or "
+                  "a domain: {}; "
+                  "commas join these",
+                  part, fmt::join(names, ", "), fmt::join(kind_names(), ", "), fmt::join(named, ", ")));
 }
 
 /// Reads "0.1:10", or "0.1" for one value.
