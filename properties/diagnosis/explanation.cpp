@@ -148,8 +148,9 @@ class HypothesisSearch {
   }
 
   [[nodiscard]] bool do_explain(const Together& together, std::size_t number) {
-    const bool is_application_kept = std::ranges::none_of(together, &Hypothesis::changes_application);
-    return (!is_application_kept || is_applied_right_in(number)) && explains(together, wrong_[number]);
+    const bool is_application_changed = std::ranges::any_of(
+        together, [](const Hypothesis* hypothesis) { return hypothesis->changes_application; });
+    return (is_application_changed || is_applied_right_in(number)) && explains(together, wrong_[number]);
   }
 
   /// The subsets of at most `most` found hypotheses.
@@ -201,7 +202,8 @@ class HypothesisSearch {
           return explanation_.found[i].mistakes.front()(steps, wrong_[number]);
         });
         if (applies && (changes_application || is_applied_right_in(number))) {
-          std::ranges::copy(fitted(fit, steps, wrong_[number]), std::back_inserter(values));
+          const std::vector<double> numbers = fitted(fit, steps, wrong_[number]);
+          values.insert(values.end(), numbers.begin(), numbers.end());
         }
       }
     }
@@ -363,7 +365,8 @@ class HypothesisSearch {
       (wrong_[number].approach == oracles::ContactState::colliding ? colliding : others).push_back(number);
     }
     std::vector<std::size_t> chosen = spread(others, std::max(count / 4, count - std::min(count, colliding.size())));
-    std::ranges::copy(spread(colliding, count - chosen.size()), std::back_inserter(chosen));
+    const std::vector<std::size_t> of_colliding = spread(colliding, count - chosen.size());
+    chosen.insert(chosen.end(), of_colliding.begin(), of_colliding.end());
     std::ranges::sort(chosen);
     return chosen;
   }
