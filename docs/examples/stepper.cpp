@@ -44,8 +44,10 @@ struct World {
     json all = json::array();
     for (const json& body : bodies) {
       const json still{0, 0, 0};
-      all.push_back({{"position", body["position"]}, {"orientation", {1, 0, 0, 0}},
-                     {"velocity", body.value("velocity", still)}, {"angular_velocity", still}});
+      all.push_back({{"position", body["position"]},
+                     {"orientation", {1, 0, 0, 0}},
+                     {"velocity", body.value("velocity", still)},
+                     {"angular_velocity", still}});
     }
     return all;
   }
@@ -69,8 +71,13 @@ int main() {
   for (std::string line; std::getline(std::cin, line);) {
     const json request = json::parse(line);
     if (request["cmd"] == "stop") break;
-    const json introduction{{"protocol", 1}, {"name", "example"}, {"version", "1"}, {"precision", "binary64"},
-                            {"model", "frictionless"}, {"time", true}, {"cannot", {"box", "friction", "continuous"}}};
+    const json introduction{{"protocol", 1},
+                            {"name", "example"},
+                            {"version", "1"},
+                            {"precision", "binary64"},
+                            {"model", "frictionless"},
+                            {"time", true},
+                            {"cannot", {"box", "friction", "continuous"}}};
     std::cout << (request["cmd"] == "start" ? introduction : answer(request)).dump() << std::endl;
   }
 }

@@ -19,8 +19,8 @@ namespace carom::oracles {
 /// half. So it is for spheres, and for each contact whose lever arms are along the normal.
 [[nodiscard]] bool has_one_coulomb_answer(const ExactCase& exact_case, double allowance);
 
-/// An upper bound of the sensitivity (sensitivity.hpp) of the only answer. This answer is continuous, also where sticking
-/// ends and where the contact grazes. No value if permitted inputs change K too much for first-order bounds.
+/// An upper bound of the sensitivity (sensitivity.hpp) of the only answer. This answer is continuous, also where
+/// sticking ends and where the contact grazes. No value if permitted inputs change K too much for first-order bounds.
 /// Precondition: has_one_coulomb_answer(exact_case, allowance).
 [[nodiscard]] std::optional<Sensitivity> coulomb_sensitivity(const ExactCase& exact_case, double allowance);
 

@@ -30,12 +30,14 @@ struct CoulombAnswer {
   [[nodiscard]] bool is_exact() const { return kind != AnswerKind::slips; }
 };
 
-/// A bound of the effect of friction on its own limit. Let K be the collision matrix, with K_NN along the unit normal, K_TN
-/// across it, c = K_TN / K_NN, and S = K_TT − K_NN c cᵀ with eigenvalues from `least` to `greatest`. `coupling` is ‖c‖.
+/// A bound of the effect of friction on its own limit. Let K be the collision matrix, with K_NN along the unit normal,
+/// K_TN across it, c = K_TN / K_NN, and S = K_TT − K_NN c cᵀ with eigenvalues from `least` to `greatest`. `coupling` is
+/// ‖c‖.
 ///
 /// F_T minimises ½ F_T·S F_T + a·F_T over the disc ‖F_T‖ ≤ ρ. If ρ changes by δρ, F_T changes by at most
-/// δρ · greatest / least. The limit is ρ = μ F_n with F_n = b − c·F_T. So if F_T changes by δ, it causes itself to change
-/// by at most δ times the result. If the result is below 1, the law has one answer (S. Banach's fixed-point theorem).
+/// δρ · greatest / least. The limit is ρ = μ F_n with F_n = b − c·F_T. So if F_T changes by δ, it causes itself to
+/// change by at most δ times the result. If the result is below 1, the law has one answer (S. Banach's fixed-point
+/// theorem).
 template <class S>
 [[nodiscard]] S friction_feedback(const S& friction, const S& coupling, const S& least, const S& greatest) {
   return friction * coupling * greatest / least;

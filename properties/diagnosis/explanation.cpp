@@ -148,8 +148,8 @@ class HypothesisSearch {
   }
 
   [[nodiscard]] bool do_explain(const Together& together, std::size_t number) {
-    const bool is_application_changed = std::ranges::any_of(
-        together, [](const Hypothesis* hypothesis) { return hypothesis->changes_application; });
+    const bool is_application_changed =
+        std::ranges::any_of(together, [](const Hypothesis* hypothesis) { return hypothesis->changes_application; });
     return (is_application_changed || is_applied_right_in(number)) && explains(together, wrong_[number]);
   }
 

@@ -138,7 +138,8 @@ class Sample {
       }
       // Features describe cases of `structured` better than the family's name.
       if (report.options.families[f]->name != "structured") {
-        add(fmt::format("if the family is {}", report.options.families[f]->name), Plainness::family, std::move(of_family));
+        add(fmt::format("if the family is {}", report.options.families[f]->name), Plainness::family,
+            std::move(of_family));
       }
     }
     for (auto& [approach, cases] : of_approach) {
@@ -201,9 +202,8 @@ class Sample {
       if (feature.kind == FeatureKind::magnitude || feature.kind == FeatureKind::near) {
         continue;
       }
-      const std::string words =
-          feature.body == 0 ? std::string(feature.statement)
-                            : statement_on(feature.body == 'a' ? "A" : "B", feature.statement);
+      const std::string words = feature.body == 0 ? std::string(feature.statement)
+                                                  : statement_on(feature.body == 'a' ? "A" : "B", feature.statement);
       add_with_absence(words, Plainness::feature, of_feature[i]);
       if (feature.body == 'a') {
         const Feature* other = feature_named("b." + feature.name.substr(2));
@@ -482,21 +482,24 @@ std::string in_words(const Where& where) {
            there.violated * where.all.cases >= least_gain * where.all.violated * there.cases;
   };
   const std::vector<Condition>& all = where.conditions;
-  auto told = std::find_if(all.begin(), all.end(), [&](const Condition& one) { return tells(one) && !is_exception(one); });
+  auto told =
+      std::find_if(all.begin(), all.end(), [&](const Condition& one) { return tells(one) && !is_exception(one); });
   told = told == all.end() ? std::find_if(all.begin(), all.end(), tells) : told;
   if (told == all.end()) {
     return fmt::format("in {} of the {}", percent(where.all), of);
   }
   const Share others{where.all.violated - told->there.violated, where.all.cases - told->there.cases};
-  return fmt::format("{} ({} of such {} fail, else {})", told->words, percent(is_exception(*told) ? others : told->there),
-                     of, percent(is_exception(*told) ? told->there : others));
+  return fmt::format("{} ({} of such {} fail, else {})", told->words,
+                     percent(is_exception(*told) ? others : told->there), of,
+                     percent(is_exception(*told) ? told->there : others));
 }
 
 std::string in_one_sentence(const std::string& what, const std::string& where) {
   if (where.empty()) {
     return what;
   }
-  const bool is_one = what.ends_with('.') && what.find(". ") == std::string::npos && what.find(": ") == std::string::npos;
+  const bool is_one =
+      what.ends_with('.') && what.find(". ") == std::string::npos && what.find(": ") == std::string::npos;
   const char* const comma = where.starts_with("if ") ? "" : ",";
   return is_one ? fmt::format("{}{} {}.", what.substr(0, what.size() - 1), comma, where)
                 : fmt::format("{} It happens {}.", what, where);

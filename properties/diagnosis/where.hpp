@@ -68,7 +68,8 @@ struct Violations {
 /// because it may only hide the fault. Empty if there are fewer than `least_violated` violated cases.
 [[nodiscard]] std::string in_words(const Where& where);
 
-/// A fault (`Fault::what`) and the clause that says where it happens (`Fault::where`), as one sentence if it can be one.
+/// A fault (`Fault::what`) and the clause that says where it happens (`Fault::where`), as one sentence if it can be
+/// one.
 [[nodiscard]] std::string in_one_sentence(const std::string& what, const std::string& where);
 
 }  // namespace carom::properties::diagnosis

@@ -77,11 +77,11 @@ inline constexpr std::size_t most_violated_kept = 12;
 /// The results of a subject on a family. Their size does not grow with the number of cases.
 struct FamilyResult {
   std::uint64_t cases = 0;
-  std::uint64_t skipped = 0;         // cases that the subject could not take
-  UnjudgedCounts unjudged{};         // valid cases that are not judged, by reason
-  EffectCounts decided_by{};         // colliding cases that a declared effect decides
-  std::uint64_t violated = 0;        // cases with a violation of any invariant
-  double worst_backward_error = 0;   // ulps
+  std::uint64_t skipped = 0;        // cases that the subject could not take
+  UnjudgedCounts unjudged{};        // valid cases that are not judged, by reason
+  EffectCounts decided_by{};        // colliding cases that a declared effect decides
+  std::uint64_t violated = 0;       // cases with a violation of any invariant
+  double worst_backward_error = 0;  // ulps
   EnergyGains energy = {};
   std::optional<Boundary> boundary;  // for a family beyond the claimed domain
   PerInvariant<Count> counts;

@@ -41,10 +41,10 @@ struct Cell {
 
   std::string text;
   std::string look;
-  bool is_code = false;  // Markdown shows it as code, so that a third party's name is neither markup nor an @mention.
-                         // A text does not break it
-  std::string link = {};    // the target of the text, "#anchor"
-  std::string sign = {};    // a symbol before the text, not for screen readers
+  bool is_code = false;   // Markdown shows it as code, so that a third party's name is neither markup nor an @mention.
+                          // A text does not break it
+  std::string link = {};  // the target of the text, "#anchor"
+  std::string sign = {};  // a symbol before the text, not for screen readers
   std::string spoken = {};  // replaces the sign for screen readers
   std::string before = {};  // before the link
   std::string small = {};   // below the text

@@ -53,16 +53,15 @@ void add_other_faults(Facts& facts, const Run& run, std::size_t s, Form form) {
   for (std::size_t i = 1; i < faults.size(); ++i) {
     const Fault& fault = faults[i];
     const bool is_short = form == Form::terminal;
-    const std::string place =
-        is_short && fault.witness
-            ? fmt::format(" (case {} of {})", fault.witness->index, fault.witness->family->name)
-            : "";
+    const std::string place = is_short && fault.witness
+                                  ? fmt::format(" (case {} of {})", fault.witness->index, fault.witness->family->name)
+                                  : "";
     facts.pairs.emplace_back("Also", sentence_of(fault) + place);
     if (!is_short) {
       facts.pairs.emplace_back("Look at", fault.look_at);
-      facts.pairs.emplace_back("Replay", fault.witness ? command_cell(replay_command(*fault.witness, run.options,
-                                                                                     run.results[s].subject))
-                                                       : Cell());
+      facts.pairs.emplace_back(
+          "Replay",
+          fault.witness ? command_cell(replay_command(*fault.witness, run.options, run.results[s].subject)) : Cell());
     }
   }
 }

@@ -60,9 +60,8 @@ std::string line_of_contact(const Collision& c) {
   std::string text = fmt::format("contact at {}, normal {}, restitution {}", rounded(c.point), rounded(c.normal),
                                  rounded(c.restitution, digits));
   text += c.friction == 0 ? "" : ", friction " + rounded(c.friction, digits);
-  return text + (c.tangential_restitution == 0
-                     ? ""
-                     : ", tangential restitution " + rounded(c.tangential_restitution, digits));
+  return text +
+         (c.tangential_restitution == 0 ? "" : ", tangential restitution " + rounded(c.tangential_restitution, digits));
 }
 
 /// The answer of the law that the subject claims, and of several answers the nearest one.
@@ -84,9 +83,9 @@ std::optional<LawAnswer> law_answer(const properties::JudgedCase& judged_case, L
   const auto* outcome = std::get_if<ReportedOutcome>(&answer);
   const bool is_finite = outcome != nullptr && oracles::is_finite(*outcome);
   const std::size_t nearest = is_finite ? oracles::nearest_answer(exact_case, answers, *outcome).number : 0;
-  return LawAnswer{map_outcome<double>(answers[nearest].truth.outcome,
-                                       [](const auto& x) { return oracles::nearest_double(x); }),
-                   answers.size()};
+  return LawAnswer{
+      map_outcome<double>(answers[nearest].truth.outcome, [](const auto& x) { return oracles::nearest_double(x); }),
+      answers.size()};
 }
 
 constexpr PerVector<const char*> short_names{"A velocity", "A spin", "B velocity", "B spin"};
@@ -206,7 +205,8 @@ std::string short_case(const properties::Witness& witness, const Subject& subjec
   (void)properties::why_failed([&] { law = law_answer(judged_case, subject.law, witness.answer); });
   std::optional<Outcome<double>> answered;
   if (const auto* outcome = std::get_if<ReportedOutcome>(&witness.answer)) {
-    answered = map_outcome<double>(Outcome<long double>(*outcome), [](long double x) { return static_cast<double>(x); });
+    answered =
+        map_outcome<double>(Outcome<long double>(*outcome), [](long double x) { return static_cast<double>(x); });
   }
   if (!judged_case.is_valid()) {
     lines.push_back("to refuse: " + describe(validate(collision)));

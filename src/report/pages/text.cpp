@@ -132,9 +132,9 @@ Document with(Document first, Document second) {
 
 std::string wrapped(const std::string& text, const std::string& indent) {
   std::string result;
-  std::size_t width = 0;      // of the current line
-  bool has_word = false;      // whether the current line has one
-  std::size_t begin = 0;      // of the current word
+  std::size_t width = 0;  // of the current line
+  bool has_word = false;  // whether the current line has one
+  std::size_t begin = 0;  // of the current word
   while (begin <= text.size()) {
     const std::size_t end = std::min(text.find_first_of(" \n", begin), text.size());
     const std::string word = text.substr(begin, end - begin);

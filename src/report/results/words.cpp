@@ -79,7 +79,8 @@ std::string adjusted_sentences(const Run& run) {
     all += of_family;
   }
   return fmt::format(
-      "Families changed some cases after they drew them. They enlarged moments in {} cases, so that the contact lies on "
+      "Families changed some cases after they drew them. They enlarged moments in {} cases, so that the contact lies "
+      "on "
       "the body. They moved {} cases to the origin, so that parallel vectors are exactly parallel. They reversed {} "
       "separating cases. They replaced {} cases outside of the domain.",
       all.adjusted[Adjustment::moments_enlarged], all.adjusted[Adjustment::moved_to_origin],

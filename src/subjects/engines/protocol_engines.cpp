@@ -154,15 +154,15 @@ std::vector<Subject> bullet_float() {
 std::vector<Stepper> npm_steppers() {
   const Adapters adapters = find_adapters();
   std::vector<Stepper> steppers;
-  for (const auto& [name, package] : {std::pair("rapier", "@dimforge/rapier3d-compat"), std::pair("jolt", "jolt-physics"),
-                                      std::pair("cannon", "cannon-es"), std::pair("physx", "physx-js-webidl"),
-                                      std::pair("oimo", "oimophysics"), std::pair("mujoco", "@mujoco/mujoco"),
-                                      std::pair("planck", "planck")}) {
+  for (const auto& [name, package] :
+       {std::pair("rapier", "@dimforge/rapier3d-compat"), std::pair("jolt", "jolt-physics"),
+        std::pair("cannon", "cannon-es"), std::pair("physx", "physx-js-webidl"), std::pair("oimo", "oimophysics"),
+        std::pair("mujoco", "@mujoco/mujoco"), std::pair("planck", "planck")}) {
     const std::string adapter = std::string("time/") + name + ".mjs";
     for (const bool configured : {true, false}) {
       Stepper stepper{configured ? name : std::string(name) + "-as-shipped"};
-      stepper.specification = specification(
-          {"node", (adapters.directory / adapter).string(), configured ? "configured" : "as-shipped"});
+      stepper.specification =
+          specification({"node", (adapters.directory / adapter).string(), configured ? "configured" : "as-shipped"});
       stepper.absent = why_absent(adapters, adapter, package);
       steppers.push_back(std::move(stepper));
     }

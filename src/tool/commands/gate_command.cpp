@@ -220,11 +220,10 @@ int gate(const GateArguments& arguments) {
   properties::add_ways_on(found, selection.counts);
   report::Run run = report::diagnosed({std::move(found), this_environment(), deviates, posed.without_case,
                                        selection.counts, selection.absent, shard.has_value()});
-  return present_run(
-      std::move(run), baseline,
-      {out, arguments.format, !arguments.annotations.empty(), arguments.summary, [&] { commands_stopped.reset(); },
-       arguments.coverage},
-      staged);
+  return present_run(std::move(run), baseline,
+                     {out, arguments.format, !arguments.annotations.empty(), arguments.summary,
+                      [&] { commands_stopped.reset(); }, arguments.coverage},
+                     staged);
 }
 
 std::string is_duration(const std::string& text) {

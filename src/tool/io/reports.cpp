@@ -98,9 +98,8 @@ void write_reports(const report::Run& run, const std::string& out, StagedOutput&
 }
 
 void print_run(const report::Run& run, const Presentation& presentation) {
-  write_output(presentation.format == "json"
-                   ? in_json(report::report_record(run), 2)
-                   : report::run_text(run, presentation.out, presentation.has_coverage));
+  write_output(presentation.format == "json" ? in_json(report::report_record(run), 2)
+                                             : report::run_text(run, presentation.out, presentation.has_coverage));
   if (presentation.has_annotations) {
     presentation.annotate();
     write_output(report::github_annotations(run, presentation.out));
