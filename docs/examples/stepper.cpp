@@ -71,13 +71,9 @@ int main() {
   for (std::string line; std::getline(std::cin, line);) {
     const json request = json::parse(line);
     if (request["cmd"] == "stop") break;
-    const json introduction{{"protocol", 1},
-                            {"name", "example"},
-                            {"version", "1"},
-                            {"precision", "binary64"},
-                            {"model", "frictionless"},
-                            {"time", true},
-                            {"cannot", {"box", "friction", "continuous"}}};
+    const json introduction = json::parse(
+        R"({"protocol": 1, "name": "example", "version": "1", "precision": "binary64", "model": "frictionless",
+            "time": true, "cannot": ["box", "friction", "continuous"]})");
     std::cout << (request["cmd"] == "start" ? introduction : answer(request)).dump() << std::endl;
   }
 }
