@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -29,9 +30,13 @@ std::string step_in_words(double step) {
              : fmt::format("{:g} s", step);
 }
 
-/// "0", "3.1 %", "5e+04 %". An error that rounding explains is 0.
+/// Two digits: "0", "3.1 %", "140 %", "5e+04 %". An error that rounding explains is 0.
 std::string percent(double error, double rounding) {
-  return error <= rounding ? "0" : fmt::format("{:.2g} %", 100 * error);
+  if (error <= rounding) {
+    return "0";
+  }
+  const double shown = std::stod(fmt::format("{:.2g}", 100 * error));
+  return fmt::format("{:.{}g} %", shown, shown < 1e4 ? 4 : 2);
 }
 
 /// The error of a phenomenon at one step, as a cell: the greatest median over the readings.
