@@ -430,6 +430,11 @@ class FaultSearch {
       return;
     }
     Fault fault{fmt::format("It answers as if {}.", hypothesis.as_if), hypothesis.look_at};
+    for (const Condition& condition : where.conditions) {
+      if (condition.words.starts_with(nearly_holds)) {
+        fault.look_at = condition.usual_cause + "; " + fault.look_at;
+      }
+    }
     fault.cases = size_of(cases);
     fault.where = in_words(where);
     fault.witness = witness_in(size_of(alone) > 0 ? alone : cases);

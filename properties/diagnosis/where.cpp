@@ -282,8 +282,8 @@ class Sample {
     for (auto& of_special : distances) {
       std::ranges::sort(of_special.second);
       add_limits(of_special.second, [&](double limit, CaseSet kept) {
-        add(fmt::format("if it nearly holds, within {:.2g}, that {}", limit, of_special.first), Plainness::size,
-            std::move(kept), "a tolerance within which the solver takes values for the special one");
+        add(fmt::format("{}{:.2g}, that {}", nearly_holds, limit, of_special.first), Plainness::size, std::move(kept),
+            "a tolerance within which the solver takes values for the special one");
       });
     }
   }

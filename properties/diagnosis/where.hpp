@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <carom/properties/gate/gate_report.hpp>
@@ -18,6 +19,9 @@ struct Share {
   std::uint64_t violated = 0;  // sampled cases
   std::uint64_t cases = 0;     // sampled cases, violated or not
 };
+
+/// The words of a condition that a special statement nearly holds begin so.
+inline constexpr std::string_view nearly_holds = "if it nearly holds, within ";
 
 struct Condition {
   std::string words;        // "if A or B is immovable", "unless ε = 0"
