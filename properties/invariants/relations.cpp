@@ -82,6 +82,14 @@ oracles::Sensitivity sensitivity_below(const Evidence& e, const oracles::ExactCa
 
 Verdict without_one_answer() { return does_not_apply("the law may have several answers to the contact"); }
 
+/// For where the sensitivity is not known: a difference that even its lower bound permits holds.
+template <class Expected>
+Verdict agree_below(const Evidence& e, const oracles::LiftedOutcome& first, const Expected& expected,
+                    const oracles::LiftedOutcome& second, const oracles::Sensitivity& below) {
+  Verdict verdict = agree(e, first, expected, second, below);
+  return verdict.status == Status::holds ? verdict : without_one_answer();
+}
+
 bool same_numbers(const ReportedOutcome& left, const ReportedOutcome& right) {
   const auto x = vectors(left);
   const auto y = vectors(right);
@@ -113,8 +121,11 @@ Verdict exactly_mapped(const Evidence& e, const Related& related, const Back& ba
     }
   }
   const auto sensitivity = sensitivity_of(e, e.exact_case);
-  return sensitivity ? agree(e, mapped, back, e.outcome, weighted_sum(1, *sensitivity, *sensitivity))
-                     : without_one_answer();
+  if (!sensitivity) {
+    const oracles::Sensitivity below = sensitivity_below(e, e.exact_case);
+    return agree_below(e, mapped, back, e.outcome, weighted_sum(1, below, below));
+  }
+  return agree(e, mapped, back, e.outcome, weighted_sum(1, *sensitivity, *sensitivity));
 }
 
 /// Whether the law determines the answers to both related collisions, if it determines the answer to the case. Both
@@ -161,9 +172,11 @@ Verdict related_pair(const Evidence& e, std::span<const Related> related, double
   }
   const auto of_first = sensitivity_of(e, first_case);
   const auto of_second = sensitivity_of(e, second_case);
-  return of_first && of_second
-             ? agree(e, first_outcome, expected, second_outcome, weighted_sum(factor, *of_first, *of_second))
-             : without_one_answer();
+  if (!of_first || !of_second) {
+    return agree_below(e, first_outcome, expected, second_outcome,
+                       weighted_sum(factor, sensitivity_below(e, first_case), sensitivity_below(e, second_case)));
+  }
+  return agree(e, first_outcome, expected, second_outcome, weighted_sum(factor, *of_first, *of_second));
 }
 
 /// Applies `polar` to polar vectors, and `axial` to the angular velocities.
