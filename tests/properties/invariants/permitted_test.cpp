@@ -199,7 +199,7 @@ TEST(Permitted, CoulombAnswersMoveByAtMostTheirSensitivity) {
       ++judged;
     }
   }
-  EXPECT_GT(judged, 50);
+  EXPECT_GT(judged, 30 * unit::effort(3));
   EXPECT_GT(farthest, 0.05);
   RecordProperty("judged", judged);
   RecordProperty("farthest", std::to_string(farthest));
