@@ -282,10 +282,16 @@ class HypothesisSearch {
       constexpr double worth_of_choice = 0.9;
       const std::pair worth{hypothesis.is_choice ? worth_of_choice * count : count,
                             -static_cast<double>(std::accumulate(fitted.begin(), fitted.end(), Fewest{0}))};
-      const auto merit = [&](const Hypothesis& of) {
-        return std::pair(-static_cast<double>(contradictions(of)), touched(of, looked_at));
+      // A few contradictions more are chance: right answers in which a constant happens to be the right one.
+      const auto is_better = [&](const Hypothesis& one, const Hypothesis& other) {
+        const std::size_t of_one = contradictions(one);
+        const std::size_t of_other = contradictions(other);
+        if (2 * of_one < of_other || 2 * of_other < of_one) {
+          return of_one < of_other;
+        }
+        return touched(one, looked_at) > touched(other, looked_at);
       };
-      if (worth > most || (worth == most && merit(hypothesis) > merit(*best))) {
+      if (worth > most || (worth == most && is_better(hypothesis, *best))) {
         best = hypothesis;
         most = worth;
       }

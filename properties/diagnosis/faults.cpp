@@ -96,9 +96,12 @@ Fault fault_of_outcomes(const std::vector<ViolatedCase>& outcomes, Law law, cons
   return fault;
 }
 
-/// Whether the velocities of an immovable body change, but for a limit that shortens them.
+/// Whether the velocities of an immovable body change, but for a limit that shortens them, and for storage in binary32.
 bool moves_immovable(const KnownCase& one) {
   const auto is_shortened = [](const Vector3<double>& before, const Vector3<double>& after) {
+    if (after == before.cast<float>().cast<double>()) {
+      return true;
+    }
     constexpr double rounding = 0x1p-40;
     const double share = after.stableNorm() / before.stableNorm();
     return before == after || (share < 1 && (after - share * before).stableNorm() <= rounding * after.stableNorm());
@@ -506,9 +509,13 @@ class FaultSearch {
     }
   }
 
+  /// Adds the step at which the outcomes fail, unless an earlier fault states it.
   void add_step(const std::vector<ViolatedCase>& outcomes, const CaseNumbers& cases, std::uint64_t every) {
     const Where where = where_violated(report_, {cases, violations_.judged, {}, every});
-    add(fault_of_outcomes(outcomes, result_.subject.law, where, report_.options.fail_fast), cases, every);
+    Fault fault = fault_of_outcomes(outcomes, result_.subject.law, where, report_.options.fail_fast);
+    if (std::ranges::find(faults_, fault.what, &Fault::what) == faults_.end()) {
+      add(std::move(fault), cases, every);
+    }
   }
 
   /// Some of the cases with their outcomes.

@@ -426,7 +426,9 @@ std::vector<double> fitted(const Fit& fit, const Steps& steps, const KnownCase& 
   for (std::size_t i = 0; i < starts.size() && !found && std::isfinite(unit); ++i) {
     found = found_from(unit * starts[i], near * unit * starts[i], outcome_at, one);
   }
-  if (found) {
+  // If the other mistakes give the answer, the search finds the number that changes nothing, within rounding.
+  constexpr double rounding = 0x1p-30;
+  if (found && !(std::isfinite(fit.nothing) && std::abs(*found - fit.nothing) <= rounding * std::abs(unit))) {
     numbers.push_back(*found);
   }
   return numbers;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 #include <string>
 
@@ -156,6 +157,20 @@ TEST(Hypotheses, HaveNoAnswerIfTheFirstOfTwoImpulsesOverflows) {
     without_answer += impulses_by(steps, one) ? 0 : 1;
   }
   EXPECT_GT(without_answer, 5);
+}
+
+TEST(Hypotheses, FitNoNumberThatChangesNothing) {
+  for (const Law law : all_laws) {
+    for (const KnownCase& one : right_answers(law)) {
+      for (const Fit& fit : all_fits()) {
+        if (fit.shown == nullptr && std::isfinite(fit.nothing)) {
+          for (const double number : fitted(fit, right_steps(one), one)) {
+            EXPECT_GT(std::abs(number - fit.nothing), 0x1p-40) << fit.as_if;
+          }
+        }
+      }
+    }
+  }
 }
 
 TEST(Hypotheses, NothingIsVisiblyOffInARightAnswer) {
