@@ -228,12 +228,14 @@ void add_slips(std::vector<Fit>& all) {
                    },
                    false});
   };
-  of("friction stopped {} of the slip that it should",
-     "the impulse that stops the slip: for a solid sphere 2/7 m ‖V_T‖; its factors, and what resists",
-     [](FrictionSteps& steps, double t) {
-       steps.stopped *= t;
-       steps.limit = FrictionLimit::none;
-     });
+  const char* const stop =
+      "the impulse that stops the slip: for a solid sphere 2/7 m ‖V_T‖; its factors, and what resists";
+  of("friction stopped {} of the slip that it should", stop,
+     [](FrictionSteps& steps, double t) { steps.stopped *= t; });
+  of("friction stopped {} of the slip, whatever its limit", stop, [](FrictionSteps& steps, double t) {
+    steps.stopped *= t;
+    steps.limit = FrictionLimit::none;
+  });
   of("friction stopped {} of the slip of bodies that cannot turn",
      "the impulse that stops the slip: V_T over 1/m and r × J⁻¹ (r × t), for a solid sphere 2/7 m",
      [](FrictionSteps& steps, double t) {
