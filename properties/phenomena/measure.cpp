@@ -186,7 +186,8 @@ Measurement measure(const Phenomenon& phenomenon, const Stepper& stepper, Steppe
   std::map<double, std::vector<double>> seconds;  // of a step
   constexpr unsigned most_failures = 3;
   unsigned failures = 0;
-  for (const PosedRun& run : phenomenon.runs(ladder, stepper.is_planar)) {
+  const std::vector<PosedRun> runs = phenomenon.runs(ladder, stepper.is_planar);
+  for (const PosedRun& run : runs) {
     ++result.runs;
     if (failures == most_failures) {
       note(result.unanswered, "the subject failed three times before", false, run.step);
@@ -220,6 +221,11 @@ Measurement measure(const Phenomenon& phenomenon, const Stepper& stepper, Steppe
   }
   result.readings = gathered(reads, ladder.steps);
   for (const double step : ladder.steps) {
+    if (std::none_of(runs.begin(), runs.end(), [&](const PosedRun& run) { return run.step == step; })) {
+      ++result.runs;
+      note(result.unanswered, runs.empty() ? "it has no set-up in the plane" : "it is measured at longer steps alone",
+           false, step);
+    }
     if (const auto found = seconds.find(step); found != seconds.end()) {
       result.step_times.push_back({step, median(found->second)});
     }

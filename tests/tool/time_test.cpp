@@ -30,7 +30,7 @@ for line in sys.stdin:
         break
     if request["cmd"] == "start":
         reply = {"protocol": 1, "name": "unmoving", "precision": "binary64", "time": True, "time_claims": claims,
-                 "restores": True}
+                 "restores": True, "planar": fault == "planar"}
     elif request["cmd"] == "save":
         saved = done
     elif request["cmd"] == "restore":
@@ -144,6 +144,15 @@ TEST_F(TimeCommand, TellsAnEngineThatForgetsASavedState) {
   unit::expect_in(measured("forget", {"--steps", "1/60"}).output, {restored + "same places, other velocities"});
 }
 
+TEST_F(TimeCommand, SaysOnceWhyATableLacksNumbers) {
+  const std::string reason = "free-rotation, 2 of 2 runs not posed: it has no set-up in the plane";
+  const std::string output = measured("planar", {"--phenomena", "free-rotation,slow-bounce"}).output;
+  EXPECT_EQ(output.find(reason), output.rfind(reason));
+  unit::expect_in(output, {reason + " (unmoving)"});
+  unit::expect_in(run_carom({"time", "scene", "--phenomena", "pass-through", "--steps", "1/60,1/120,1/240"}).output,
+                  {"runs not posed: it is measured at longer steps alone (scene)"});
+}
+
 TEST_F(TimeCommand, EndsInOneIfANamedEngineFailsInPart) {
   const std::string out = directory_.path() / "time";
   const RunResult run = measured("crash under gravity", {"--phenomena", "bounce,slow-bounce", "--out", out});
@@ -237,7 +246,8 @@ TEST(SceneInSteps, NamesACommandThatIsNone) {
 
 TEST_F(TimeCommand, RefusesNamesAndStepsThatAreNone) {
   expect_error(run_carom({"time", "no-such-engine"}), {"no engine in time is named no-such-engine"});
-  expect_error(run_carom({"time", "scene", "--phenomena", "bonce"}), {"no phenomenon is named bonce"});
+  expect_error(run_carom({"time", "scene", "--phenomena", "bonce"}),
+               {"no phenomenon is named bonce"});
   expect_error(run_carom({"time", "scene", "scene"}), {"the engine scene is named twice"});
   for (const char* const step : {"1/0", "0.5", "1e-300"}) {
     expect_error(run_carom({"time", "scene", "--steps", step}), {"--steps: expected a number of seconds"});

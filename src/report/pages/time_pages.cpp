@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <sstream>
 #include <string>
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <pugixml.hpp>
 
 #include <carom/report/pages/document.hpp>
@@ -50,28 +52,24 @@ std::string error_cell(const TimedEngine& engine, std::string_view phenomenon, d
   return percent(rung.median, rung.rounding);
 }
 
-Row row_of(const TimedEngine& engine, const TimeRun& run, double step) {
-  Row row{{name_cell(engine.name)}};
-  for (const Phenomenon& phenomenon : properties::all_phenomena()) {
-    if (std::any_of(run.engines.begin(), run.engines.end(),
-                    [&](const TimedEngine& one) { return measurement_of(one, phenomenon.name) != nullptr; })) {
-      row.cells.emplace_back(error_cell(engine, phenomenon.name, step), "number");
-    }
-  }
-  return row;
-}
-
 Table summary_table(const TimeRun& run, double step) {
   Table table{"The greatest median error of each phenomenon", {{"engine"}}, {}};
-  for (const Phenomenon& phenomenon : properties::all_phenomena()) {
-    if (std::any_of(run.engines.begin(), run.engines.end(),
-                    [&](const TimedEngine& one) { return measurement_of(one, phenomenon.name) != nullptr; })) {
-      table.columns.push_back({std::string(phenomenon.name), true});
-    }
-  }
   for (const TimedEngine& engine : run.engines) {
     if (engine.absent.empty()) {
-      table.rows.push_back(row_of(engine, run, step));
+      table.rows.push_back({{name_cell(engine.name)}});
+    }
+  }
+  for (const Phenomenon& phenomenon : properties::all_phenomena()) {
+    if (std::none_of(run.engines.begin(), run.engines.end(),
+                     [&](const TimedEngine& one) { return measurement_of(one, phenomenon.name) != nullptr; })) {
+      continue;
+    }
+    table.columns.push_back({std::string(phenomenon.name), true});
+    auto row = table.rows.begin();
+    for (const TimedEngine& engine : run.engines) {
+      if (engine.absent.empty()) {
+        (row++)->cells.emplace_back(error_cell(engine, phenomenon.name, step), "number");
+      }
     }
   }
   return table;
@@ -95,20 +93,35 @@ std::string reading_in_words(const MeasuredReading& reading, double step) {
   return text + (reading.order ? fmt::format(", order {:.1f}", *reading.order) : "");
 }
 
-/// The reasons why runs have no answer, each with the number of runs.
-std::vector<Cell> unanswered_items(const Measurement& measurement) {
-  std::vector<Cell> items;
-  for (const properties::Unanswered& one : measurement.unanswered) {
-    items.emplace_back(fmt::format("{}, {} of {} runs {}: {}", measurement.phenomenon, one.steps.size(),
-                                   measurement.runs, one.is_failure ? "failed" : "not posed", one.why));
+/// Why runs of a phenomenon, or of all, have no answer: each reason once, with its engines.
+List unanswered_list(const TimeRun& run, std::string_view phenomenon = {}) {
+  std::map<std::string, std::vector<std::string>> engines;  // of a reason
+  for (const TimedEngine& engine : run.engines) {
+    for (const Measurement& measurement : engine.measurements) {
+      for (const properties::Unanswered& one : measurement.unanswered) {
+        if (phenomenon.empty() || phenomenon == measurement.phenomenon) {
+          engines[fmt::format("{}, {} of {} runs {}: {}", measurement.phenomenon, one.steps.size(), measurement.runs,
+                              one.is_failure ? "failed" : "not posed", one.why)]
+              .push_back(engine.name);
+        }
+      }
+    }
   }
-  return items;
+  List list;
+  for (const auto& [reason, names] : engines) {
+    list.items.emplace_back(fmt::format("{} ({})", reason, fmt::join(names, ", ")));
+  }
+  return list;
 }
 
-/// What is farthest off in each phenomenon of an engine, what it did not answer, its relations and claims.
+/// Nothing if the list is empty.
+Document titled(const std::string& title, List list) {
+  return list.items.empty() ? Document{} : Document{Paragraph{title}, std::move(list)};
+}
+
+/// What is farthest off in each phenomenon of an engine, its relations and claims.
 Document engine_part(const TimedEngine& engine, double step) {
   List farthest;
-  List unanswered;
   for (const Measurement& measurement : engine.measurements) {
     if (const MeasuredReading* const worst = worst_reading(measurement, step)) {
       const Rung& rung = *rung_at(*worst, step);
@@ -116,8 +129,6 @@ Document engine_part(const TimedEngine& engine, double step) {
         farthest.items.emplace_back(measurement.phenomenon + ": " + reading_in_words(*worst, step));
       }
     }
-    const std::vector<Cell> items = unanswered_items(measurement);
-    unanswered.items.insert(unanswered.items.end(), items.begin(), items.end());
   }
   List relations;
   for (const properties::RelationResult& one : engine.relations) {
@@ -131,18 +142,9 @@ Document engine_part(const TimedEngine& engine, double step) {
                                                                 : "NOT KEPT: ",
                                           one.verdict.why));
   }
-  Document document;
-  const auto add_list = [&](const std::string& title, List list) {
-    if (!list.items.empty()) {
-      document.emplace_back(Paragraph{title});
-      document.emplace_back(std::move(list));
-    }
-  };
-  add_list(fmt::format("Farthest off at {}:", step_in_words(step)), std::move(farthest));
-  add_list("Twenty bodies fall into a heap, twice:", std::move(relations));
-  add_list("Claims:", std::move(claims));
-  add_list("Not answered:", std::move(unanswered));
-  return document;
+  Document document = titled(fmt::format("Farthest off at {}:", step_in_words(step)), std::move(farthest));
+  document = with(std::move(document), titled("Twenty bodies fall into a heap, twice:", std::move(relations)));
+  return with(std::move(document), titled("Claims:", std::move(claims)));
 }
 
 Document absent_part(const TimeRun& run) {
@@ -165,21 +167,38 @@ std::string opening(const TimeRun& run) {
 }
 
 std::string caption(double step) {
-  return fmt::format(
-      "Median error at {}, of the reading that is farthest off. 0: rounding explains it. {}: not posed or not "
-      "answered.",
-      step_in_words(step), no_number);
+  return fmt::format("Median error at {}, of the reading that is farthest off. 0: rounding explains it. {}: see below.",
+                     step_in_words(step), no_number);
 }
 
+/// The table of all phenomena, and why it lacks numbers. Nothing if no phenomenon was measured.
 Document summary_part(const TimeRun& run) {
   const double step = compared_step(run.ladder);
+  Table table = summary_table(run, step);
+  return table.columns.size() == 1
+             ? Document{}
+             : with({Paragraph{caption(step)}, std::move(table)}, titled("Not answered:", unanswered_list(run)));
+}
+
+Document opening_part(const TimeRun& run) {
   Document document{Paragraph{opening(run)}};
   if (run.interrupted) {
     document.emplace_back(Section{"", {Paragraph{"INTERRUPTED: these are the results so far"}}});
   }
-  document.emplace_back(Section{"", {Paragraph{caption(step)}, summary_table(run, step)}});
   return document;
 }
+
+Document first_part(const TimeRun& run) {
+  Document document = opening_part(run);
+  if (Document summary = summary_part(run); !summary.empty()) {
+    document.emplace_back(Section{"", std::move(summary)});
+  }
+  return document;
+}
+
+/// Why columns of `phenomenon_table` lack numbers.
+constexpr const char* missing_numbers =
+    "– as an order: fewer than three errors are above rounding. – as steps' worth: no step's worth explains the error.";
 
 /// The errors of one phenomenon: a row for each engine, a column for each step.
 Table phenomenon_table(const Phenomenon& phenomenon, const TimeRun& run) {
@@ -251,14 +270,13 @@ Block picture_block(const std::string& file, const std::string& text) {
 
 }  // namespace
 
-std::string time_summary(const TimeRun& run) { return in_text(summary_part(run)); }
+std::string time_summary(const TimeRun& run) { return in_text(first_part(run)); }
 
 std::string time_text(const TimeRun& run) {
   const double step = compared_step(run.ladder);
-  Document document = summary_part(run);
+  Document document = first_part(run);
   for (const TimedEngine& engine : run.engines) {
-    Document part = engine_part(engine, step);
-    if (!part.empty()) {
+    if (Document part = engine_part(engine, step); !part.empty()) {
       document.emplace_back(
           Section{engine.name + (engine.version.empty() ? "" : ' ' + engine.version), std::move(part)});
     }
@@ -269,19 +287,18 @@ std::string time_text(const TimeRun& run) {
 std::string time_html(const TimeRun& run) {
   const double step = compared_step(run.ladder);
   Page page{"Carom: engines in time", "Carom: engines in time against known answers", {}, {}, {}};
-  page.main = {Paragraph{opening(run)}};
+  page.main = opening_part(run);
   const auto add_part = [&](const std::string& anchor, const std::string& heading, Document content) {
     page.contents.emplace_back(anchor, heading);
     page.main.emplace_back(Section{heading, std::move(content), anchor});
   };
-  if (run.interrupted) {
-    page.main.emplace_back(Paragraph{"Interrupted: this page shows the results so far."});
-  }
-  Document summary{Paragraph{caption(step)}, summary_table(run, step)};
+  Document summary = summary_part(run);
   for (const Plot& picture : first_bounce_picture(run)) {
     summary.emplace_back(picture_block(picture.name(), "The first bounce of each engine"));
   }
-  add_part("summary", "All phenomena", std::move(summary));
+  if (!summary.empty()) {
+    add_part("summary", "All phenomena", std::move(summary));
+  }
   for (const Phenomenon& phenomenon : properties::all_phenomena()) {
     const std::string name(phenomenon.name);
     Table table = phenomenon_table(phenomenon, run);
@@ -293,6 +310,8 @@ std::string time_html(const TimeRun& run) {
       content.emplace_back(picture_block(picture.name(), name + ": error against step, or against time"));
     }
     content.emplace_back(std::move(table));
+    content.emplace_back(Paragraph{missing_numbers});
+    content = with(std::move(content), titled("Not answered:", unanswered_list(run, name)));
     add_part(name, fmt::format("{} v{}", name, phenomenon.version), std::move(content));
   }
   for (const TimedEngine& engine : run.engines) {
@@ -353,12 +372,19 @@ std::string phenomenon_page(const Phenomenon& phenomenon, const TimeRun& run) {
     page +=
         fmt::format("\n![{}: the errors of the engines](../../charts/time/{}.svg)\n", phenomenon.name, picture.name());
   }
+  Table unanswered{"", {{"not answered"}}, {}};
+  for (const Cell& item : unanswered_list(run, phenomenon.name).items) {
+    unanswered.rows.push_back({{item}});
+  }
+  const double step = compared_step(run.ladder);
   return page +
          fmt::format(
-             "\n{}\n\n{}\nThe median error of each reading at {}:\n\n{}\n`carom time` wrote this page on {}, on {}.\n",
-             caption(compared_step(run.ladder)), markdown_table(phenomenon_table(phenomenon, run)),
-             step_in_words(compared_step(run.ladder)), markdown_table(readings_table(phenomenon, run)),
-             run.environment.date.substr(0, 10), run.environment.processor);
+             "\n{}\n\n{}\n{}\n\n{}The median error of each reading at {}. –: not answered, or a reading of planar "
+             "engines or of the others alone.\n\n{}\n`carom time` wrote this page on {}, on {}.\n",
+             caption(step), markdown_table(phenomenon_table(phenomenon, run)), missing_numbers,
+             unanswered.rows.empty() ? "" : markdown_table(unanswered) + '\n', step_in_words(step),
+             markdown_table(readings_table(phenomenon, run)), run.environment.date.substr(0, 10),
+             run.environment.processor);
 }
 
 }  // namespace carom::report
