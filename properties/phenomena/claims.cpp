@@ -52,9 +52,7 @@ TimeClaim time_claim_from(std::string_view text) {
         fmt::format("the claim '{}' is not written as 'bounce within 5% at 1/60 s', with a step from {} to {} s", text,
                     least_step, greatest_step));
   }
-  std::vector<std::string> names;
-  std::transform(all_phenomena().begin(), all_phenomena().end(), std::back_inserter(names),
-                 [](const Phenomenon& phenomenon) { return std::string(phenomenon.name); });
+  const std::vector<std::string> names = phenomenon_names();
   if (std::find(names.begin(), names.end(), words[0]) == names.end()) {
     throw std::invalid_argument(
         fmt::format("the claim '{}' names no phenomenon{}", text, did_you_mean(words[0], names)));

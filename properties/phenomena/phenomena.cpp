@@ -15,4 +15,12 @@ std::span<const Phenomenon> all_phenomena() {
   return all;
 }
 
+std::vector<std::string> phenomenon_names() {
+  std::vector<std::string> names;
+  for (const Phenomenon& phenomenon : all_phenomena()) {
+    names.emplace_back(phenomenon.name);
+  }
+  return names;
+}
+
 }  // namespace carom::properties

@@ -57,5 +57,6 @@ struct Phenomenon {
 
 /// The ten phenomena, one file each.
 [[nodiscard]] std::span<const Phenomenon> all_phenomena();
+[[nodiscard]] std::vector<std::string> phenomenon_names();
 
 }  // namespace carom::properties

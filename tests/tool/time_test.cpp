@@ -140,8 +140,18 @@ TEST_F(TimeCommand, PrintsARecordThatItsSchemaAccepts) {
 
 TEST_F(TimeCommand, TellsAnEngineThatForgetsASavedState) {
   const std::string restored = "saved at 1 s, run to the end, and restored: ";
-  unit::expect_in(measured("none", {"--steps", "1/60"}).output, {restored + "same bits"});
-  unit::expect_in(measured("forget", {"--steps", "1/60"}).output, {restored + "same places, other velocities"});
+  unit::expect_in(measured("none", {"--phenomena", "heap"}).output, {restored + "same bits"});
+  unit::expect_in(measured("forget", {"--phenomena", "heap"}).output, {restored + "same places, other velocities"});
+}
+
+TEST_F(TimeCommand, MeasuresTheHeapAlone) {
+  const std::string out = directory_.path() / "time";
+  const RunResult run = measured("none", {"--phenomena", "heap", "--out", out});
+  EXPECT_EQ(run.exit_status, 0) << run.errors;
+  unit::expect_in(run.output, {"run twice: same bits"});
+  EXPECT_EQ(run.output.find("Median error"), std::string::npos) << "the table has no columns";
+  EXPECT_TRUE(std::filesystem::exists(out + "/report.html"));
+  EXPECT_EQ(run_carom({"time", "exec:/no/such", "--phenomena", "heap", "--quick"}).exit_status, 2);
 }
 
 TEST_F(TimeCommand, SaysOnceWhyATableLacksNumbers) {
@@ -247,7 +257,7 @@ TEST(SceneInSteps, NamesACommandThatIsNone) {
 TEST_F(TimeCommand, RefusesNamesAndStepsThatAreNone) {
   expect_error(run_carom({"time", "no-such-engine"}), {"no engine in time is named no-such-engine"});
   expect_error(run_carom({"time", "scene", "--phenomena", "bonce"}),
-               {"no phenomenon is named bonce"});
+               {"no phenomenon is named bonce; there are bounce,", "pass-through, heap"});
   expect_error(run_carom({"time", "scene", "scene"}), {"the engine scene is named twice"});
   for (const char* const step : {"1/0", "0.5", "1e-300"}) {
     expect_error(run_carom({"time", "scene", "--steps", step}), {"--steps: expected a number of seconds"});

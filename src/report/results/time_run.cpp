@@ -87,7 +87,10 @@ json engine_record(const TimedEngine& engine) {
 
 bool TimedEngine::is_measured() const {
   return std::any_of(measurements.begin(), measurements.end(),
-                     [](const properties::Measurement& one) { return !one.readings.empty(); });
+                     [](const properties::Measurement& one) { return !one.readings.empty(); }) ||
+         std::any_of(relations.begin(), relations.end(), [](const properties::RelationResult& one) {
+           return one.likeness != properties::Likeness::unanswered;
+         });
 }
 
 bool TimedEngine::has_failed() const {

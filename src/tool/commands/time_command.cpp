@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <future>
+#include <iterator>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <carom/properties/phenomena/phenomenon.hpp>
 #include <carom/report/pages/time_pages.hpp>
@@ -63,26 +65,40 @@ properties::Ladder ladder_of(const TimeArguments& arguments) {
   return ladder;
 }
 
-/// The phenomena that were named, all of them if none was. Throws UsageError if there is none of a name.
-std::vector<const properties::Phenomenon*> chosen_phenomena(const std::vector<std::string>& names) {
+/// The name of the relations, which have no known answer, beside those of the phenomena.
+constexpr const char* heap = "heap";
+
+bool is_chosen(const TimeArguments& arguments, std::string_view name) {
+  const std::vector<std::string>& names = arguments.phenomena;
+  return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// The phenomena that were named, all of them if none was.
+std::vector<const properties::Phenomenon*> chosen_phenomena(const TimeArguments& arguments) {
   std::vector<const properties::Phenomenon*> chosen;
   for (const properties::Phenomenon& one : properties::all_phenomena()) {
-    if (names.empty() || std::find(names.begin(), names.end(), one.name) != names.end()) {
+    if (is_chosen(arguments, one.name)) {
       chosen.push_back(&one);
     }
   }
-  for (const std::string& name : names) {
-    std::string known;
-    bool is_known = false;
-    for (const properties::Phenomenon& one : properties::all_phenomena()) {
-      known += fmt::format("{}{}", known.empty() ? "" : ", ", one.name);
-      is_known = is_known || one.name == name;
-    }
-    if (!is_known) {
-      throw UsageError(report::shown(fmt::format("--phenomena: no phenomenon is named {}; there are {}", name, known)));
+  return chosen;
+}
+
+std::vector<std::string> known_phenomena() {
+  std::vector<std::string> known = properties::phenomenon_names();
+  known.emplace_back(heap);
+  return known;
+}
+
+/// Throws UsageError if there is no phenomenon of a name.
+void read_phenomena(const TimeArguments& arguments) {
+  const std::vector<std::string> known = known_phenomena();
+  for (const std::string& name : arguments.phenomena) {
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      throw UsageError(report::shown(
+          fmt::format("--phenomena: no phenomenon is named {}; there are {}", name, fmt::join(known, ", "))));
     }
   }
-  return chosen;
 }
 
 /// The engines that were named, all of them if none was. Throws UsageError if there is none of a name.
@@ -100,12 +116,11 @@ std::vector<Stepper> chosen_engines(const TimeArguments& arguments, const std::s
     }
     const auto found = std::find_if(all.begin(), all.end(), [&](const Stepper& one) { return one.name == name; });
     if (found == all.end()) {
-      std::string known;
-      for (const Stepper& one : all) {
-        known += (known.empty() ? "" : ", ") + one.name;
-      }
-      throw UsageError(report::shown(fmt::format(
-          "no engine in time is named {}; there are {}, and 'exec:PROGRAM ARG…' for a program", name, known)));
+      std::vector<std::string> known;
+      std::transform(all.begin(), all.end(), std::back_inserter(known), [](const Stepper& one) { return one.name; });
+      throw UsageError(report::shown(
+          fmt::format("no engine in time is named {}; there are {}, and 'exec:PROGRAM ARG…' for a program", name,
+                      fmt::join(known, ", "))));
     }
     chosen.push_back(subjects::started(*found, options));
   }
@@ -127,7 +142,7 @@ report::TimedEngine measured(const Stepper& stepper, const TimeArguments& argume
   }
   const auto start = std::chrono::steady_clock::now();
   Stepper::Session session = properties::patient(stepper.open(), stop);
-  for (const properties::Phenomenon* const phenomenon : chosen_phenomena(arguments.phenomena)) {
+  for (const properties::Phenomenon* const phenomenon : chosen_phenomena(arguments)) {
     if (stop.stop_requested()) {
       break;
     }
@@ -158,7 +173,7 @@ report::TimeRun measured(const std::vector<Stepper>& engines, const TimeArgument
   report::TimeRun run{this_environment(), ladder, std::vector<report::TimedEngine>(engines.size()),
                       !arguments.subjects.empty(), false};
   const auto progress = progress_line("phenomena measured");
-  const std::size_t all = chosen_phenomena(arguments.phenomena).size() * engines.size();
+  const std::size_t all = chosen_phenomena(arguments).size() * engines.size();
   std::uint64_t done = 0;
   std::mutex one_at_a_time;
   const auto on_phenomenon = [&] {
@@ -220,7 +235,7 @@ class TimeReports {
       write_file(staged_->stage() / "report.html", time_html(run));
       staged_->put_in_place("report.html");
     }
-    for (const properties::Phenomenon* const one : chosen_phenomena(arguments_.phenomena)) {
+    for (const properties::Phenomenon* const one : chosen_phenomena(arguments_)) {
       if (!arguments_.pages.empty()) {
         write_file(std::filesystem::path(arguments_.pages) / fmt::format("{}.md", one->name),
                    phenomenon_page(*one, run), "--pages");
@@ -249,12 +264,12 @@ void read_claims(const std::vector<Stepper>& engines) {
 int measure_in_time(const TimeArguments& arguments) {
   const std::stop_token stop = stop_on_interrupt();
   const properties::Ladder ladder = ladder_of(arguments);
-  static_cast<void>(chosen_phenomena(arguments.phenomena));
+  read_phenomena(arguments);
   const std::vector<Stepper> engines = chosen_engines(arguments, stop);
   read_claims(engines);
   TimeReports reports(arguments);
   const bool is_full = !arguments.is_quick && arguments.steps.empty();
-  if (is_full && arguments.format == "text") {
+  if (is_full && arguments.format == "text" && !chosen_phenomena(arguments).empty()) {
     const report::TimeRun first = measured(engines, arguments, properties::quick_ladder(), false, stop);
     if (first.interrupted) {
       reports.write(first);
@@ -262,7 +277,7 @@ int measure_in_time(const TimeArguments& arguments) {
     }
     write_output("A first pass, as by --quick:\n\n" + time_summary(first) + "\nAll steps and phases:\n\n");
   }
-  const report::TimeRun run = measured(engines, arguments, ladder, arguments.phenomena.empty(), stop);
+  const report::TimeRun run = measured(engines, arguments, ladder, is_chosen(arguments, heap), stop);
   reports.write(run);
   return run.exit_status();
 }
@@ -278,7 +293,9 @@ void add_time(CLI::App& app, Chosen& chosen) {
   command->add_option(
       "SUBJECT", arguments->subjects,
       "A built-in engine, or 'exec:PROGRAM ARG…' for a program that answers `run` (default: all engines)");
-  command->add_option("--phenomena", arguments->phenomena, "Names of phenomena (default: all)")
+  command
+      ->add_option("--phenomena", arguments->phenomena,
+                   fmt::format("Some of {} (default: all)", fmt::join(known_phenomena(), ", ")))
       ->delimiter(',')
       ->type_name("NAMES");
   command
