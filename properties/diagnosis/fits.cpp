@@ -403,6 +403,7 @@ bool agree(double x, double y) {
 std::vector<double> fitted(const Fit& fit, const Steps& steps, const KnownCase& one) {
   const auto outcome_at = [&](double number) -> std::optional<Outcome<double>> {
     Steps changed = steps;
+    changed.effort = Effort::without_rationals;  // because a search takes dozens of answers
     return fit.change(changed, one, number) ? outcome_of(changed, one) : std::nullopt;
   };
   std::vector<double> numbers;

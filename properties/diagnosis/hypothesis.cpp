@@ -74,13 +74,13 @@ std::optional<Vector3<double>> first_impulse_on_a(const Steps& steps, const Coll
   const bool is_of_law =
       steps.friction == FrictionSteps{} && steps.matrix == MatrixSteps{} && is_permitted(collision.restitution);
   if (is_of_law && steps.test == ApproachTest::right) {
-    return law_impulse(collision, steps.law);
+    return law_impulse(collision, steps.law, {}, steps.effort);
   }
   const oracles::ContactState as = approach_by(steps.test, collision);
   const bool is_extended = as == oracles::ContactState::colliding && state_of(collision) != as;
   const Law law = is_extended && !is_linear(steps.law) ? Law::frictionless : steps.law;
   if (is_of_law) {
-    return law_impulse(collision, law, as);
+    return law_impulse(collision, law, as, steps.effort);
   }
   return as == oracles::ContactState::colliding
              ? impulse_by(collision, law, is_extended ? FrictionSteps{} : steps.friction, steps.matrix)

@@ -47,6 +47,7 @@ struct Steps {
   double most_speed = unlimited;          // of the outcome [m/s]
   double most_spin = unlimited;           // of the outcome [rad/s]
   bool has_right_impulse = true;          // whether no mistake changes the computation of the impulse
+  Effort effort = Effort::rational;       // of the law's answers
 };
 
 /// Changes the steps as a mistake would. Returns false if the mistake does not apply to the case.

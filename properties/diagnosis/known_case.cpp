@@ -8,17 +8,13 @@
 #include <carom/oracles/bounds/quantities.hpp>
 #include <carom/oracles/laws/kinematics.hpp>
 #include <carom/oracles/truths/models.hpp>
-#include <carom/oracles/truths/sensitivity.hpp>
 #include <carom/properties/diagnosis/friction.hpp>
 #include <carom/properties/diagnosis/known_case.hpp>
-#include <carom/properties/draws/general_collision.hpp>
+#include <carom/properties/diagnosis/precision.hpp>
 #include <carom/properties/gate/declared_effects.hpp>
 
 namespace carom::properties::diagnosis {
 namespace {
-
-/// Its range holds the squares of all binary64 numbers.
-using Wide = long double;
 
 template <class S>
 BasicCollision<S> widened(const Collision& collision) {
@@ -32,41 +28,6 @@ Outcome<S> widened(const Outcome<double>& outcome) {
 
 Outcome<double> narrowed(const Outcome<Wide>& outcome) {
   return map_outcome<double>(outcome, [](Wide x) { return static_cast<double>(x); });
-}
-
-template <class... Numbers>
-bool are_in_middle_range(Numbers... numbers) {
-  // Products of four such numbers, and of their differences, neither overflow nor underflow.
-  const auto is_in_range = [](double x) { return x == 0 || (std::abs(x) >= 0x1p-100 && std::abs(x) <= 0x1p100); };
-  return (is_in_range(numbers) && ...);
-}
-
-/// Whether binary64 suffices: no number is extreme, and no body is slender. Then the rounding is far below the least
-/// share of an error that `is_explained_by` tells apart.
-template <class... Outcomes>
-bool is_plain(const Collision& collision, const Outcomes&... outcomes) {
-  constexpr double slender = 8;
-  bool plain = moment_ratio(collision.a) <= slender && moment_ratio(collision.b) <= slender;
-  for_each_number([&](const FieldPath&, double x) { plain = plain && are_in_middle_range(x); }, collision);
-  const auto look_at = [&](const Outcome<double>& outcome) {
-    for (const Vector3<double>* v : vectors(outcome)) {
-      plain = plain && are_in_middle_range((*v)[0], (*v)[1], (*v)[2]);
-    }
-  };
-  (look_at(outcomes), ...);
-  return plain;
-}
-
-/// A machine computes a long double of more than 64 digits in software, fifty times as slowly as a double.
-constexpr bool is_wide_slow = std::numeric_limits<Wide>::digits > 64;
-
-/// use(S{}), with S as narrow as the numbers permit if Wide is slow.
-template <class Use, class... Outcomes>
-auto in_wide(const Use& use, const Collision& collision, const Outcomes&... outcomes) {
-  if (is_wide_slow && is_plain(collision, outcomes...)) {
-    return use(double{});
-  }
-  return use(Wide{});
 }
 
 template <class S>
@@ -109,17 +70,13 @@ bool is_known(const oracles::Truth<oracles::Enclosure>& truth) {
   });
 }
 
-/// An upper bound of the growth of rounding errors, for which an impulse in extended precision has a relative error
-/// below 2⁹ u · 2²⁰ ≤ 2⁻³⁴. Errors below 2⁻³³ are not visible.
-constexpr double most_growth_of_quick = 0x1p20;
-
 std::optional<Vector3<double>> coulomb_impulse(const oracles::ExactCase& exact_case, oracles::ContactState as) {
   if (as != oracles::ContactState::colliding) {
     return Vector3<double>(Vector3<double>::Zero());
   }
   const Collision& collision = exact_case.collision();
   const bool is_known = exact_case.state() == as && exact_case.is_moderate() &&
-                        oracles::growth_in_collision_matrix(collision) <= most_growth_of_quick;
+                        oracles::growth_in_collision_matrix(collision) <= most_growth_in_wide;
   return is_known ? impulse_by(collision, Law::coulomb, {}) : std::nullopt;
 }
 
@@ -128,33 +85,43 @@ std::optional<oracles::ContactState> clear_state(const Collision& collision) {
   if (!has_movable_body(collision)) {
     return oracles::ContactState::inert;
   }
-  const BasicCollision<Wide> c = widened<Wide>(collision);
-  Wide approach = 0;
-  Wide terms = 0;
-  for (const auto* body : {&c.a, &c.b}) {
-    const Wide sign = body == &c.a ? 1 : -1;
-    const Vector3<Wide> arm = oracles::lever_arm(*body, c.point);
-    approach += sign * c.normal.dot(body->velocity + body->angular_velocity.cross(arm));
-    terms += c.normal.cwiseAbs().sum() *
-             (body->velocity.cwiseAbs().sum() +
-              2 * body->angular_velocity.cwiseAbs().sum() * (c.point.cwiseAbs() + body->position.cwiseAbs()).sum());
-  }
-  constexpr Wide rounding = 0x1p-50L;
-  if (!(std::abs(approach) > rounding * terms)) {
-    return std::nullopt;
-  }
-  return approach < 0 ? oracles::ContactState::colliding : oracles::ContactState::separating;
+  const auto clear = [&]<class S>(S) -> std::optional<oracles::ContactState> {
+    const BasicCollision<S> c = widened<S>(collision);
+    S approach = 0;
+    S terms = 0;
+    for (const auto* body : {&c.a, &c.b}) {
+      const S sign = body == &c.a ? 1 : -1;
+      const Vector3<S> arm = oracles::lever_arm(*body, c.point);
+      approach += sign * c.normal.dot(body->velocity + body->angular_velocity.cross(arm));
+      terms += c.normal.cwiseAbs().sum() *
+               (body->velocity.cwiseAbs().sum() +
+                2 * body->angular_velocity.cwiseAbs().sum() * (c.point.cwiseAbs() + body->position.cwiseAbs()).sum());
+    }
+    constexpr S roundings = 64;  // no sum has as many
+    if (!(std::abs(approach) > roundings * std::numeric_limits<S>::epsilon() * terms)) {
+      return std::nullopt;
+    }
+    return approach < 0 ? oracles::ContactState::colliding : oracles::ContactState::separating;
+  };
+  return in_sufficient_precision(clear, collision);
 }
 
-/// Whether extended precision gives the impulse well enough, and soon.
+/// Whether `impulse_by` gives the impulse well enough.
 bool is_quick(const Collision& collision, oracles::ContactState as) {
   return as != oracles::ContactState::colliding ||
-         (!is_wide_slow && oracles::growth_in_collision_matrix(collision) <= most_growth_of_quick);
+         oracles::growth_in_collision_matrix(collision) <= most_growth_in_wide;
 }
 
 std::optional<Vector3<double>> quick_impulse(const Collision& collision, Law law, oracles::ContactState as) {
   return as == oracles::ContactState::colliding ? impulse_by(collision, law, {})
                                                 : std::optional(Vector3<double>(Vector3<double>::Zero()));
+}
+
+/// The law's answer by intervals of binary64 numbers. None if they are too wide.
+std::optional<LawAnswer> enclosed_answer(const oracles::ExactCase& exact_case, Law law, oracles::ContactState as) {
+  const auto& enclosed = exact_case.enclosed_truth(law, as);
+  return is_known(enclosed) ? std::optional(rounded(enclosed, [](const oracles::Enclosure& x) { return x.middle(); }))
+                            : std::nullopt;
 }
 
 }  // namespace
@@ -170,8 +137,8 @@ LawAnswer law_answer(const Collision& collision, Law law, std::optional<oracles:
   CAROM_EXPECTS(determines_outcome(law), law);
   const oracles::ExactCase exact_case(collision);
   const oracles::ContactState as = approach.value_or(exact_case.state());
-  if (const auto& enclosed = exact_case.enclosed_truth(law, as); is_known(enclosed)) {
-    return rounded(enclosed, [](const oracles::Enclosure& x) { return x.middle(); });
+  if (const std::optional<LawAnswer> enclosed = enclosed_answer(exact_case, law, as)) {
+    return *enclosed;
   }
   return exact_case.with_truth(law, as, [](const auto& truth) {
     return rounded(truth, [](const auto& x) { return oracles::nearest_double(x); });
@@ -179,28 +146,27 @@ LawAnswer law_answer(const Collision& collision, Law law, std::optional<oracles:
 }
 
 std::optional<Vector3<double>> law_impulse(const Collision& collision, Law law,
-                                           std::optional<oracles::ContactState> approach) {
+                                           std::optional<oracles::ContactState> approach, Effort effort) {
   if (const std::optional<oracles::ContactState> clear = clear_state(collision);
       clear && is_quick(collision, approach.value_or(*clear))) {
     return quick_impulse(collision, law, approach.value_or(*clear));
   }
   const oracles::ExactCase exact_case(collision);
   const oracles::ContactState as = approach.value_or(exact_case.state());
-  // A scalar with the unit roundoff u makes fewer than 2⁹ roundings, which grow by this factor. So the relative error
-  // is below 2⁹ u · 2⁻⁵² / u = 2⁻⁴³. This is a thousandth of the least visible error.
-  const auto largest_growth = [](auto scalar) {
-    return static_cast<double>(0x1p-51L / std::numeric_limits<decltype(scalar)>::epsilon());
-  };
   if (law == Law::coulomb) {
     return coulomb_impulse(exact_case, as);
   }
+  // A scalar with the unit roundoff u makes fewer than 2⁹ roundings, which grow by this factor. So the relative error
+  // is below 2⁹ u · 2⁻⁵² / u = 2⁻⁴³. This is a thousandth of the least visible error.
+  constexpr auto most_growth = static_cast<double>(0x1p-51L / std::numeric_limits<Wide>::epsilon());
   const double growth = oracles::growth_in_collision_matrix(collision);
-  const double allowed = is_wide_slow ? largest_growth(double{}) : largest_growth(Wide{});
-  if (as != oracles::ContactState::colliding || !is_linear(law) || !exact_case.is_moderate() || !(growth <= allowed)) {
-    return law_answer(collision, law, as).impulse;
-  }
-  if (is_wide_slow) {
-    return oracles::colliding_truth(collision, law, oracles::Branch::only).impulse;
+  if (as != oracles::ContactState::colliding || !is_linear(law) || !exact_case.is_moderate() ||
+      !(growth <= most_growth)) {
+    if (effort == Effort::rational) {
+      return law_answer(collision, law, as).impulse;
+    }
+    const std::optional<LawAnswer> answer = enclosed_answer(exact_case, law, as);
+    return answer ? std::optional(answer->impulse) : std::nullopt;
   }
   const oracles::Truth<Wide> truth = oracles::colliding_truth(widened<Wide>(collision), law, oracles::Branch::only);
   return truth.impulse.cast<double>();
@@ -244,7 +210,7 @@ double energy_product(const Collision& collision, const Outcome<double>& x, cons
     const Outcome<S> other = widened<S>(y);
     return static_cast<double>(of_body(c.a, one.a, other.a) + of_body(c.b, one.b, other.b));
   };
-  return in_wide(product, collision, x, y);
+  return in_sufficient_precision(product, collision, x, y);
 }
 
 double energy_distance(const Collision& collision, const Outcome<double>& x, const Outcome<double>& y) {
@@ -255,7 +221,7 @@ double energy_distance(const Collision& collision, const Outcome<double>& x, con
     return static_cast<double>(
         std::sqrt(twice_energy(c.a, difference(one.a, other.a)) + twice_energy(c.b, difference(one.b, other.b))));
   };
-  return in_wide(distance, collision, x, y);
+  return in_sufficient_precision(distance, collision, x, y);
 }
 
 bool is_explained_by(const Outcome<double>& outcome, const KnownCase& one) {
@@ -316,7 +282,7 @@ Outcome<double> pushed(const Collision& collision, const Vector3<double>& impuls
   };
   Outcome<double> sizes;  // whose numbers decide the scalar
   sizes.a.velocity = impulse;
-  return in_wide(outcome, collision, sizes);
+  return in_sufficient_precision(outcome, collision, sizes);
 }
 
 ViolatedCase without_effects(const ViolatedCase& one, const Subject& subject) {

@@ -26,10 +26,14 @@ struct LawAnswer {
 /// `ExactCase::state`, in less time where the sign of N·V⁻ is clear.
 [[nodiscard]] oracles::ContactState state_of(const Collision& collision);
 
+/// How long the computation of an answer may take: milliseconds with rational numbers, microseconds without them.
+enum class Effort { rational, without_rationals };
+
 /// The impulse of `law_answer`, with a relative error below 2⁻³⁴. It takes less time. There is no value if `coulomb`
-/// has several answers, or if its answer cannot be computed so well.
+/// has several answers, or if the answer cannot be computed so well with this effort.
 [[nodiscard]] std::optional<Vector3<double>> law_impulse(const Collision& collision, Law law,
-                                                         std::optional<oracles::ContactState> approach = {});
+                                                         std::optional<oracles::ContactState> approach = {},
+                                                         Effort effort = Effort::rational);
 
 /// A case that the subject answered by an outcome, and the law's answer.
 struct KnownCase {
