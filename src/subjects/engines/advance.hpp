@@ -3,26 +3,28 @@
 
 #include <chrono>
 #include <cstdint>
-#include <utility>
+#include <exception>
 #include <vector>
 
 #include <carom/collision/stepper.hpp>
+#include <carom/subjects/engines/claims.hpp>
+#include <carom/subjects/steppers.hpp>
 
 namespace carom::subjects {
 
-/// Advances the world that `make` makes, and reports its states. A world has `step()` and `state(body)` of a movable
+/// Advances a `World(stepping, configured)`, and reports its states. It has `step()` and `state(body)` of a movable
 /// body. The clock runs only while the world steps. Ten steps of another world come before it, so that caches are warm.
-template <class Make>
-[[nodiscard]] SteppedStates advanced(const Stepping& stepping, const Make& make) {
+template <class World>
+[[nodiscard]] SteppingAnswer advanced(const Stepping& stepping, bool configured) try {
   using Clock = std::chrono::steady_clock;
   constexpr int warming_steps = 10;
   {
-    auto warming = make();
+    World warming(stepping, configured);
     for (int i = 0; i < warming_steps; ++i) {
       warming.step();
     }
   }
-  auto world = make();
+  World world(stepping, configured);
   SteppedStates answer;
   std::uint64_t done = 0;
   for (const std::uint64_t after : stepping.report) {
@@ -31,23 +33,24 @@ template <class Make>
       world.step();
     }
     answer.seconds += std::chrono::duration<double>(Clock::now() - start).count();
-    std::vector<BodyState> states;
+    std::vector<BodyState>& states = answer.states.emplace_back();
     for (std::size_t body = 0; body < stepping.scene.bodies.size(); ++body) {
       const SteppedBody& posed = stepping.scene.bodies[body];
       states.push_back(posed.is_fixed ? posed.state : world.state(body));
     }
-    answer.states.push_back(std::move(states));
   }
   return answer;
+} catch (const std::exception& failure) {
+  return Failed{failure.what()};
 }
 
 /// An engine with these facts, configured and as shipped.
-[[nodiscard]] inline std::vector<Stepper> both_settings(const Stepper& facts,
-                                                        SteppingAnswer (*run)(const Stepping&, bool configured)) {
+template <class World>
+[[nodiscard]] std::vector<Stepper> both_settings(const Stepper& facts) {
   std::vector<Stepper> both{facts, facts};
   both[1].name += "-as-shipped";
-  both[0].open = [run] { return [run](const Stepping& stepping) { return run(stepping, true); }; };
-  both[1].open = [run] { return [run](const Stepping& stepping) { return run(stepping, false); }; };
+  both[0].open = [] { return [](const Stepping& stepping) { return advanced<World>(stepping, true); }; };
+  both[1].open = [] { return [](const Stepping& stepping) { return advanced<World>(stepping, false); }; };
   return both;
 }
 

@@ -1,21 +1,15 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <cmath>
-#include <vector>
 
 #include <box2d/box2d.h>
 #include <fmt/format.h>
 
 #include <carom/subjects/engines/advance.hpp>
-#include <carom/subjects/engines/claims.hpp>
-#include <carom/subjects/steppers.hpp>
 
 namespace carom::subjects {
 namespace {
 
 b2Vec2 to_box2d(const Vector3<double>& v) { return {static_cast<float>(v.x()), static_cast<float>(v.y())}; }
-
-/// The angle of a turn about z.
-double angle_of(const Quaternion<double>& q) { return 2 * std::atan2(q[3], q[0]); }
 
 /// Box2D mixes friction by the geometric mean, and restitution by the maximum. A half-space is a box of 200 m. Box2D
 /// stops a bounce below its threshold of 1 m/s. Configured, the fixture's threshold is 0, and bodies do not sleep.
@@ -45,33 +39,29 @@ class World {
     b2BodyDef definition;
     definition.type = one.is_fixed ? b2_staticBody : b2_dynamicBody;
     definition.position = to_box2d(one.state.position);
-    definition.angle = static_cast<float>(angle_of(one.state.orientation));
+    definition.angle = static_cast<float>(2 * std::atan2(one.state.orientation[3], one.state.orientation[0]));
     definition.linearVelocity = to_box2d(one.state.velocity);
     definition.angularVelocity = static_cast<float>(one.state.angular_velocity.z());
     definition.allowSleep = !configured;
     definition.bullet = scene_.is_continuous;
     b2CircleShape circle;
     b2PolygonShape polygon;
-    b2FixtureDef fixture;
-    fixture.shape = &polygon;
     if (const auto* const sphere = std::get_if<SphereShape>(&one.shape)) {
       circle.m_radius = static_cast<float>(sphere->radius);
-      fixture.shape = &circle;
     } else if (const auto* const box = std::get_if<BoxShape>(&one.shape)) {
       polygon.SetAsBox(static_cast<float>(box->lengths.x() / 2), static_cast<float>(box->lengths.y() / 2));
     } else {
-      constexpr float half = 100;  // [m]
       const Vector3<double> n = unit(std::get<HalfSpaceShape>(one.shape).normal);
       definition.angle = static_cast<float>(std::atan2(n.y(), n.x()) - std::atan2(1.0, 0.0));
-      definition.position = to_box2d(one.state.position - half * n);
-      polygon.SetAsBox(half, half);
+      definition.position = to_box2d(one.state.position - 100 * n);
+      polygon.SetAsBox(100, 100);
     }
+    b2FixtureDef fixture;
+    fixture.shape = circle.m_radius > 0 ? static_cast<b2Shape*>(&circle) : &polygon;
     fixture.density = 1;
     fixture.friction = static_cast<float>(scene_.friction);
     fixture.restitution = static_cast<float>(scene_.restitution);
-    if (configured) {
-      fixture.restitutionThreshold = 0;
-    }
+    fixture.restitutionThreshold = configured ? 0 : fixture.restitutionThreshold;
     b2Body* const body = world_.CreateBody(&definition);
     body->CreateFixture(&fixture);
     if (!one.is_fixed) {
@@ -90,13 +80,9 @@ class World {
 }  // namespace
 
 std::vector<Stepper> box2d_steppers() {
-  Stepper facts{"box2d"};
-  facts.version = fmt::format("{}.{}.{}", b2_version.major, b2_version.minor, b2_version.revision);
-  facts.precision = Precision::binary32;
-  facts.is_planar = true;
-  return both_settings(facts, [](const Stepping& stepping, bool configured) -> SteppingAnswer {
-    return advanced(stepping, [&] { return World(stepping, configured); });
-  });
+  std::string version = fmt::format("{}.{}.{}", b2_version.major, b2_version.minor, b2_version.revision);
+  return both_settings<World>(
+      {.name = "box2d", .version = std::move(version), .precision = Precision::binary32, .is_planar = true});
 }
 
 }  // namespace carom::subjects

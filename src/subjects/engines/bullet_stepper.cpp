@@ -1,34 +1,18 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <cmath>
 #include <memory>
-#include <vector>
 
 #include <btBulletDynamicsCommon.h>
 
 #include <carom/subjects/engines/advance.hpp>
 #include <carom/subjects/engines/bullet_contact.hpp>
-#include <carom/subjects/steppers.hpp>
 
 namespace carom::subjects {
 namespace {
 
+using bullet::to_bullet;
+
 Vector3<double> vector_of(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
-
-std::unique_ptr<btCollisionShape> shape_of(const Shape& shape) {
-  if (const auto* const sphere = std::get_if<SphereShape>(&shape)) {
-    return std::make_unique<btSphereShape>(sphere->radius);
-  }
-  if (const auto* const box = std::get_if<BoxShape>(&shape)) {
-    return std::make_unique<btBoxShape>(bullet::to_bullet(box->lengths / 2));
-  }
-  return std::make_unique<btStaticPlaneShape>(bullet::to_bullet(unit(std::get<HalfSpaceShape>(shape).normal)), 0);
-}
-
-/// The half of the least edge, or the radius.
-double least_extent(const Shape& shape) {
-  const auto* const sphere = std::get_if<SphereShape>(&shape);
-  return sphere != nullptr ? sphere->radius : std::get<BoxShape>(shape).lengths.minCoeff() / 2;
-}
 
 /// Bullet multiplies the coefficients of the two bodies, so each body gets the root. Configured, the restitution has no
 /// threshold, contacts begin at a distance of 0, bodies never sleep, and friction has two directions.
@@ -36,7 +20,7 @@ class World {
  public:
   World(const Stepping& stepping, bool configured) : step_(stepping.step) {
     const SteppedScene& scene = stepping.scene;
-    world_.setGravity(bullet::to_bullet(scene.gravity));
+    world_.setGravity(to_bullet(scene.gravity));
     if (configured) {
       world_.getSolverInfo().m_restitutionVelocityThreshold = 0;
       world_.getSolverInfo().m_splitImpulsePenetrationThreshold = 0;
@@ -44,22 +28,30 @@ class World {
       world_.getSolverInfo().m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
     }
     for (const SteppedBody& one : scene.bodies) {
-      btCollisionShape* const shape = shapes_.emplace_back(shape_of(one.shape)).get();
-      btRigidBody::btRigidBodyConstructionInfo info(one.is_fixed ? 0 : one.mass, nullptr, shape,
-                                                    bullet::to_bullet(one.principal_inertia));
+      const auto* const sphere = std::get_if<SphereShape>(&one.shape);
+      const auto* const box = std::get_if<BoxShape>(&one.shape);
+      if (sphere != nullptr) {
+        shapes_.push_back(std::make_unique<btSphereShape>(sphere->radius));
+      } else if (box != nullptr) {
+        shapes_.push_back(std::make_unique<btBoxShape>(to_bullet(box->lengths / 2)));
+      } else {
+        const Vector3<double> normal = unit(std::get<HalfSpaceShape>(one.shape).normal);
+        shapes_.push_back(std::make_unique<btStaticPlaneShape>(to_bullet(normal), 0));
+      }
+      btRigidBody::btRigidBodyConstructionInfo info(one.is_fixed ? 0 : one.mass, nullptr, shapes_.back().get(),
+                                                    to_bullet(one.principal_inertia));
       const Quaternion<double> q = unit(one.state.orientation);
       info.m_startWorldTransform.setRotation({q[1], q[2], q[3], q[0]});
-      info.m_startWorldTransform.setOrigin(bullet::to_bullet(one.state.position));
+      info.m_startWorldTransform.setOrigin(to_bullet(one.state.position));
       btRigidBody* const body = bodies_.emplace_back(std::make_unique<btRigidBody>(info)).get();
       body->setRestitution(std::sqrt(scene.restitution));
       body->setFriction(std::sqrt(scene.friction));
-      if (!one.is_fixed) {
-        body->setLinearVelocity(bullet::to_bullet(one.state.velocity));
-        body->setAngularVelocity(bullet::to_bullet(one.state.angular_velocity));
-        if (scene.is_continuous) {
-          body->setCcdMotionThreshold(least_extent(one.shape) / 10);
-          body->setCcdSweptSphereRadius(least_extent(one.shape) * 0.9);
-        }
+      body->setLinearVelocity(to_bullet(one.state.velocity));
+      body->setAngularVelocity(to_bullet(one.state.angular_velocity));
+      if (scene.is_continuous && !one.is_fixed) {
+        const double least_extent = sphere != nullptr ? sphere->radius : box->lengths.minCoeff() / 2;
+        body->setCcdMotionThreshold(least_extent / 10);
+        body->setCcdSweptSphereRadius(least_extent * 0.9);
       }
       if (configured) {
         body->setActivationState(DISABLE_DEACTIVATION);
@@ -74,10 +66,8 @@ class World {
   [[nodiscard]] BodyState state(std::size_t i) const {
     const btRigidBody& body = *bodies_[i];
     const btQuaternion q = body.getWorldTransform().getRotation();
-    return {vector_of(body.getWorldTransform().getOrigin()),
-            {q.w(), q.x(), q.y(), q.z()},
-            vector_of(body.getLinearVelocity()),
-            vector_of(body.getAngularVelocity())};
+    return {vector_of(body.getWorldTransform().getOrigin()), Quaternion<double>(q.w(), q.x(), q.y(), q.z()),
+            vector_of(body.getLinearVelocity()), vector_of(body.getAngularVelocity())};
   }
 
  private:
@@ -94,11 +84,7 @@ class World {
 }  // namespace
 
 std::vector<Stepper> bullet_steppers() {
-  Stepper facts{"bullet"};
-  facts.version = bullet::version();
-  return both_settings(facts, [](const Stepping& stepping, bool configured) -> SteppingAnswer {
-    return advanced(stepping, [&] { return World(stepping, configured); });
-  });
+  return both_settings<World>({.name = "bullet", .version = bullet::version()});
 }
 
 }  // namespace carom::subjects

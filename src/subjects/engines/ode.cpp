@@ -98,14 +98,12 @@ ReportedOutcome step(const Collision& collision, const EngineSetting& setting, d
 }
 
 Answer solve(const Collision& collision, const EngineSetting& setting) {
-  ode::enter_thread();
   ode::last_warning.clear();
-  // By default, all worlds share one threading implementation, which is not thread-safe.
-  ode::Threading threading(dThreadingAllocateSelfThreadedImplementation());
+  ode::Threading threading = ode::own_threading();
   try {
     return step(collision, setting, threading.get());
   } catch (const ode::AssertionFailed& failure) {
-    static_cast<void>(threading.release());  // ODE does not permit freeing it in the middle of a step
+    static_cast<void>(threading.release());
     const std::string& warning = ode::last_warning;
     return Refused{std::string("ODE: ") + failure.what() + (warning.empty() ? "" : ", after the warning: " + warning)};
   }

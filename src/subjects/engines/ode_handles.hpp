@@ -47,4 +47,11 @@ inline void enter_thread() {
   [[maybe_unused]] thread_local const int thread = dAllocateODEDataForThread(dAllocateFlagBasicData);
 }
 
+/// By default, all worlds share one threading implementation, which is not thread-safe. It must not be freed in the
+/// middle of a step.
+inline Threading own_threading() {
+  enter_thread();
+  return Threading(dThreadingAllocateSelfThreadedImplementation());
+}
+
 }  // namespace carom::subjects::ode

@@ -1,46 +1,41 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
 #include <array>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include <carom/subjects/engines/advance.hpp>
-#include <carom/subjects/engines/claims.hpp>
 #include <carom/subjects/engines/ode_handles.hpp>
-#include <carom/subjects/steppers.hpp>
 
 namespace carom::subjects {
 namespace {
 
 using Space = std::unique_ptr<dxSpace, ode::Destroy<dSpaceDestroy>>;
 using Joints = std::unique_ptr<dxJointGroup, ode::Destroy<dJointGroupDestroy>>;
+using Numbers = Eigen::Map<const Vector3<double>>;
 
 /// ODE has no materials: each contact gets the coefficients of the scene. Configured, contacts are hard (CFM 0), and μ
 /// limits the ratio of the friction impulse to the normal impulse.
 class World {
  public:
-  World(const Stepping& stepping, bool configured, dThreadingImplementationID threading)
-      : stepping_(stepping), configured_(configured) {
-    dWorldSetStepThreadingImplementation(world_.get(), dThreadingImplementationGetFunctions(threading), threading);
-    const Vector3<double>& gravity = stepping.scene.gravity;
-    dWorldSetGravity(world_.get(), gravity.x(), gravity.y(), gravity.z());
-    if (configured) {
-      dWorldSetCFM(world_.get(), 0);
-    }
-    for (const SteppedBody& one : stepping.scene.bodies) {
-      add(one);
-    }
+  World(const Stepping& stepping, bool configured)
+      : scene_(stepping.scene), step_(stepping.step), configured_(configured) {
+    dWorldSetStepThreadingImplementation(world_.get(), dThreadingImplementationGetFunctions(threading_.get()),
+                                         threading_.get());
+    dWorldSetGravity(world_.get(), scene_.gravity.x(), scene_.gravity.y(), scene_.gravity.z());
+    dWorldSetCFM(world_.get(), configured ? 0 : dWorldGetCFM(world_.get()));
+    std::for_each(scene_.bodies.begin(), scene_.bodies.end(), [&](const SteppedBody& one) { add(one); });
   }
 
-  void step() {
+  void step() try {
     dSpaceCollide(space_.get(), this, &World::collide);
-    dWorldStep(world_.get(), stepping_.step);
+    dWorldStep(world_.get(), step_);
     dJointGroupEmpty(joints_.get());
+  } catch (const ode::AssertionFailed&) {
+    static_cast<void>(threading_.release());
+    throw;
   }
 
   [[nodiscard]] BodyState state(std::size_t i) const {
     const dBodyID body = bodies_[i];
-    using Numbers = Eigen::Map<const Vector3<double>>;
     return {Numbers(dBodyGetPosition(body)), Eigen::Map<const Quaternion<double>>(dBodyGetQuaternion(body)),
             Numbers(dBodyGetLinearVel(body)), Numbers(dBodyGetAngularVel(body))};
   }
@@ -48,6 +43,7 @@ class World {
  private:
   void add(const SteppedBody& one) {
     const Vector3<double>& at = one.state.position;
+    dBodyID& body = bodies_.emplace_back(nullptr);
     dGeomID geometry = nullptr;
     if (const auto* const sphere = std::get_if<SphereShape>(&one.shape)) {
       geometry = dCreateSphere(space_.get(), sphere->radius);
@@ -56,70 +52,52 @@ class World {
     } else {
       const Vector3<double> n = unit(std::get<HalfSpaceShape>(one.shape).normal);
       dCreatePlane(space_.get(), n.x(), n.y(), n.z(), n.dot(at));
-      bodies_.push_back(nullptr);
       return;
     }
-    const Quaternion<double> q = unit(one.state.orientation);
-    if (one.is_fixed) {
-      dGeomSetPosition(geometry, at.x(), at.y(), at.z());
-      dGeomSetQuaternion(geometry, q.data());
-      bodies_.push_back(nullptr);
-      return;
-    }
-    const dBodyID body = dBodyCreate(world_.get());  // the world destroys it
+    body = dBodyCreate(world_.get());  // the world destroys it
     dMass mass;
-    dMassSetParameters(&mass, one.mass, 0, 0, 0, one.principal_inertia.x(), one.principal_inertia.y(),
-                       one.principal_inertia.z(), 0, 0, 0);
+    const Vector3<double>& moments = one.principal_inertia;
+    dMassSetParameters(&mass, one.mass, 0, 0, 0, moments.x(), moments.y(), moments.z(), 0, 0, 0);
     dBodySetMass(body, &mass);
-    dBodySetQuaternion(body, q.data());
-    dBodySetPosition(body, at.x(), at.y(), at.z());
-    dBodySetLinearVel(body, one.state.velocity.x(), one.state.velocity.y(), one.state.velocity.z());
-    dBodySetAngularVel(body, one.state.angular_velocity.x(), one.state.angular_velocity.y(),
-                       one.state.angular_velocity.z());
+    dBodySetQuaternion(body, unit(one.state.orientation).data());
+    const auto set = [&](auto setter, const Vector3<double>& v) { setter(body, v.x(), v.y(), v.z()); };
+    set(dBodySetPosition, at);
+    set(dBodySetLinearVel, one.state.velocity);
+    set(dBodySetAngularVel, one.state.angular_velocity);
     dGeomSetBody(geometry, body);
-    bodies_.push_back(body);
+    if (one.is_fixed) {
+      dBodySetKinematic(body);
+    }
   }
 
   static void collide(void* data, dGeomID a, dGeomID b) {
     const World& self = *static_cast<const World*>(data);
     std::array<dContact, 8> contacts{};
     const int count = dCollide(a, b, static_cast<int>(contacts.size()), &contacts[0].geom, sizeof(dContact));
-    for (int i = 0; i < count; ++i) {
-      dSurfaceParameters& surface = contacts[static_cast<std::size_t>(i)].surface;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+      dSurfaceParameters& surface = contacts[i].surface;
       surface.mode = dContactBounce | (self.configured_ ? dContactApprox1 : 0);
-      surface.mu = self.stepping_.scene.friction;
-      surface.bounce = self.stepping_.scene.restitution;
-      dJointAttach(dJointCreateContact(self.world_.get(), self.joints_.get(), &contacts[static_cast<std::size_t>(i)]),
-                   dGeomGetBody(a), dGeomGetBody(b));
+      surface.mu = self.scene_.friction;
+      surface.bounce = self.scene_.restitution;
+      dJointAttach(dJointCreateContact(self.world_.get(), self.joints_.get(), &contacts[i]), dGeomGetBody(a),
+                   dGeomGetBody(b));
     }
   }
 
-  const Stepping& stepping_;
+  const SteppedScene& scene_;
+  double step_;
   bool configured_;
+  ode::Threading threading_ = ode::own_threading();
   ode::World world_{dWorldCreate()};
   Space space_{dSimpleSpaceCreate(nullptr)};
   Joints joints_{dJointGroupCreate(0)};
   std::vector<dBodyID> bodies_;
 };
 
-SteppingAnswer stepped(const Stepping& stepping, bool configured) {
-  ode::enter_thread();
-  ode::Threading threading(dThreadingAllocateSelfThreadedImplementation());
-  try {
-    return advanced(stepping, [&] { return World(stepping, configured, threading.get()); });
-  } catch (const ode::AssertionFailed& failure) {
-    static_cast<void>(threading.release());  // ODE does not permit freeing it in the middle of a step
-    return Failed{std::string("ODE: ") + failure.what()};
-  }
-}
-
 }  // namespace
 
 std::vector<Stepper> ode_steppers() {
-  Stepper facts{"ode"};
-  facts.version = dODE_VERSION;
-  facts.cannot = {"continuous"};
-  return both_settings(facts, stepped);
+  return both_settings<World>({.name = "ode", .version = dODE_VERSION, .cannot = {"continuous"}});
 }
 
 }  // namespace carom::subjects
