@@ -97,40 +97,43 @@ bool is_finite(const BodyState& state) {
          state.angular_velocity.allFinite();
 }
 
-std::string_view shape_name(const Shape& shape) {
-  return std::holds_alternative<SphereShape>(shape) ? "sphere"
-         : std::holds_alternative<BoxShape>(shape)  ? "box"
-                                                    : "half_space";
+bool is_in(const SteppedScene& scene, std::string_view what) {
+  constexpr std::string_view shapes[] = {"sphere", "box", "half_space"};  // in the order of `Shape`
+  return (what == "friction" && scene.friction > 0) || (what == "continuous" && scene.is_continuous) ||
+         std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                     [&](const SteppedBody& body) { return shapes[body.shape.index()] == what; });
 }
 
 }  // namespace
 
-std::optional<std::string> why_not_posed(const Stepper& stepper, const SteppedScene& scene) {
-  const auto is_needed = [&](const std::string& what) {
-    return (what == "friction" && scene.friction > 0) || (what == "continuous" && scene.is_continuous) ||
-           std::any_of(scene.bodies.begin(), scene.bodies.end(),
-                       [&](const SteppedBody& body) { return shape_name(body.shape) == what; });
-  };
-  const auto found = std::find_if(stepper.cannot.begin(), stepper.cannot.end(), is_needed);
-  return found == stepper.cannot.end() ? std::nullopt : std::optional("the subject cannot pose: " + *found);
-}
-
-SteppingAnswer checked(SteppingAnswer answer, const Stepping& stepping) {
-  const auto* states = std::get_if<SteppedStates>(&answer);
-  if (states == nullptr) {
-    return answer;
+std::variant<SteppedStates, NoAnswer> answer_of(const Stepper& stepper, Stepper::Session& session,
+                                                const Stepping& stepping) {
+  const auto found = std::find_if(stepper.cannot.begin(), stepper.cannot.end(),
+                                  [&](const std::string& what) { return is_in(stepping.scene, what); });
+  if (found != stepper.cannot.end()) {
+    return NoAnswer{"the subject cannot pose: " + *found};
   }
-  const std::size_t bodies = stepping.scene.bodies.size();
-  if (states->states.size() != stepping.report.size() ||
-      std::any_of(states->states.begin(), states->states.end(),
-                  [&](const auto& all) { return all.size() != bodies; })) {
-    return Failed{"the answer has not a state for each body at each time"};
+  SteppingAnswer answer = session(stepping);
+  if (const auto* skipped = std::get_if<Skipped>(&answer)) {
+    return NoAnswer{skipped->why};
   }
-  if (!std::all_of(states->states.begin(), states->states.end(),
+  if (const auto* refused = std::get_if<Refused>(&answer)) {
+    return NoAnswer{"refused: " + refused->why};
+  }
+  if (const auto* failed = std::get_if<Failed>(&answer)) {
+    return NoAnswer{failed->why, true};
+  }
+  auto& states = std::get<SteppedStates>(answer);
+  const auto is_complete = [&](const auto& all) { return all.size() == stepping.scene.bodies.size(); };
+  if (states.states.size() != stepping.report.size() ||
+      !std::all_of(states.states.begin(), states.states.end(), is_complete)) {
+    return NoAnswer{"the answer has not a state for each body at each time", true};
+  }
+  if (!std::all_of(states.states.begin(), states.states.end(),
                    [](const auto& all) { return std::all_of(all.begin(), all.end(), is_finite); })) {
-    return Failed{"a state has an infinity or NaN"};
+    return NoAnswer{"a state has an infinity or NaN", true};
   }
-  return answer;
+  return std::move(states);
 }
 
 Stepper::Session patient(Stepper::Session session, std::stop_token stop, double lost) {
@@ -189,34 +192,23 @@ Measurement measure(const Phenomenon& phenomenon, const Stepper& stepper, Steppe
   const std::vector<PosedRun> runs = phenomenon.runs(ladder, stepper.is_planar);
   for (const PosedRun& run : runs) {
     ++result.runs;
-    if (failures == most_failures) {
-      note(result.unanswered, "the subject failed three times before", false, run.step);
+    const auto answer = failures == most_failures ? NoAnswer{"the subject failed three times before"}
+                                                  : answer_of(stepper, session, run.stepping);
+    if (const auto* none = std::get_if<NoAnswer>(&answer)) {
+      failures += none->is_failure ? 1 : 0;
+      note(result.unanswered, none->why, none->is_failure, run.step);
       continue;
     }
-    if (const auto why = why_not_posed(stepper, run.stepping.scene)) {
-      note(result.unanswered, *why, false, run.step);
-      continue;
-    }
-    const SteppingAnswer answer = checked(session(run.stepping), run.stepping);
-    const auto* failed = std::get_if<Failed>(&answer);
-    failures = failed != nullptr ? failures + 1 : 0;
-    if (failed != nullptr) {
-      note(result.unanswered, failed->why, true, run.step);
-    } else if (const auto* skipped = std::get_if<Skipped>(&answer)) {
-      note(result.unanswered, skipped->why, false, run.step);
-    } else if (const auto* refused = std::get_if<Refused>(&answer)) {
-      note(result.unanswered, "refused: " + refused->why, false, run.step);
-    } else {
-      const auto& states = std::get<SteppedStates>(answer);
-      seconds[run.step].push_back(states.seconds / static_cast<double>(steps_of(run.stepping)));
-      for (Reading& reading : run.read(states)) {
-        if (!std::isfinite(shift(reading))) {
-          note(result.unanswered, "no number can be read off the states: " + reading.what, true, run.step);
-          continue;
-        }
-        const double rounding = rounding_of(reading, run.stepping, stepper.precision);
-        reads.push_back({run.step, std::move(reading), rounding});
+    failures = 0;
+    const auto& states = std::get<SteppedStates>(answer);
+    seconds[run.step].push_back(states.seconds / static_cast<double>(steps_of(run.stepping)));
+    for (Reading& reading : run.read(states)) {
+      if (!std::isfinite(shift(reading))) {
+        note(result.unanswered, "no number can be read off the states: " + reading.what, true, run.step);
+        continue;
       }
+      const double rounding = rounding_of(reading, run.stepping, stepper.precision);
+      reads.push_back({run.step, std::move(reading), rounding});
     }
   }
   result.readings = gathered(reads, ladder.steps);

@@ -5,6 +5,7 @@
 #include <span>
 #include <stop_token>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <carom/properties/phenomena/phenomenon.hpp>
@@ -38,10 +39,21 @@ struct StepTime {
   double seconds = 0;  // that the engine takes for one step: the median over the runs
 };
 
+/// Why a run has no states.
+struct NoAnswer {
+  std::string why;
+  bool is_failure = false;  // otherwise the subject skipped or refused it, or was not asked
+};
+
+/// The states of a run. There are none if the stepper cannot pose the scene or gives no answer, if states are missing,
+/// or if a number is not finite.
+[[nodiscard]] std::variant<SteppedStates, NoAnswer> answer_of(const Stepper& stepper, Stepper::Session& session,
+                                                              const Stepping& stepping);
+
 /// Runs without an answer, for one reason.
 struct Unanswered {
   std::string why;
-  bool is_failure = false;    // otherwise the subject skipped or refused them, or was not asked
+  bool is_failure = false;    // as of `NoAnswer`
   std::vector<double> steps;  // of each run
 };
 
@@ -64,12 +76,5 @@ struct Measurement {
 /// The slope of log(median) over log(step), by least squares. Only rungs whose median is above rounding count. No value
 /// if they are fewer than three.
 [[nodiscard]] std::optional<double> fitted_order(std::span<const Rung> rungs);
-
-/// Why the stepper cannot pose the scene; no value if it can.
-[[nodiscard]] std::optional<std::string> why_not_posed(const Stepper& stepper, const SteppedScene& scene);
-
-/// The states of an answer. If it has none, if states are missing, or if a number is not finite, the reason: Skipped,
-/// Refused or Failed.
-[[nodiscard]] SteppingAnswer checked(SteppingAnswer answer, const Stepping& stepping);
 
 }  // namespace carom::properties

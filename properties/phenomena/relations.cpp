@@ -113,21 +113,6 @@ double difference(const BodyState& x, const BodyState& y) {
   return std::max((x.position - y.position).norm(), turn_between(x.orientation, y.orientation));
 }
 
-/// The states of a run, or why there are none.
-std::variant<SteppedStates, std::string> states_of(const Stepper& stepper, Stepper::Session& session,
-                                                   const Stepping& stepping) {
-  if (auto why = why_not_posed(stepper, stepping.scene)) {
-    return *std::move(why);
-  }
-  SteppingAnswer answer = checked(session(stepping), stepping);
-  if (auto* states = std::get_if<SteppedStates>(&answer)) {
-    return std::move(*states);
-  }
-  const auto* failed = std::get_if<Failed>(&answer);
-  const auto* refused = std::get_if<Refused>(&answer);
-  return failed != nullptr ? failed->why : refused != nullptr ? refused->why : std::get<Skipped>(answer).why;
-}
-
 void compare(RelationResult& result, const Stepping& stepping, const SteppedStates& first,
              const SteppedStates& second) {
   bool is_same_so_far = true;
@@ -163,6 +148,11 @@ double energy(const std::vector<SteppedBody>& posed, const std::vector<BodyState
   return sum;
 }
 
+void unanswered(RelationResult& result, const NoAnswer& none) {
+  result.why = none.why;
+  result.is_failure = none.is_failure;
+}
+
 /// A ball hits a row of four balls that touch, at 1 m/s, without friction and gravity. Each bounce keeps the energy.
 RelationResult row_of_balls(const Stepper& stepper, Stepper::Session& session, double step) {
   const Directions d = directions(stepper.is_planar);
@@ -176,7 +166,7 @@ RelationResult row_of_balls(const Stepper& stepper, Stepper::Session& session, d
     row.scene.bodies.push_back(one);
   }
   RelationResult result{"energy", "a ball hits a row of balls, ε = 1", Likeness::unanswered, 0, end, {}};
-  const auto answer = states_of(stepper, session, row);
+  const auto answer = answer_of(stepper, session, row);
   if (const auto* states = std::get_if<SteppedStates>(&answer)) {
     std::vector<BodyState> before;
     std::transform(row.scene.bodies.begin(), row.scene.bodies.end(), std::back_inserter(before),
@@ -184,7 +174,7 @@ RelationResult row_of_balls(const Stepper& stepper, Stepper::Session& session, d
     result.energy = energy(row.scene.bodies, states->states.at(0)) / energy(row.scene.bodies, before);
     result.likeness = result.energy > 1 + tolerance ? Likeness::differs : Likeness::same_digits;
   } else {
-    result.why = std::get<std::string>(answer);
+    unanswered(result, std::get<NoAnswer>(answer));
   }
   return result;
 }
@@ -218,18 +208,18 @@ std::vector<RelationResult> heap_relations(const Stepper& stepper, Stepper::Sess
     times[k] = between_reports * static_cast<double>(k + 1);
   }
   const Stepping plain{heap(stepper.is_planar), step, report_at(times, step)};
-  const auto first = states_of(stepper, session, plain);
+  const auto first = answer_of(stepper, session, plain);
   std::vector<RelationResult> results;
   for (const Related& related : related_heaps(stepper)) {
     RelationResult result{related.name, related.change, Likeness::unanswered, 0, 0, {}};
     Stepping changed = plain;
     related.to(changed);
-    auto second = first.index() == 0 ? states_of(stepper, session, changed) : first;
+    auto second = first.index() == 0 ? answer_of(stepper, session, changed) : first;
     if (auto* states = std::get_if<SteppedStates>(&second)) {
       std::for_each(states->states.begin(), states->states.end(), related.back);
       compare(result, plain, std::get<SteppedStates>(first), *states);
     } else {
-      result.why = std::get<std::string>(second);
+      unanswered(result, std::get<NoAnswer>(second));
     }
     results.push_back(std::move(result));
   }

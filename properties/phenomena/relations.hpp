@@ -21,6 +21,7 @@ struct RelationResult {
   double time = 0;    // [s]: the end, or the time from which on they differ by more than a millimetre or milliradian
   std::string why;    // if unanswered
   double energy = 0;  // of the row of balls, relative to the energy before; 0 for the heap
+  bool is_failure = false;  // if unanswered: as of `NoAnswer`
 };
 
 /// The heap. A planar one has discs and rectangles.

@@ -94,10 +94,11 @@ bool TimedEngine::is_measured() const {
 }
 
 bool TimedEngine::has_failed() const {
-  return std::any_of(measurements.begin(), measurements.end(), [](const properties::Measurement& one) {
-    return std::any_of(one.unanswered.begin(), one.unanswered.end(),
-                       [](const properties::Unanswered& runs) { return runs.is_failure; });
-  });
+  const auto is_failure = [](const auto& one) { return one.is_failure; };
+  return std::any_of(relations.begin(), relations.end(), is_failure) ||
+         std::any_of(measurements.begin(), measurements.end(), [&](const properties::Measurement& one) {
+           return std::any_of(one.unanswered.begin(), one.unanswered.end(), is_failure);
+         });
 }
 
 int TimeRun::exit_status() const {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -27,13 +28,27 @@ SteppedStates unmoved(const Stepping& stepping) {
   return {std::vector(stepping.report.size(), states), 1e-6 * static_cast<double>(steps_of(stepping))};
 }
 
-Measurement measured(SteppingAnswer (*answer)(const Stepping&), std::vector<std::string> cannot = {},
-                     const Phenomenon& phenomenon = slow_bounce()) {
-  Stepper stepper;
-  stepper.name = "test";
+/// An engine in which nothing moves, with changed states.
+template <class Change>
+Stepper::Session unmoving(Change change) {
+  return [=](const Stepping& stepping) mutable -> SteppingAnswer {
+    SteppedStates states = unmoved(stepping);
+    change(states.states);
+    return states;
+  };
+}
+
+const Stepper::Session unchanged = unmoving([](auto&) {});
+
+Measurement measured(Stepper::Session session, const Phenomenon& phenomenon = slow_bounce(),
+                     std::vector<std::string> cannot = {}) {
+  Stepper stepper{"test"};
   stepper.cannot = std::move(cannot);
-  Stepper::Session session = answer;
   return measure(phenomenon, stepper, session, quick_ladder());
+}
+
+std::vector<RelationResult> relations(Stepper::Session session, const Stepper& stepper = {"test"}) {
+  return heap_relations(stepper, session, 1.0 / 60);
 }
 
 TEST(Phenomena, HaveUniqueNamesAndReadings) {
@@ -63,38 +78,25 @@ TEST(Measure, CountsWhatHasNoAnswer) {
   EXPECT_EQ(skipped.unanswered[0].why, "not today");
   EXPECT_EQ(skipped.unanswered[0].steps.size(), skipped.runs);
   EXPECT_TRUE(skipped.readings.empty());
-  const Measurement cannot = measured(skips, {"friction", "half_space"});
+  const Measurement cannot = measured(skips, slow_bounce(), {"friction", "half_space"});
   EXPECT_EQ(cannot.unanswered[0].why, "the subject cannot pose: half_space");
 }
 
 TEST(Measure, GivesUpAfterThreeFailures) {
-  const Measurement failed = measured([](const Stepping& stepping) -> SteppingAnswer {
-    SteppedStates states = unmoved(stepping);
-    states.states.back().back().velocity[1] = std::numeric_limits<double>::quiet_NaN();
-    return states;
-  });
+  const Measurement failed = measured(
+      unmoving([](auto& states) { states.back().back().velocity[1] = std::numeric_limits<double>::quiet_NaN(); }));
   ASSERT_EQ(failed.unanswered.size(), 2U);
   EXPECT_EQ(failed.unanswered[0].why, "a state has an infinity or NaN");
   EXPECT_TRUE(failed.unanswered[0].is_failure);
   EXPECT_EQ(failed.unanswered[0].steps.size(), 3U);
   EXPECT_EQ(failed.unanswered[1].why, "the subject failed three times before");
-  const Measurement incomplete = measured([](const Stepping& stepping) -> SteppingAnswer {
-    SteppedStates states = unmoved(stepping);
-    states.states.back().pop_back();
-    return states;
-  });
+  const Measurement incomplete = measured(unmoving([](auto& states) { states.back().pop_back(); }));
   EXPECT_EQ(incomplete.unanswered[0].why, "the answer has not a state for each body at each time");
 }
 
 // The square of the speed overflows, so the height of the bounce is no number.
 TEST(Measure, TakesAReadingThatIsNoNumberForAFailure) {
-  const Measurement fast = measured(
-      [](const Stepping& stepping) -> SteppingAnswer {
-        SteppedStates states = unmoved(stepping);
-        states.states[0][1].velocity[2] = 1e200;
-        return states;
-      },
-      {}, bounce());
+  const Measurement fast = measured(unmoving([](auto& states) { states[0][1].velocity[2] = 1e200; }), bounce());
   ASSERT_FALSE(fast.unanswered.empty());
   EXPECT_TRUE(fast.unanswered[0].is_failure);
   EXPECT_EQ(fast.unanswered[0].why, "no number can be read off the states: height of bounce 1, ε = 0");
@@ -120,30 +122,18 @@ TEST(Measure, AsksNoMoreAfterAStopOrThreeMinutesOfFailures) {
 
 // The wall stands from 0 to 0.1 m.
 TEST(PassThrough, IsBeyondTheFarFaceOfTheWall) {
-  const auto passes = [](SteppingAnswer (*answer)(const Stepping&)) {
-    for (const MeasuredReading& reading : measured(answer, {}, pass_through()).readings) {
-      if (reading.what == "passes, wall, 1 diameters a step") {
-        return reading.rungs[0].median;
-      }
-    }
-    return -1.0;
-  };
-  EXPECT_EQ(passes([](const Stepping& stepping) -> SteppingAnswer {
-              SteppedStates stuck = unmoved(stepping);
-              stuck.states[0][1].position[0] = 0.05;
-              return stuck;
-            }),
-            0);
-  EXPECT_EQ(passes([](const Stepping& stepping) -> SteppingAnswer {
-              SteppedStates beyond = unmoved(stepping);
-              beyond.states[0][1].position[0] = 0.15;
-              return beyond;
-            }),
-            1);
+  for (const bool is_beyond : {false, true}) {
+    const Measurement measurement =
+        measured(unmoving([=](auto& states) { states[0][1].position[0] = is_beyond ? 0.15 : 0.05; }), pass_through());
+    const auto wall = std::find_if(measurement.readings.begin(), measurement.readings.end(),
+                                   [](const auto& one) { return one.what == "passes, wall, 1 diameters a step"; });
+    ASSERT_NE(wall, measurement.readings.end());
+    EXPECT_EQ(wall->rungs[0].median, is_beyond ? 1 : 0);
+  }
 }
 
 TEST(Measure, GathersErrorsAndTimes) {
-  const Measurement unmoving = measured([](const Stepping& stepping) -> SteppingAnswer { return unmoved(stepping); });
+  const Measurement unmoving = measured(unchanged);
   ASSERT_EQ(unmoving.readings.size(), 7U);
   const Rung& rung = unmoving.readings[0].rungs[0];
   EXPECT_EQ(rung.answers, 6U);
@@ -155,17 +145,10 @@ TEST(Measure, GathersErrorsAndTimes) {
 }
 
 TEST(Stack, StandsIfNothingMovesAndNotIfTheHighestCubeSinks) {
-  for (const MeasuredReading& reading :
-       measured([](const Stepping& posed) -> SteppingAnswer { return unmoved(posed); }, {}, stack()).readings) {
+  for (const MeasuredReading& reading : measured(unchanged, stack()).readings) {
     EXPECT_EQ(reading.rungs[0].greatest, 0) << reading.what;
   }
-  const Measurement sunk = measured(
-      [](const Stepping& posed) -> SteppingAnswer {
-        SteppedStates states = unmoved(posed);
-        states.states.back().back().position[2] -= 0.25;
-        return states;
-      },
-      {}, stack());
+  const Measurement sunk = measured(unmoving([](auto& states) { states.back().back().position[2] -= 0.25; }), stack());
   for (const MeasuredReading& reading : sunk.readings) {
     EXPECT_EQ(reading.rungs[0].shift, reading.what.starts_with("rise of the highest cube") ? -0.25 : 0) << reading.what;
   }
@@ -213,7 +196,7 @@ TEST(TimeClaims, ThatAreNoneAreRefused) {
 
 TEST(TimeClaims, NeedAnAnswerAtTheirStep) {
   const TimeClaim claim{"slow-bounce", 10, 1.0 / 60};
-  const Measurement unmoving = measured([](const Stepping& stepping) -> SteppingAnswer { return unmoved(stepping); });
+  const Measurement unmoving = measured(unchanged);
   EXPECT_TRUE(verdict_of(claim, unmoving).is_kept);
   EXPECT_EQ(verdict_of({"slow-bounce", 10, 1.0 / 61}, unmoving).why, "the step was not measured");
   EXPECT_FALSE(verdict_of({"slow-bounce", 10, 1.0 / 61}, unmoving).is_kept);
@@ -230,23 +213,16 @@ TEST(Relations, AreSaidInWords) {
 
 // An engine that moves the first body to x feels the changes of order and direction.
 TEST(Relations, MapTheStatesBack) {
-  Stepper stepper;
-  Stepper::Session session = [](const Stepping& stepping) -> SteppingAnswer { return unmoved(stepping); };
   for (const bool planar : {false, true}) {
+    Stepper stepper{"test"};
     stepper.is_planar = planar;
-    const std::vector<RelationResult> results = heap_relations(stepper, session, 1.0 / 60);
+    const std::vector<RelationResult> results = relations(unchanged, stepper);
     EXPECT_EQ(results.size(), planar ? 6U : 7U);
     for (const RelationResult& result : results) {
       EXPECT_EQ(result.likeness, result.name == "energy" ? Likeness::same_digits : Likeness::same_bits) << result.name;
     }
   }
-  session = [](const Stepping& stepping) -> SteppingAnswer {
-    SteppedStates states = unmoved(stepping);
-    states.states.back()[1].position[0] += 0.25;
-    return states;
-  };
-  stepper.is_planar = false;
-  for (const RelationResult& result : heap_relations(stepper, session, 1.0 / 60)) {
+  for (const RelationResult& result : relations(unmoving([](auto& all) { all.back()[1].position[0] += 0.25; }))) {
     const bool feels = result.name == "swap" || result.name == "reflection_symmetry" || result.name == "rotation";
     if (result.name != "energy") {
       EXPECT_EQ(result.likeness, feels ? Likeness::differs : Likeness::same_bits) << result.name;
@@ -256,37 +232,26 @@ TEST(Relations, MapTheStatesBack) {
 }
 
 TEST(Relations, TellARowOfBallsThatGainsEnergy) {
-  Stepper stepper;
-  Stepper::Session session = [](const Stepping& stepping) -> SteppingAnswer {
-    SteppedStates states = unmoved(stepping);
-    states.states.back().back().velocity[1] += 3;
-    return states;
-  };
-  const RelationResult result = heap_relations(stepper, session, 1.0 / 60).back();
+  const RelationResult result = relations(unmoving([](auto& states) { states.back().back().velocity[1] += 3; })).back();
   EXPECT_EQ(result.likeness, Likeness::differs);
   EXPECT_EQ(in_words(result), "10 times the energy");
 }
 
 TEST(Relations, TellVelocitiesThatDifferAlone) {
-  Stepper stepper;
-  double calls = 0;
-  Stepper::Session session = [&](const Stepping& stepping) -> SteppingAnswer {
-    SteppedStates states = unmoved(stepping);
-    states.states.back()[1].angular_velocity[0] = ++calls;
-    return states;
-  };
-  EXPECT_EQ(in_words(heap_relations(stepper, session, 1.0 / 60)[0]), "same places, other velocities until 2 s");
+  const auto results =
+      relations(unmoving([calls = 0.0](auto& all) mutable { all.back()[1].angular_velocity[0] = ++calls; }));
+  EXPECT_EQ(in_words(results[0]), "same places, other velocities until 2 s");
 }
 
 TEST(Relations, AskForARestoredStateIfTheEngineRestores) {
-  Stepper stepper;
+  Stepper stepper{"test"};
   stepper.restores = true;
   std::vector<std::uint64_t> restored;
-  Stepper::Session session = [&](const Stepping& stepping) -> SteppingAnswer {
+  const Stepper::Session session = [&](const Stepping& stepping) -> SteppingAnswer {
     restored.push_back(stepping.restored);
     return unmoved(stepping);
   };
-  EXPECT_EQ(heap_relations(stepper, session, 1.0 / 60).size(), 8U);
+  EXPECT_EQ(relations(session, stepper).size(), 8U);
   EXPECT_EQ(restored, (std::vector<std::uint64_t>{0, 0, 0, 0, 0, 0, 0, 60, 0}));
 }
 
