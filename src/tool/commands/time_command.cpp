@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <future>
@@ -10,6 +9,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -48,19 +48,18 @@ struct TimeArguments {
 /// Throws UsageError.
 properties::Ladder ladder_of(const TimeArguments& arguments) {
   properties::Ladder ladder = arguments.is_quick ? properties::quick_ladder() : properties::full_ladder();
-  if (!arguments.steps.empty()) {
-    ladder.steps.clear();
-    for (const std::string& text : arguments.steps) {
-      const std::optional<double> step = properties::step_from(text);
-      if (!step) {
-        throw UsageError(
-            report::shown(fmt::format("--steps: expected a number of seconds from {} to {}, such as 1/60, found {}",
-                                      properties::least_step, properties::greatest_step, text)));
-      }
-      ladder.steps.push_back(*step);
+  std::set<double, std::greater<>> steps;
+  for (const std::string& text : arguments.steps) {
+    const std::optional<double> step = properties::step_from(text);
+    if (!step) {
+      throw UsageError(
+          report::shown(fmt::format("--steps: expected a number of seconds from {} to {}, such as 1/60, found {}",
+                                    properties::least_step, properties::greatest_step, text)));
     }
-    std::sort(ladder.steps.rbegin(), ladder.steps.rend());
-    ladder.steps.erase(std::unique(ladder.steps.begin(), ladder.steps.end()), ladder.steps.end());
+    steps.insert(*step);
+  }
+  if (!steps.empty()) {
+    ladder.steps.assign(steps.begin(), steps.end());
   }
   return ladder;
 }
@@ -155,13 +154,12 @@ report::TimedEngine measured(const Stepper& stepper, const TimeArguments& argume
   for (const std::string& text : stepper.claims) {
     const properties::TimeClaim claim = properties::time_claim_from(text);
     const properties::Measurement* const of_claim = measurement_of(engine, claim.phenomenon);
-    if (of_claim == nullptr) {
-      engine.claims.push_back({text, {false, 0, claim.phenomenon + " was not measured"}, false});
-    } else if (stop.stop_requested()) {
-      engine.claims.push_back({text, {false, 0, "the measurement was interrupted"}, false});
-    } else {
-      engine.claims.push_back({text, verdict_of(claim, *of_claim)});
-    }
+    const std::string unjudged = of_claim == nullptr     ? claim.phenomenon + " was not measured"
+                                 : stop.stop_requested() ? "the measurement was interrupted"
+                                                         : "";
+    engine.claims.push_back(
+        {text, unjudged.empty() ? verdict_of(claim, *of_claim) : properties::ClaimVerdict{false, 0, unjudged},
+         unjudged.empty()});
   }
   engine.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return engine;
@@ -213,40 +211,23 @@ void draw_pictures(const report::TimeRun& run, const std::filesystem::path& dire
   }
 }
 
-/// The directories are made before the measurement, which may take minutes.
-class TimeReports {
- public:
-  explicit TimeReports(const TimeArguments& arguments) : arguments_(arguments) {
-    if (!arguments.out.empty()) {
-      staged_.emplace(arguments.out);
-    }
+void write_reports(const report::TimeRun& run, const TimeArguments& arguments, std::optional<StagedOutput>& staged) {
+  const std::string record = time_record(run).dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+  write_output(arguments.format == "json" ? record : time_text(run));
+  if (staged) {
+    draw_pictures(run, staged->stage());
+    write_file(staged->stage() / "time.json", record);
+    write_file(staged->stage() / "junit.xml", time_junit(run));
+    write_file(staged->stage() / "report.html", time_html(run));
+    staged->put_in_place("report.html");
+  }
+  for (const properties::Phenomenon* const one : chosen_phenomena(arguments)) {
     if (!arguments.pages.empty()) {
-      make_directories(arguments.pages, "--pages");
+      write_file(std::filesystem::path(arguments.pages) / fmt::format("{}.md", one->name), phenomenon_page(*one, run),
+                 "--pages");
     }
   }
-
-  void write(const report::TimeRun& run) {
-    const std::string record = time_record(run).dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
-    write_output(arguments_.format == "json" ? record : time_text(run));
-    if (staged_) {
-      draw_pictures(run, staged_->stage());
-      write_file(staged_->stage() / "time.json", record);
-      write_file(staged_->stage() / "junit.xml", time_junit(run));
-      write_file(staged_->stage() / "report.html", time_html(run));
-      staged_->put_in_place("report.html");
-    }
-    for (const properties::Phenomenon* const one : chosen_phenomena(arguments_)) {
-      if (!arguments_.pages.empty()) {
-        write_file(std::filesystem::path(arguments_.pages) / fmt::format("{}.md", one->name),
-                   phenomenon_page(*one, run), "--pages");
-      }
-    }
-  }
-
- private:
-  const TimeArguments& arguments_;
-  std::optional<StagedOutput> staged_;
-};
+}
 
 /// Throws UsageError for a text that is no claim.
 void read_claims(const std::vector<Stepper>& engines) {
@@ -267,18 +248,24 @@ int measure_in_time(const TimeArguments& arguments) {
   read_phenomena(arguments);
   const std::vector<Stepper> engines = chosen_engines(arguments, stop);
   read_claims(engines);
-  TimeReports reports(arguments);
+  std::optional<StagedOutput> staged;  // the directories are made before the measurement, which may take minutes
+  if (!arguments.out.empty()) {
+    staged.emplace(arguments.out);
+  }
+  if (!arguments.pages.empty()) {
+    make_directories(arguments.pages, "--pages");
+  }
   const bool is_full = !arguments.is_quick && arguments.steps.empty();
   if (is_full && arguments.format == "text" && !chosen_phenomena(arguments).empty()) {
     const report::TimeRun first = measured(engines, arguments, properties::quick_ladder(), false, stop);
     if (first.interrupted) {
-      reports.write(first);
+      write_reports(first, arguments, staged);
       return report::exit_usage;
     }
     write_output("A first pass, as by --quick:\n\n" + time_summary(first) + "\nAll steps and phases:\n\n");
   }
   const report::TimeRun run = measured(engines, arguments, ladder, is_chosen(arguments, heap), stop);
-  reports.write(run);
+  write_reports(run, arguments, staged);
   return run.exit_status();
 }
 
