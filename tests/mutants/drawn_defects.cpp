@@ -2,25 +2,21 @@
 #include "drawn_defects.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdlib>
-#include <ranges>
+#include <map>
 #include <regex>
-#include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
 namespace carom::mutants {
 namespace {
 
-/// Words that mean the same in a description.
-struct Group {
-  std::string_view name;
-  std::vector<std::string_view> words;
-};
+using properties::diagnosis::Fault;
 
-const Group groups[]{
+/// Words that mean the same in a description.
+const std::map<std::string, std::vector<std::string>> groups{
     {"%sign",
      {"wrong sign", "other sign", "opposite", "reversed", "negative", "negated", "inverted", "wrong direction",
       "other direction", "same direction", "wrong way", "the other way"}},
@@ -33,79 +29,87 @@ const Group groups[]{
     {"%float", {"binary32", "float", "single precision"}},
 };
 
-std::string trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(' ');
-  return first == std::string_view::npos ? "" : std::string(text.substr(first, text.find_last_not_of(' ') - first + 1));
-}
-
-std::vector<std::string> parts_of(std::string_view text, char separator) {
-  std::vector<std::string> parts;
-  for (std::size_t from = 0; from <= text.size();) {
-    const std::size_t to = std::min(text.find(separator, from), text.size());
-    parts.push_back(trimmed(text.substr(from, to - from)));
-    from = to + 1;
-  }
-  return parts;
-}
-
-bool has_word(const std::string& text, const std::string& word) {
-  const auto is_letter = [&](std::size_t i) {
-    return i < text.size() && std::isalpha(static_cast<unsigned char>(text[i])) != 0;
-  };
-  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
-    if ((at == 0 || !is_letter(at - 1)) && !is_letter(at + word.size())) {
-      return true;
-    }
-  }
-  return false;
+std::vector<std::string> parts_of(const std::string& text, const char* separator) {
+  const std::regex between(separator);
+  return {std::sregex_token_iterator(text.begin(), text.end(), between, -1), {}};
 }
 
 bool has_part(const std::string& text, const std::string& part) {
+  const auto has = [&](const std::string& words) { return text.find(words) != std::string::npos; };
+  const auto has_letter = [&] { return std::regex_search(text, std::regex("(^|[^A-Za-z])" + part + "([^A-Za-z]|$)")); };
   if (part.starts_with('!')) {
     return !has_part(text, part.substr(1));
   }
-  if (part == "A" || part == "B") {
-    return has_word(text, part) || text.find("both") != std::string::npos || text.find("bodies") != std::string::npos;
-  }
   if (part.starts_with('%')) {
-    const auto* group = std::ranges::find(groups, std::string_view(part), &Group::name);
-    if (group == std::end(groups)) {
-      throw std::logic_error("no group " + part);
-    }
-    return std::ranges::any_of(group->words,
-                               [&](std::string_view word) { return text.find(word) != std::string::npos; });
+    return std::ranges::any_of(groups.at(part), has);
   }
-  return part.size() == 1 ? has_word(text, part) : text.find(part) != std::string::npos;
+  if (part == "A" || part == "B") {
+    return has_letter() || has("both") || has("bodies");
+  }
+  return part.size() == 1 ? has_letter() : has(part);
 }
 
 /// Whether the text has a number within a quarter of the limit. Counts of cases do not count.
 bool states(const std::string& text, double limit) {
   static const std::regex counts(R"([0-9]+ of (the )?[0-9]+|[0-9.]+ ?%|[0-9]+ cases)");
   static const std::regex number(R"([0-9]*\.?[0-9]+(e[+-]?[0-9]+)?)");
-  constexpr double nearness = 1.25;
   const std::string without_counts = std::regex_replace(text, counts, "");
-  for (std::sregex_iterator at(without_counts.begin(), without_counts.end(), number); at != std::sregex_iterator();
-       ++at) {
-    const double stated = std::strtod(at->str().c_str(), nullptr);
-    if (stated >= limit / nearness && stated <= limit * nearness) {
-      return true;
-    }
-  }
-  return false;
+  return std::any_of(std::sregex_iterator(without_counts.begin(), without_counts.end(), number), {},
+                     [limit](const std::smatch& at) {
+                       constexpr double nearness = 1.25;
+                       const double stated = std::strtod(at.str().c_str(), nullptr);
+                       return stated >= limit / nearness && stated <= limit * nearness;
+                     });
 }
 
 double to_three_digits(double x) { return std::strtod(fmt::format("{:.3g}", x).c_str(), nullptr); }
 
-}  // namespace
-
-double Random::between(double least, double most) {
-  constexpr double unit = 0x1p-53;
-  return to_three_digits(least + (most - least) * static_cast<double>(engine_() >> 11U) * unit);
+/// All kinds, in the order from which they are drawn.
+std::vector<DefectKind> all_kinds() {
+  std::vector<DefectKind> kinds(kinds_of_data().begin(), kinds_of_data().end());
+  kinds.insert(kinds.end(), kinds_of_steps().begin(), kinds_of_steps().end());
+  return kinds;
 }
 
+const std::map<Use, std::string> words_of_uses{{in_velocity, " in the relative velocity"},
+                                               {in_matrix, " in the collision matrix"},
+                                               {in_application, " if the impulse is applied"},
+                                               {in_impulse, " if the impulse is computed"},
+                                               {everywhere, ""}};
+
+DrawnDefect defect_of(const DefectKind& kind, const Drawn& drawn) {
+  const Way& way = kind.ways[drawn.way];
+  const bool is_of_both = drawn.at.a && drawn.at.b;
+  const char* body = drawn.at.a ? "A" : "B";
+  const auto filled = [&](std::string_view text) {
+    return fmt::format(fmt::runtime(text), fmt::arg("bodies", is_of_both ? "both bodies" : body),
+                       fmt::arg("part", is_of_both ? "A & B" : body), fmt::arg("use", words_of_uses.at(drawn.at.use)),
+                       fmt::arg("c", drawn.number), fmt::arg("limit", drawn.number),
+                       fmt::arg("how", drawn.number < 0 ? "%sign" : (drawn.number > 0 ? "%times" : "%none")),
+                       fmt::arg("axis", "xyz"[drawn.axis]));
+  };
+  std::string named_by(way.named_by);
+  if (way.words.find("{bodies}") != std::string_view::npos && !named_by.empty()) {
+    named_by = std::regex_replace(named_by, std::regex(" [|] |$"), " & {part}$&");
+  }
+  if (const std::string also = way.also_named_by == nullptr ? "" : way.also_named_by(drawn); !also.empty()) {
+    named_by += named_by.empty() ? also : " | " + also;
+  }
+  DrawnDefect defect{kind.by.name, filled(way.words), filled(named_by), {}, {way.change, drawn}};
+  if (way.words.find("{limit}") != std::string_view::npos) {
+    defect.limit = drawn.number;
+  }
+  return defect;
+}
+
+}  // namespace
+
+double Random::share() { return static_cast<double>(engine_() >> 11U) * 0x1p-53; }
+
+double Random::between(double least, double most) { return to_three_digits(least + (most - least) * share()); }
+
 double Random::log_between(double least, double most) {
-  constexpr double unit = 0x1p-53;
-  return to_three_digits(least * std::pow(most / least, static_cast<double>(engine_() >> 11U) * unit));
+  return to_three_digits(least * std::pow(most / least, share()));
 }
 
 double Random::factor() {
@@ -118,74 +122,43 @@ double Random::factor() {
   return drawn;
 }
 
-std::vector<DefectKind> all_defect_kinds() {
-  std::vector<DefectKind> kinds(kinds_of_data().begin(), kinds_of_data().end());
-  kinds.insert(kinds.end(), kinds_of_steps().begin(), kinds_of_steps().end());
-  return kinds;
+Place drawn_bodies(Random& random, Use use) {
+  return random.one_of<Place>({{true, false, use}, {false, true, use}, {true, true, use}});
 }
 
-DrawnDefect drawn_defect(const DefectKind& kind, Random& random) {
-  DrawnDefect defect = kind.draw(random);
-  defect.kind = kind.name;
-  return defect;
+Place drawn_place(Random& random, std::initializer_list<Use> uses) {
+  Place place = drawn_bodies(random);
+  place.use = random.one_of(uses);
+  return place;
+}
+
+DrawnDefect drawn_defect(Law law, Random& random) {
+  std::vector<DefectKind> kinds = all_kinds();
+  std::erase_if(kinds,
+                [law](const DefectKind& kind) { return std::ranges::find(kind.by.laws, law) == kind.by.laws.end(); });
+  const DefectKind& kind = kinds[random.below(kinds.size())];
+  return defect_of(kind, kind.by.draw(random));
 }
 
 std::vector<DrawnDefect> threshold_and_world_axes() {
   constexpr double threshold = 0.5;  // [m/s]
-  std::vector<DrawnDefect> defects{restitution_threshold_at(threshold),
-                                   orientation_ignored_in({true, true, "both bodies", "A & B"}, everywhere)};
-  defects[0].kind = "restitution_threshold";
-  defects[1].kind = "orientation_ignored";
-  return defects;
+  const std::vector<DefectKind> kinds = all_kinds();
+  const auto kind_named = [&](std::string_view name) {
+    return *std::ranges::find_if(kinds, [name](const DefectKind& kind) { return kind.by.name == name; });
+  };
+  return {defect_of(kind_named("restitution_threshold"), {.number = threshold}),
+          defect_of(kind_named("orientation_ignored"), {})};
 }
 
-bool describes(const properties::diagnosis::Fault& fault, const DrawnDefect& defect) {
-  const auto is_said = [&](const std::string& alternative) {
-    return std::ranges::all_of(parts_of(alternative, '&'),
+bool describes(const Fault& fault, const DrawnDefect& defect) {
+  return std::ranges::any_of(parts_of(defect.named_by, " [|] "), [&](const std::string& alternative) {
+    return std::ranges::all_of(parts_of(alternative, " & "),
                                [&](const std::string& part) { return has_part(fault.what, part); });
-  };
-  return std::ranges::any_of(parts_of(defect.named_by, '|'), is_said);
+  });
 }
 
-bool names(const properties::diagnosis::Fault& fault, const DrawnDefect& defect) {
+bool names(const Fault& fault, const DrawnDefect& defect) {
   return describes(fault, defect) && (!defect.limit || states(fault.what + ' ' + fault.where, *defect.limit));
-}
-
-Which drawn_bodies(Random& random) {
-  return random.one_of<Which>({{true, false, "A", "A"}, {false, true, "B", "B"}, {true, true, "both bodies", "A & B"}});
-}
-
-void change_data(DrawnDefect& defect, const Which& which, unsigned uses,
-                 std::function<void(impulse::ContactBody<double>&, const Body&)> change) {
-  defect.change.uses = uses;
-  defect.change.data = [which, change = std::move(change)](impulse::Contact<double>& contact, const Collision& read) {
-    if (which.a) {
-      change(contact.a, read.a);
-    }
-    if (which.b) {
-      change(contact.b, read.b);
-    }
-  };
-  switch (uses) {
-    case in_velocity:
-      defect.words += " in the relative velocity";
-      break;
-    case in_matrix:
-      defect.words += " in the collision matrix";
-      break;
-    case in_application:
-      defect.words += " if the impulse is applied";
-      break;
-    case in_impulse:
-      defect.words += " if the impulse is computed";
-      break;
-    default:
-      break;
-  }
-}
-
-Vector3<double> across(const Vector3<double>& normal, const Vector3<double>& v) {
-  return v - normal * (normal.dot(v) / normal.squaredNorm());
 }
 
 }  // namespace carom::mutants

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <initializer_list>
 #include <optional>
 #include <random>
@@ -12,7 +11,6 @@
 #include <string_view>
 #include <vector>
 
-#include <carom/collision/law.hpp>
 #include <carom/properties/diagnosis/fault.hpp>
 
 #include "drawn_solver.hpp"
@@ -36,50 +34,56 @@ class Random {
   }
 
  private:
+  [[nodiscard]] double share();  // in [0, 1)
+
   std::mt19937_64 engine_;
+};
+
+inline constexpr std::array drawn_laws{Law::frictionless, Law::reflection, Law::sticking, Law::rough, Law::coulomb};
+
+/// A way in which a defect can be. In its texts, `{bodies}` and `{part}` stand for the bodies of the place, `{use}` for
+/// the use, `{c}` for the number, `{limit}` for a number that a description states, `{how}` for the words of a wrong
+/// factor of this size, and `{axis}` for the axis.
+struct Way {
+  std::string_view words;
+  std::string_view named_by;  // DrawnDefect::named_by; each alternative also has the `{bodies}` of the words
+  Change change;
+  const char* (*also_named_by)(const Drawn&) = nullptr;  // other alternatives
+};
+
+struct DefectKind {
+  struct Draw {
+    std::string_view name;
+    Drawn (*draw)(Random&);
+    std::span<const Law> laws = drawn_laws;  // that have the defect
+  } by;
+  std::vector<Way> ways;
 };
 
 /// A defect with drawn parameters, and what a description has to say to name it.
 struct DrawnDefect {
-  std::string_view kind = {};
-  std::string words = {};  // "ε is multiplied by 0.437"
-  /// Alternatives, separated by `|`. Of one of them, a description contains every part, and parts are separated by `&`.
-  /// A part `!x` means that x is absent. `A` and `B` mean this body or both. `%x` means any word of a group
+  std::string_view kind;
+  std::string words;  // "ε is multiplied by 0.437"
+  /// Alternatives, separated by ` | `. Of one of them, a description contains every part, and parts are separated by
+  /// ` & `. A part `!x` means that x is absent. `A` and `B` mean this body or both. `%x` means any word of a group
   /// (drawn_defects.cpp).
-  std::string named_by = {};
-  std::optional<double> limit = {};  // a number that the description states within a quarter
-  Change change = {};
+  std::string named_by;
+  std::optional<double> limit;  // a description states it within a quarter
+  DrawnChange change;
 };
-
-/// The bodies that a defect concerns.
-struct Which {
-  bool a;
-  bool b;
-  std::string_view words;  // "A", "B" or "both bodies"
-  std::string_view part;   // of `named_by`: "A", "B" or both of them
-};
-[[nodiscard]] Which drawn_bodies(Random& random);
-inline constexpr Which all_bodies{true, true, "", ""};
-inline constexpr Which no_body{false, false, "", ""};
-
-struct DefectKind {
-  std::string_view name;
-  std::span<const Law> laws;  // that have the defect
-  DrawnDefect (*draw)(Random&);
-};
-
-/// ε is 0 if the approach is slower than the threshold [m/s].
-[[nodiscard]] DrawnDefect restitution_threshold_at(double threshold);
-/// The inertia of the bodies is taken along the world's axes.
-[[nodiscard]] DrawnDefect orientation_ignored_in(const Which& which, unsigned uses);
 
 /// Data and geometry that a solver reads or uses wrongly.
 [[nodiscard]] std::span<const DefectKind> kinds_of_data();
 /// Velocities, impulses, friction and limits that are wrong.
 [[nodiscard]] std::span<const DefectKind> kinds_of_steps();
-[[nodiscard]] std::vector<DefectKind> all_defect_kinds();
 
-[[nodiscard]] DrawnDefect drawn_defect(const DefectKind& kind, Random& random);
+/// Draws one body or both, and then one of the uses.
+[[nodiscard]] Place drawn_bodies(Random& random, Use use = everywhere);
+[[nodiscard]] Place drawn_place(Random& random,
+                                std::initializer_list<Use> uses = {everywhere, in_matrix, in_application});
+
+/// A defect of a solver of this law.
+[[nodiscard]] DrawnDefect drawn_defect(Law law, Random& random);
 
 /// ε is 0 below 0.5 m/s, and the inertia of both bodies is taken along the world's axes. Somebody's solver had both.
 [[nodiscard]] std::vector<DrawnDefect> threshold_and_world_axes();
@@ -88,18 +92,5 @@ struct DefectKind {
 [[nodiscard]] bool describes(const properties::diagnosis::Fault& fault, const DrawnDefect& defect);
 /// Whether the fault describes the defect, and states its limit in `what` or `where`.
 [[nodiscard]] bool names(const properties::diagnosis::Fault& fault, const DrawnDefect& defect);
-
-// Parts of several kinds.
-
-inline constexpr std::array laws_with_tangents{Law::reflection, Law::sticking, Law::rough, Law::coulomb};
-inline constexpr std::array laws_with_friction{Law::rough, Law::coulomb};
-inline constexpr std::array laws_that_stop_slip{Law::sticking, Law::rough, Law::coulomb};
-inline constexpr std::array drawn_laws{Law::frictionless, Law::reflection, Law::sticking, Law::rough, Law::coulomb};
-
-/// Changes the data of these bodies in these uses. Adds the uses to the words.
-void change_data(DrawnDefect& defect, const Which& which, unsigned uses,
-                 std::function<void(impulse::ContactBody<double>&, const Body&)> change);
-
-[[nodiscard]] Vector3<double> across(const Vector3<double>& normal, const Vector3<double>& v);
 
 }  // namespace carom::mutants

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
 #include "drawn_solver.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include <optional>
 #include <utility>
 
-#include <carom/collision/validate.hpp>
 #include <carom/impulse/coulomb.hpp>
 #include <carom/impulse/laws.hpp>
+#include <carom/subjects/session.hpp>
 
 namespace carom::mutants {
 namespace {
@@ -16,123 +15,130 @@ using Vector = Vector3<double>;
 using Matrix = Matrix3<double>;
 using ContactBody = impulse::ContactBody<double>;
 using Contact = impulse::Contact<double>;
+using ContactImpulse = impulse::ContactImpulse<double>;
 
-bool same(const ContactBody& x, const ContactBody& y) {
-  return x.inverse_mass == y.inverse_mass && x.inertia.axes == y.inertia.axes &&
-         x.inertia.inverse_moments == y.inertia.inverse_moments && x.lever_arm == y.lever_arm;
-}
-bool same(const Contact& x, const Contact& y) { return same(x.a, y.a) && same(x.b, y.b); }
-
-/// N·V of the contact as the built-in solvers compute it, and V with this N·V.
-Vector velocity_of(const Contact& contact) { return impulse::relative_velocity_along_normal(contact); }
-
-/// The contact with V⁻ as the only motion, so that each built-in law sees this V⁻.
-Contact moving_with(Contact contact, const Vector& velocity) {
-  contact.a.velocity = velocity;
-  contact.b.velocity.setZero();
-  contact.a.angular_velocity.setZero();
-  contact.b.angular_velocity.setZero();
-  return contact;
+/// Whether the bodies have the same data, but for their motion.
+bool same_bodies(const Contact& x, const Contact& y) {
+  const auto same = [](const ContactBody& one, const ContactBody& other) {
+    return one.inverse_mass == other.inverse_mass && one.inertia.axes == other.inertia.axes &&
+           one.inertia.inverse_moments == other.inertia.inverse_moments && one.lever_arm == other.lever_arm;
+  };
+  return same(x.a, y.a) && same(x.b, y.b);
 }
 
-impulse::ContactImpulse<double> built_in(Law law, const Contact& contact) {
+ContactImpulse built_in(Law law, const Contact& contact) {
   if (law == Law::coulomb) {
     return contact.friction > 0 ? impulse::coulomb_impulse(contact) : impulse::frictionless_impulse(contact);
   }
-  impulse::ContactImpulse<double> result{};
+  ContactImpulse result{};
   impulse::with_law(law, [&](const auto& solve) { result = acting_impulse(solve(contact)); });
   return result;
 }
 
 class Solver {
  public:
-  Solver(Law law, std::vector<Change> changes) : law_(law), changes_(std::move(changes)) {}
+  Solver(Law law, std::vector<DrawnChange> changes) : law_(law), changes_(std::move(changes)) {}
 
-  [[nodiscard]] Answer answer(const Collision& collision) const {
-    const std::vector<InputError> refusal = validate(collision);
-    if (!refusal.empty()) {
-      return Refused{describe(refusal)};
+  [[nodiscard]] Outcome<double> solved(const Collision& collision) const {
+    Collision read = collision;
+    change_data(everywhere, read);
+    Contact moving = impulse::make_contact<double>(read);
+    Contact of_matrix = moving;
+    Contact struck = moving;
+    change_data(in_velocity, moving, read);
+    change_data(in_matrix, of_matrix, read);
+    change_data(in_application, struck, read);
+    const Problem problem{law_, of_matrix, impulse::relative_velocity_along_normal(moving),
+                          impulse::collision_matrix(of_matrix), read.normal.stableNorm()};
+    const bool approaches = replaced<bool>(problem).value_or(impulse::normal_velocity(moving) < 0);
+    Outcome<double> after = unchanged(collision);
+    if (approaches && impulse::inverse_mass(of_matrix) > 0) {
+      after = pushed(problem, moving, struck);
     }
-    return reported(solved(collision));
+    change(after);
+    return after;
   }
 
  private:
-  [[nodiscard]] Contact data_in(Use use, const Contact& given, const Collision& read) const {
-    Contact used = given;
-    for (const Change& change : changes_) {
-      if ((change.uses & use) != 0) {
-        change.data(used, read);
+  template <class... Args>
+  static void make(const DrawnChange& one, Args&... args) {
+    if (const auto* change = std::get_if<void (*)(Args & ..., const Drawn&)>(&one.change)) {
+      (*change)(args..., one.drawn);
+    }
+  }
+
+  template <class... Args>
+  void change(Args&... args) const {
+    for (const DrawnChange& one : changes_) {
+      make(one, args...);
+    }
+  }
+
+  /// Changes the collision or contact, or its bodies at the place, if the use is that of the place.
+  template <class Data, class... Read>
+  void change_data(Use use, Data& data, const Read&... read) const {
+    for (const DrawnChange& one : changes_) {
+      const auto [a, b, used] = one.drawn.at;
+      if ((used & use) == 0) {
+        continue;
+      }
+      make(one, data, read...);
+      if (a) {
+        make(one, data.a, read.a...);
+      }
+      if (b) {
+        make(one, data.b, read.b...);
       }
     }
-    return used;
   }
 
-  [[nodiscard]] bool is_solved(const Problem& problem, bool approaches) const {
-    const auto change = std::ranges::find_if(changes_, [](const Change& one) { return bool(one.test); });
-    return impulse::inverse_mass(problem.contact) > 0 &&
-           (change == changes_.end() ? approaches : change->test(problem));
+  /// The result of the change that replaces the step with this result.
+  template <class Result>
+  [[nodiscard]] std::optional<Result> replaced(const Problem& problem) const {
+    for (const auto& [change, drawn] : changes_) {
+      if (const auto* step = std::get_if<Result (*)(const Problem&, const Drawn&)>(&change)) {
+        return (*step)(problem, drawn);
+      }
+    }
+    return std::nullopt;
   }
 
-  /// The impulse of the problem. A built-in solver computes it if it can.
-  [[nodiscard]] impulse::ContactImpulse<double> impulse_of(const Problem& problem, const Contact& moving,
-                                                           const Matrix& given) const {
-    const auto change = std::ranges::find_if(changes_, [](const Change& one) { return bool(one.impulse); });
-    const auto of_vector = [&](const Vector& on_a) { return contact_impulse(problem.contact, true, on_a); };
-    if (change != changes_.end()) {
-      return of_vector(change->impulse(problem));
+  [[nodiscard]] Outcome<double> pushed(Problem problem, const Contact& moving, const Contact& struck) const {
+    const Matrix given = problem.matrix;
+    change(problem);
+    ContactImpulse impulse = impulse_of(problem, moving, given);
+    const Vector computed = impulse.on_a;
+    change(impulse.on_a, std::as_const(problem));
+    const bool is_as_computed = impulse.on_a == computed && same_bodies(problem.contact, struck) && impulse.colliding;
+    return is_as_computed ? apply_impulse(struck, impulse) : apply_impulse(struck, impulse.on_a);
+  }
+
+  /// The impulse of the problem. A built-in solver computes it if it can. `given` is the matrix without changes.
+  [[nodiscard]] ContactImpulse impulse_of(const Problem& problem, const Contact& moving, const Matrix& given) const {
+    if (const std::optional<Vector> wrong = replaced<Vector>(problem)) {
+      return contact_impulse(problem.contact, true, *wrong);
     }
     if (problem.matrix != given || !impulse::is_made_of_valid(problem.contact) ||
         problem.contact.normal.dot(problem.velocity) >= 0) {
-      return of_vector(impulse_by_matrix(problem));
+      return contact_impulse(problem.contact, true, impulse_by_matrix(problem));
     }
-    const bool is_as_given = problem.velocity == velocity_of(moving) && same(problem.contact, moving);
-    Contact contact = is_as_given ? moving : moving_with(problem.contact, problem.velocity);
+    Contact contact = problem.contact;
+    if (problem.velocity == impulse::relative_velocity_along_normal(moving) && same_bodies(contact, moving)) {
+      contact = moving;
+    } else {  // V⁻ as the only motion, so that each built-in law sees this V⁻
+      contact.a.velocity = problem.velocity;
+      contact.b.velocity.setZero();
+      contact.a.angular_velocity.setZero();
+      contact.b.angular_velocity.setZero();
+    }
     contact.restitution = problem.contact.restitution;
     contact.friction = problem.contact.friction;
     contact.tangential_restitution = problem.contact.tangential_restitution;
     return built_in(law_, contact);
   }
 
-  [[nodiscard]] Outcome<double> solved(const Collision& collision) const {
-    Collision read = collision;
-    for (const Change& change : changes_) {
-      if (change.read) {
-        change.read(read);
-      }
-    }
-    const Contact given = impulse::make_contact<double>(read);
-    const Contact moving = data_in(in_velocity, given, read);
-    const Contact struck = data_in(in_application, given, read);
-    Problem problem{law_, data_in(in_matrix, given, read), velocity_of(moving), Matrix::Zero()};
-    problem.matrix = impulse::collision_matrix(problem.contact);
-    Outcome<double> after = unchanged(collision);
-    if (is_solved(problem, impulse::normal_velocity(moving) < 0)) {
-      const Matrix matrix = problem.matrix;
-      for (const Change& change : changes_) {
-        if (change.problem) {
-          change.problem(problem);
-        }
-      }
-      impulse::ContactImpulse<double> impulse = impulse_of(problem, moving, matrix);
-      const Vector computed = impulse.on_a;
-      for (const Change& change : changes_) {
-        if (change.impulse_after) {
-          change.impulse_after(impulse.on_a, problem);
-        }
-      }
-      const bool is_as_computed = impulse.on_a == computed && same(problem.contact, struck) && impulse.colliding;
-      after = is_as_computed ? apply_impulse(struck, impulse) : apply_impulse(struck, impulse.on_a);
-    }
-    for (const Change& change : changes_) {
-      if (change.outcome) {
-        change.outcome(after);
-      }
-    }
-    return after;
-  }
-
   Law law_;
-  std::vector<Change> changes_;
+  std::vector<DrawnChange> changes_;
 };
 
 Vector rough_by_matrix(const Problem& p, const Vector& normal_impulse) {
@@ -179,19 +185,12 @@ Vector3<double> impulse_by_matrix(const Problem& p) {
   return normal_impulse;
 }
 
-Subject changed_solver(std::string name, Law law, std::vector<Change> changes) {
+Subject changed_solver(std::string name, Law law, std::vector<DrawnChange> changes) {
   Subject subject;
   subject.name = std::move(name);
   subject.law = law;
-  subject.precision = Precision::binary64;
-  subject.open = [solver = Solver(law, std::move(changes))]() -> Session {
-    return [solver](std::span<const Collision> collisions) {
-      std::vector<Answer> answers;
-      for (const Collision& collision : collisions) {
-        answers.push_back(solver.answer(collision));
-      }
-      return answers;
-    };
+  subject.open = [solver = Solver(law, std::move(changes))] {
+    return subjects::session_of([solver](const Collision& collision) { return reported(solver.solved(collision)); });
   };
   return subject;
 }

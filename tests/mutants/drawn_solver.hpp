@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <functional>
+#include <cstddef>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <carom/collision/subject.hpp>
@@ -16,27 +17,49 @@ struct Problem {
   impulse::Contact<double> contact;
   Vector3<double> velocity;  // V⁻, the relative velocity [m/s]
   Matrix3<double> matrix;    // K, the collision matrix [1/kg]
+  double length_of_normal;   // as read
 };
 
 /// The uses of a body's data in a solver. A defect may concern any of them.
 enum Use : unsigned { in_velocity = 1, in_matrix = 2, in_application = 4, in_impulse = 3, everywhere = 7 };
 
-/// The changes that a defect makes in a solver. An empty function changes nothing.
-struct Change {
-  std::function<void(Collision&)> read;  // leaves the collision valid
-  unsigned uses = 0;                     // uses of the data that `data` changes
-  std::function<void(impulse::Contact<double>&, const Collision&)> data;
-  std::function<bool(const Problem&)> test;                // in place of N·V⁻ < 0
-  std::function<void(Problem&)> problem;                   // before the impulse is computed
-  std::function<Vector3<double>(const Problem&)> impulse;  // F, in place of the law's [N s]
-  std::function<void(Vector3<double>&, const Problem&)> impulse_after;
-  std::function<void(Outcome<double>&)> outcome;
+/// The bodies whose data are wrong, and in which use.
+struct Place {
+  bool a = true;
+  bool b = true;
+  Use use = everywhere;
+};
+
+/// What a seed draws for a defect.
+struct Drawn {
+  std::size_t way = 0;  // of the ways in which the defect can be
+  double number = 0;
+  int axis = 0;
+  Place at = {};
+};
+
+// The changes that a defect can make in a solver.
+using ReadCollision = void (*)(Collision&, const Drawn&);  // leaves the collision valid
+using ReadBody = void (*)(Body&, const Drawn&);            // for each body of the place
+using UseContact = void (*)(impulse::Contact<double>&, const Collision& read, const Drawn&);  // in the place's use
+using UseBody = void (*)(impulse::ContactBody<double>&, const Body& read, const Drawn&);      // in the place
+using TestApproach = bool (*)(const Problem&, const Drawn&);                                  // in place of N·V⁻ < 0
+using ChangeProblem = void (*)(Problem&, const Drawn&);                    // before the impulse is computed
+using ComputeImpulse = Vector3<double> (*)(const Problem&, const Drawn&);  // F, in place of the law's [N s]
+using ChangeImpulse = void (*)(Vector3<double>&, const Problem&, const Drawn&);
+using ChangeOutcome = void (*)(Outcome<double>&, const Drawn&);
+using Change = std::variant<ReadCollision, ReadBody, UseContact, UseBody, TestApproach, ChangeProblem, ComputeImpulse,
+                            ChangeImpulse, ChangeOutcome>;
+
+struct DrawnChange {
+  Change change;
+  Drawn drawn;
 };
 
 /// F of the law [N s], computed with the problem's matrix. Precondition: the matrix is positive definite.
 [[nodiscard]] Vector3<double> impulse_by_matrix(const Problem& problem);
 
 /// The subject that computes the law in binary64 with these changes. Without changes, it is sound.
-[[nodiscard]] Subject changed_solver(std::string name, Law law, std::vector<Change> changes);
+[[nodiscard]] Subject changed_solver(std::string name, Law law, std::vector<DrawnChange> changes);
 
 }  // namespace carom::mutants
