@@ -41,9 +41,9 @@ class Random {
 
 inline constexpr std::array drawn_laws{Law::frictionless, Law::reflection, Law::sticking, Law::rough, Law::coulomb};
 
-/// A way in which a defect can be. In its texts, `{bodies}` and `{part}` stand for the bodies of the place, `{use}` for
-/// the use, `{c}` for the number, `{limit}` for a number that a description states, `{how}` for the words of a wrong
-/// factor of this size, and `{axis}` for the axis.
+/// A way in which a defect can be. In its texts, `{bodies}` and `{part}` stand for the bodies of the place, and `{use}`
+/// for the use. `{c}` and `{limit}` stand for the number; a description states a limit. `{how}` stands for the words of
+/// a wrong factor of this size, and `{axis}` for the axis.
 struct Way {
   std::string_view words;
   std::string_view named_by;  // DrawnDefect::named_by; each alternative also has the `{bodies}` of the words

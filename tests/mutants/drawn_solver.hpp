@@ -30,7 +30,7 @@ struct Place {
   Use use = everywhere;
 };
 
-/// What a seed draws for a defect.
+/// The numbers and the place that a seed draws for a defect.
 struct Drawn {
   std::size_t way = 0;  // of the ways in which the defect can be
   double number = 0;
