@@ -147,10 +147,8 @@ class HypothesisSearch {
     return *known;
   }
 
-  [[nodiscard]] bool do_explain(const Together& together, std::size_t number) {
-    const bool is_application_changed =
-        std::ranges::any_of(together, [](const Hypothesis* hypothesis) { return hypothesis->changes_application; });
-    return (is_application_changed || is_applied_right_in(number)) && explains(together, wrong_[number]);
+  [[nodiscard]] bool do_explain(const Together& together, std::size_t number) const {
+    return explains(together, wrong_[number]);
   }
 
   /// The subsets of at most `most` found hypotheses.
@@ -279,14 +277,16 @@ class HypothesisSearch {
       }
       const auto count = static_cast<double>(fitted.size()) - static_cast<double>(std::ranges::count(fitted, 0U));
       // One mistake explains better than a choice of several.
-      constexpr double worth_of_choice = 0.9;
+      constexpr double worth_of_choice = 0.75;
       const std::pair worth{hypothesis.is_choice ? worth_of_choice * count : count,
                             -static_cast<double>(std::accumulate(fitted.begin(), fitted.end(), Fewest{0}))};
-      // A few contradictions more are chance: right answers in which a constant happens to be the right one.
+      // A few contradictions more are chance: right answers in which a constant happens to be the right one. If right
+      // answers contradict both hypotheses often, both need a condition, and the contradictions say nothing.
       const auto is_better = [&](const Hypothesis& one, const Hypothesis& other) {
         const std::size_t of_one = contradictions(one);
         const std::size_t of_other = contradictions(other);
-        if (2 * of_one < of_other || 2 * of_other < of_one) {
+        const bool is_rare = 4 * std::min(of_one, of_other) < right_.size();
+        if (is_rare && (2 * of_one < of_other || 2 * of_other < of_one)) {
           return of_one < of_other;
         }
         return touched(one, looked_at) > touched(other, looked_at);

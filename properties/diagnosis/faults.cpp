@@ -392,7 +392,8 @@ class FaultSearch {
     }
   }
 
-  /// Adds the fault of a hypothesis. `unknown` lists the cases that may have it.
+  /// Adds the fault of a hypothesis. `unknown` lists the cases that may have it. Cases of other faults in which it does
+  /// not matter say nothing about where it happens.
   void add_explained(const Explanation& explanation, std::size_t number, const CaseNumbers& unknown) {
     CaseNumbers cases = none();
     CaseNumbers needing = none();  // only this hypothesis explains them, with or without others
@@ -403,7 +404,9 @@ class FaultSearch {
     };
     for (std::size_t i = 0; i < places_.size(); ++i) {
       const auto& [family, index] = places_[i];
-      if (explanation.needed[i].size() < explanation.by[i].size()) {
+      const bool is_other = number > 0 && !explanation.by[i].empty() && !has_it(explanation.by[i]);
+      if (explanation.needed[i].size() < explanation.by[i].size() ||
+          (is_other && !matters(explanation.found[number], wrong_[i]))) {
         maybe[family].push_back(index);
       }
       if (has_it(explanation.needed[i])) {
