@@ -281,7 +281,8 @@ class HypothesisSearch {
       const std::pair worth{hypothesis.is_choice ? worth_of_choice * count : count,
                             -static_cast<double>(std::accumulate(fitted.begin(), fitted.end(), Fewest{0}))};
       // A few contradictions more are chance: right answers in which a constant happens to be the right one. If right
-      // answers contradict both hypotheses often, both need a condition, and the contradictions say nothing.
+      // answers contradict both hypotheses often, both need a condition, and the contradictions say nothing. Of two
+      // that remain alike, the first in the list is preferred.
       const auto is_better = [&](const Hypothesis& one, const Hypothesis& other) {
         const std::size_t of_one = contradictions(one);
         const std::size_t of_other = contradictions(other);
@@ -289,7 +290,7 @@ class HypothesisSearch {
         if (is_rare && (2 * of_one < of_other || 2 * of_other < of_one)) {
           return of_one < of_other;
         }
-        return touched(one, looked_at) > touched(other, looked_at);
+        return 4 * touched(one, looked_at) > 5 * touched(other, looked_at);
       };
       if (worth > most || (worth == most && is_better(hypothesis, *best))) {
         best = hypothesis;
