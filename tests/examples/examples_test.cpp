@@ -146,7 +146,7 @@ TEST_P(Defects, AreFoundInTheExample) {
   ASSERT_NE(at, std::string::npos) << GetParam().line;
   text.replace(at, GetParam().line.size(), GetParam().planted);
   const TemporaryDirectory directory;
-  const json report = report_on("exec:python3 " + directory.write("solver.py", text), "60");
+  const json report = report_on("exec:python3 " + directory.write("solver.py", text), "20");
   EXPECT_EQ(report.at("status"), "violated") << report.dump(1);
   std::vector<std::string> violated;
   for (const json& violation : report.at("violations")) {
