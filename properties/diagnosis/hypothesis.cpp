@@ -12,6 +12,7 @@
 #include <carom/oracles/laws/kinematics.hpp>
 #include <carom/properties/diagnosis/fits.hpp>
 #include <carom/properties/diagnosis/hypothesis.hpp>
+#include <carom/properties/diagnosis/precision.hpp>
 
 namespace carom::properties::diagnosis {
 namespace {
@@ -113,21 +114,20 @@ Outcome<double> changes_by(const Steps& steps, const Collision& still, const Vec
       !steps.has_turned_torque_of_a && !steps.has_turned_torque_of_b) {
     return pushed(still, on_a);
   }
-  using Extended = long double;
-  const BasicCollision<Extended> c = map_numbers<Extended>(still, [](double x) { return static_cast<Extended>(x); });
-  const auto of_body = [&](const BasicBody<Extended>& body, const Vector3<Extended>& impulse, InverseInertia inverse,
+  const BasicCollision<Wide> c = map_numbers<Wide>(still, [](double x) { return static_cast<Wide>(x); });
+  const auto of_body = [&](const BasicBody<Wide>& body, const Vector3<Wide>& impulse, InverseInertia inverse,
                            bool is_turned) -> BodyVelocity<double> {
     if (body.immovable) {
       return {Vector3<double>::Zero(), Vector3<double>::Zero()};
     }
-    const Vector3<Extended> of_torque =
-        is_turned ? oracles::turned<Extended>(oracles::conjugate(body.orientation), impulse) : impulse;
-    const Vector3<Extended> spin = inverse(body) * oracles::lever_arm(body, c.point).cross(of_torque);
-    return {Vector3<Extended>(impulse / body.mass).cast<double>(), spin.cast<double>()};
+    const Vector3<Wide> of_torque =
+        is_turned ? oracles::turned<Wide>(oracles::conjugate(body.orientation), impulse) : impulse;
+    const Vector3<Wide> spin = inverse(body) * oracles::lever_arm(body, c.point).cross(of_torque);
+    return {Vector3<Wide>(impulse / body.mass).cast<double>(), spin.cast<double>()};
   };
-  const Vector3<Extended> f = on_a.cast<Extended>();
+  const Vector3<Wide> f = on_a.cast<Wide>();
   return {of_body(c.a, f, steps.matrix.inverse_of_a, steps.has_turned_torque_of_a),
-          of_body(c.b, Vector3<Extended>(-f), steps.matrix.inverse_of_b, steps.has_turned_torque_of_b)};
+          of_body(c.b, Vector3<Wide>(-f), steps.matrix.inverse_of_b, steps.has_turned_torque_of_b)};
 }
 
 /// The outcome with the impulse on A that comes nearest to the subject's answer. It is linear in the impulse.

@@ -6,6 +6,7 @@
 
 #include <carom/oracles/laws/kinematics.hpp>
 #include <carom/properties/diagnosis/hypothesis.hpp>
+#include <carom/properties/diagnosis/precision.hpp>
 
 namespace carom::properties::diagnosis {
 namespace {
@@ -248,8 +249,6 @@ std::string filled(const std::string& text, const char* name) {
   result.replace(result.find("{}"), 2, name);
   return result;
 }
-
-using Wide = long double;
 
 /// R, with the axes of the body as columns.
 Matrix3<Wide> axes_of(const BasicBody<Wide>& body) {
