@@ -68,7 +68,7 @@ std::vector<Reading> read(const oracles::Fall& fall, const std::vector<Bounce>& 
 }
 
 PosedRun posed(const Directions& d, double step, double share, double restitution, bool is_long) {
-  PosedRun run{step, {on_the_floor(d), step, {}}, {}};
+  PosedRun run{{on_the_floor(d), step, {}}, {}};
   SteppedBody falling = ball(d, radius);
   falling.state.position = d.at(0, radius + height_of_fall(1, step, share));
   run.stepping.scene.restitution = restitution;

@@ -14,7 +14,7 @@ using namespace posing;
 constexpr double half_height = 0.25;
 
 PosedRun posed(const Directions& d, double step, double share, double restitution, double degrees) {
-  PosedRun run{step, {on_the_floor(d), step, {}}, {}};
+  PosedRun run{{on_the_floor(d), step, {}}, {}};
   SteppedBody box = block(d, 1.2, 0.8, 2 * half_height, 1);
   const double half_angle = degrees * std::numbers::pi / 360;
   box.state.orientation[0] = std::cos(half_angle);

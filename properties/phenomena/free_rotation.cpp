@@ -64,7 +64,7 @@ Vector3<double> momentum(const SteppedBody& body, const BodyState& state) {
 
 PosedRun posed(double step, Eigen::Index axis) {
   const SteppedBody body = brick(axis);
-  PosedRun run{step, {{{0, 0, 0}, 0, 0, false, {body}}, step, report_at({early, late}, step)}, {}};
+  PosedRun run{{{{0, 0, 0}, 0, 0, false, {body}}, step, report_at({early, late}, step)}, {}};
   run.read = [=, report = run.stepping.report](const SteppedStates& states) {
     const Vector3<double> before = momentum(body, body.state);
     const double energy = before.dot(body.state.angular_velocity) / 2;

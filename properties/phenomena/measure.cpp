@@ -97,6 +97,23 @@ bool is_finite(const BodyState& state) {
          state.angular_velocity.allFinite();
 }
 
+/// Failed if states are missing, or if a number is not finite.
+SteppingAnswer checked(SteppingAnswer answer, const Stepping& stepping) {
+  if (const auto* const answered = std::get_if<SteppedStates>(&answer)) {
+    const auto& all = answered->states;
+    if (all.size() != stepping.report.size() || !std::all_of(all.begin(), all.end(), [&](const auto& states) {
+          return states.size() == stepping.scene.bodies.size();
+        })) {
+      return Failed{"the answer has not a state for each body at each time"};
+    }
+    if (!std::all_of(all.begin(), all.end(),
+                     [](const auto& states) { return std::all_of(states.begin(), states.end(), is_finite); })) {
+      return Failed{"a state has an infinity or NaN"};
+    }
+  }
+  return answer;
+}
+
 bool is_in(const SteppedScene& scene, std::string_view what) {
   constexpr std::string_view shapes[] = {"sphere", "box", "half_space"};  // in the order of `Shape`
   return (what == "friction" && scene.friction > 0) || (what == "continuous" && scene.is_continuous) ||
@@ -113,7 +130,7 @@ std::variant<SteppedStates, NoAnswer> answer_of(const Stepper& stepper, Stepper:
   if (found != stepper.cannot.end()) {
     return NoAnswer{"the subject cannot pose: " + *found};
   }
-  SteppingAnswer answer = session(stepping);
+  SteppingAnswer answer = checked(session(stepping), stepping);
   if (const auto* skipped = std::get_if<Skipped>(&answer)) {
     return NoAnswer{skipped->why};
   }
@@ -123,38 +140,30 @@ std::variant<SteppedStates, NoAnswer> answer_of(const Stepper& stepper, Stepper:
   if (const auto* failed = std::get_if<Failed>(&answer)) {
     return NoAnswer{failed->why, true};
   }
-  auto& states = std::get<SteppedStates>(answer);
-  const auto is_complete = [&](const auto& all) { return all.size() == stepping.scene.bodies.size(); };
-  if (states.states.size() != stepping.report.size() ||
-      !std::all_of(states.states.begin(), states.states.end(), is_complete)) {
-    return NoAnswer{"the answer has not a state for each body at each time", true};
-  }
-  if (!std::all_of(states.states.begin(), states.states.end(),
-                   [](const auto& all) { return std::all_of(all.begin(), all.end(), is_finite); })) {
-    return NoAnswer{"a state has an infinity or NaN", true};
-  }
-  return std::move(states);
+  return std::get<SteppedStates>(std::move(answer));
 }
 
-Stepper::Session patient(Stepper::Session session, std::stop_token stop, double lost) {
+Stepper::Session patient(Stepper::Session session, std::stop_token stop,
+                         std::function<void(const std::string& why)> on_failure, double lost) {
   using Clock = std::chrono::steady_clock;
   constexpr double most_lost = 180;  // [s]: a program that always hangs would take hours
-  return
-      [session = std::move(session), stop = std::move(stop), lost](const Stepping& stepping) mutable -> SteppingAnswer {
-        const Clock::time_point start = Clock::now();
-        if (!stop.stop_requested() && lost < most_lost) {
-          SteppingAnswer answer = session(stepping);
-          if (!std::holds_alternative<Failed>(answer)) {
-            return answer;
-          }
-          lost += std::chrono::duration<double>(Clock::now() - start).count();
-          if (!stop.stop_requested()) {
-            return answer;
-          }
-        }
-        return Skipped{stop.stop_requested() ? "the measurement was interrupted"
-                                             : "runs that failed took three minutes before"};
-      };
+  return [=](const Stepping& stepping) mutable -> SteppingAnswer {
+    const Clock::time_point start = Clock::now();
+    if (!stop.stop_requested() && lost < most_lost) {
+      SteppingAnswer answer = checked(session(stepping), stepping);
+      const auto* const failed = std::get_if<Failed>(&answer);
+      if (failed == nullptr) {
+        return answer;
+      }
+      lost += std::chrono::duration<double>(Clock::now() - start).count();
+      if (!stop.stop_requested()) {
+        on_failure(failed->why);
+        return answer;
+      }
+    }
+    return Skipped{stop.stop_requested() ? "the measurement was interrupted"
+                                         : "runs that failed took three minutes before"};
+  };
 }
 
 std::optional<double> fitted_order(std::span<const Rung> rungs) {
@@ -196,24 +205,24 @@ Measurement measure(const Phenomenon& phenomenon, const Stepper& stepper, Steppe
                                                   : answer_of(stepper, session, run.stepping);
     if (const auto* none = std::get_if<NoAnswer>(&answer)) {
       failures += none->is_failure ? 1 : 0;
-      note(result.unanswered, none->why, none->is_failure, run.step);
+      note(result.unanswered, none->why, none->is_failure, run.stepping.step);
       continue;
     }
     failures = 0;
     const auto& states = std::get<SteppedStates>(answer);
-    seconds[run.step].push_back(states.seconds / static_cast<double>(steps_of(run.stepping)));
+    seconds[run.stepping.step].push_back(states.seconds / static_cast<double>(steps_of(run.stepping)));
     for (Reading& reading : run.read(states)) {
       if (!std::isfinite(shift(reading))) {
-        note(result.unanswered, "no number can be read off the states: " + reading.what, true, run.step);
+        note(result.unanswered, "no number can be read off the states: " + reading.what, true, run.stepping.step);
         continue;
       }
       const double rounding = rounding_of(reading, run.stepping, stepper.precision);
-      reads.push_back({run.step, std::move(reading), rounding});
+      reads.push_back({run.stepping.step, std::move(reading), rounding});
     }
   }
   result.readings = gathered(reads, ladder.steps);
   for (const double step : ladder.steps) {
-    if (std::none_of(runs.begin(), runs.end(), [&](const PosedRun& run) { return run.step == step; })) {
+    if (std::none_of(runs.begin(), runs.end(), [&](const PosedRun& run) { return run.stepping.step == step; })) {
       ++result.runs;
       note(result.unanswered, runs.empty() ? "it has no set-up in the plane" : "it is measured at longer steps alone",
            false, step);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <stop_token>
@@ -66,8 +67,10 @@ struct Measurement {
   unsigned runs = 0;  // posed, answered or not
 };
 
-/// The session, which skips each run after a request to stop, or once failed runs took three minutes.
-[[nodiscard]] Stepper::Session patient(Stepper::Session session, std::stop_token stop, double lost = 0);
+/// The session, which skips each run after a request to stop, or once failed runs took three minutes. Of each failure
+/// it calls `on_failure` with the reason, at once.
+[[nodiscard]] Stepper::Session patient(Stepper::Session session, std::stop_token stop,
+                                       std::function<void(const std::string& why)> on_failure, double lost = 0);
 
 /// Poses the runs of the phenomenon. After three failures one after the other, the other runs are not asked.
 [[nodiscard]] Measurement measure(const Phenomenon& phenomenon, const Stepper& stepper, Stepper::Session& session,

@@ -21,7 +21,7 @@ struct Shot {
 };
 
 PosedRun posed(const Directions& d, double step, double share, const Shot& shot) {
-  PosedRun run{step, {}, {}};
+  PosedRun run;
   const double speed = shot.diameters * diameter / step;
   const double path = shot.diameters * diameter * (3 + share);
   SteppedBody shell = ball(d, radius);

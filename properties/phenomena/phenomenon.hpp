@@ -25,7 +25,6 @@ struct Reading {
 
 /// A scene, posed with a step and a phase, and how its answer is read.
 struct PosedRun {
-  double step = 0;  // h [s]
   Stepping stepping;
   std::function<std::vector<Reading>(const SteppedStates&)> read;
 };

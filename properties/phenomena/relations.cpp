@@ -20,16 +20,18 @@ constexpr double between_reports = 0.05;
 constexpr double shift = 8;         // [m] to the right
 constexpr double tolerance = 1e-3;  // [m] and [rad]
 
-/// Maps a body without rounding: polar vectors, axial vectors and lengths along the axes.
-template <class Polar, class Axial, class Lengths>
-void map_body(SteppedBody& body, Polar polar, Axial axial, Lengths lengths) {
+/// Maps a body by a permutation of the axes with signs, which rounds nothing.
+void map_body(SteppedBody& body, const Matrix3<double>& axes) {
+  const Matrix3<double> of_axial = axes.determinant() * axes;
+  const Matrix3<double> of_lengths = axes.cwiseAbs();
   BodyState& state = body.state;
-  state = {polar(state.position), state.orientation, polar(state.velocity), axial(state.angular_velocity)};
-  const Vector3<double> vector_part = state.orientation.tail<3>();
-  state.orientation.tail<3>() = axial(vector_part);
-  body.principal_inertia = lengths(body.principal_inertia);
+  state.position = axes * state.position;
+  state.velocity = axes * state.velocity;
+  state.angular_velocity = of_axial * state.angular_velocity;
+  state.orientation.tail<3>() = of_axial * Vector3<double>(state.orientation.tail<3>());
+  body.principal_inertia = of_lengths * body.principal_inertia;
   if (auto* box = std::get_if<BoxShape>(&body.shape)) {
-    box->lengths = lengths(box->lengths);
+    box->lengths = of_lengths * box->lengths;
   }
 }
 
@@ -41,32 +43,20 @@ struct Related {
   std::function<void(std::vector<BodyState>&)> back;
 };
 
-void mirror(SteppedBody& body) {
-  const auto polar = [](const Vector3<double>& x) { return Vector3<double>(-x[0], x[1], x[2]); };
-  const auto axial = [](const Vector3<double>& x) { return Vector3<double>(x[0], -x[1], -x[2]); };
-  map_body(body, polar, axial, [](const Vector3<double>& x) { return x; });
-}
-
-/// Turns x to y if `is_forward`, and back otherwise.
-void turn(SteppedBody& body, bool is_forward) {
-  const double sign = is_forward ? 1 : -1;
-  const auto vector = [=](const Vector3<double>& x) { return Vector3<double>(-sign * x[1], sign * x[0], x[2]); };
-  map_body(body, vector, vector, [](const Vector3<double>& x) { return Vector3<double>(x[1], x[0], x[2]); });
-}
-
-template <class F>
-void map_states(std::vector<BodyState>& states, F f) {
-  std::for_each(states.begin(), states.end(), [&](BodyState& state) {
-    SteppedBody body{SphereShape{1}, false, 1, {1, 1, 1}, state};
-    f(body);
-    state = body.state;
-  });
-}
-
-// Body 0 is the floor. It keeps its place, because it has no sides.
-template <class F>
-void map_movable(SteppedScene& scene, F f) {
-  std::for_each(scene.bodies.begin() + 1, scene.bodies.end(), f);
+/// A heap whose axes are mapped. Body 0 is the floor. It keeps its place, because it has no sides.
+Related mapped(std::string_view name, std::string_view change, const Matrix3<double>& axes) {
+  return {name, change,
+          [axes](Stepping& heap) {
+            std::for_each(heap.scene.bodies.begin() + 1, heap.scene.bodies.end(),
+                          [&](SteppedBody& body) { map_body(body, axes); });
+          },
+          [axes](std::vector<BodyState>& states) {
+            std::for_each(states.begin(), states.end(), [&](BodyState& state) {
+              SteppedBody body{SphereShape{1}, false, 1, {1, 1, 1}, state};
+              map_body(body, axes.transpose());
+              state = body.state;
+            });
+          }};
 }
 
 std::vector<Related> related_heaps(const Stepper& stepper) {
@@ -77,10 +67,12 @@ std::vector<Related> related_heaps(const Stepper& stepper) {
       {"swap", "with the bodies in another order",
        [](Stepping& heap) { std::reverse(heap.scene.bodies.begin() + 1, heap.scene.bodies.end()); },
        [](std::vector<BodyState>& states) { std::reverse(states.begin() + 1, states.end()); }},
-      {"reflection_symmetry", "mirrored in x = 0", [](Stepping& heap) { map_movable(heap.scene, mirror); },
-       [](std::vector<BodyState>& states) { map_states(states, mirror); }},
+      mapped("reflection_symmetry", "mirrored in x = 0", Vector3<double>(-1, 1, 1).asDiagonal()),
       {"translation", "moved by 8 m",
-       [](Stepping& heap) { map_movable(heap.scene, [](SteppedBody& body) { body.state.position[0] += shift; }); },
+       [](Stepping& heap) {
+         std::for_each(heap.scene.bodies.begin() + 1, heap.scene.bodies.end(),
+                       [](SteppedBody& body) { body.state.position[0] += shift; });
+       },
        [](std::vector<BodyState>& states) {
          std::for_each(states.begin() + 1, states.end(), [](BodyState& state) { state.position[0] -= shift; });
        }},
@@ -92,10 +84,8 @@ std::vector<Related> related_heaps(const Stepper& stepper) {
        },
        [](std::vector<BodyState>& states) { states.pop_back(); }}};
   if (!planar) {
-    all.push_back(
-        {"rotation", "turned by 90° about the vertical",
-         [](Stepping& heap) { map_movable(heap.scene, [](SteppedBody& body) { turn(body, true); }); },
-         [](std::vector<BodyState>& states) { map_states(states, [](SteppedBody& body) { turn(body, false); }); }});
+    const Matrix3<double> x_to_y{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}};
+    all.push_back(mapped("rotation", "turned by 90° about the vertical", x_to_y));
   }
   if (stepper.restores) {
     all.push_back({"restored", "saved at 1 s, run to the end, and restored",
@@ -138,16 +128,6 @@ void compare(RelationResult& result, const Stepping& stepping, const SteppedStat
   result.digits = greatest > 0 ? static_cast<int>(std::floor(-std::log10(greatest))) : 16;
 }
 
-double energy(const std::vector<SteppedBody>& posed, const std::vector<BodyState>& states) {
-  double sum = 0;
-  for (std::size_t i = 0; i < posed.size(); ++i) {
-    sum += posed[i].mass * states[i].velocity.squaredNorm() / 2 +
-           posed[i].principal_inertia.dot(states[i].angular_velocity.cwiseAbs2()) /
-               2;  // the moments of a sphere are equal
-  }
-  return sum;
-}
-
 void unanswered(RelationResult& result, const NoAnswer& none) {
   result.why = none.why;
   result.is_failure = none.is_failure;
@@ -168,10 +148,12 @@ RelationResult row_of_balls(const Stepper& stepper, Stepper::Session& session, d
   RelationResult result{"energy", "a ball hits a row of balls, ε = 1", Likeness::unanswered, 0, end, {}};
   const auto answer = answer_of(stepper, session, row);
   if (const auto* states = std::get_if<SteppedStates>(&answer)) {
-    std::vector<BodyState> before;
-    std::transform(row.scene.bodies.begin(), row.scene.bodies.end(), std::back_inserter(before),
-                   [](const SteppedBody& body) { return body.state; });
-    result.energy = energy(row.scene.bodies, states->states.at(0)) / energy(row.scene.bodies, before);
+    for (std::size_t i = 0; i < row.scene.bodies.size(); ++i) {
+      const BodyState& now = states->states.at(0)[i];
+      const SteppedBody& posed = row.scene.bodies[i];  // twice its energy, because the energy before is half a joule
+      result.energy += posed.mass * now.velocity.squaredNorm();
+      result.energy += posed.principal_inertia.dot(now.angular_velocity.cwiseAbs2());
+    }
     result.likeness = result.energy > 1 + tolerance ? Likeness::differs : Likeness::same_digits;
   } else {
     unanswered(result, std::get<NoAnswer>(answer));

@@ -13,7 +13,7 @@ constexpr double half_way = 0.34;  // v₀/(μg) is 0.680 s
 constexpr double at_rest = 1.2;
 
 PosedRun posed(const Directions& d, double step) {
-  PosedRun run{step, {on_the_floor(d), step, report_at({half_way, at_rest}, step)}, {}};
+  PosedRun run{{on_the_floor(d), step, report_at({half_way, at_rest}, step)}, {}};
   SteppedBody box = block(d, 1, 1, 0.5, 1);
   box.state.position = d.at(0, 0.25);
   box.state.velocity = the_slide.speed * d.right;

@@ -13,7 +13,7 @@ constexpr double in_slip = 0.1;  // slip ends at 0.194 s, or 0.227 s for the dis
 constexpr double at_end = 2;
 
 PosedRun posed(const Directions& d, double step) {
-  PosedRun run{step, {on_the_floor(d), step, report_at({in_slip, at_end}, step)}, {}};
+  PosedRun run{{on_the_floor(d), step, report_at({in_slip, at_end}, step)}, {}};
   SteppedBody rolling = ball(d, radius);
   const oracles::SlideToRoll roll{{2, 0.3, gravity}, rolling.mass, rolling_inertia(d, rolling), radius};
   rolling.state.position = d.at(0, radius);

@@ -13,7 +13,7 @@ constexpr double radius = 0.5;
 constexpr double restitution = 0.5;
 
 PosedRun posed(const Directions& d, double step, double share, double speed) {
-  PosedRun run{step, {}, {}};
+  PosedRun run;
   SteppedBody flying = ball(d, radius);
   flying.state.position = d.at(0, radius + speed * (4 + share) * step);
   flying.state.velocity = -speed * d.up;

@@ -28,7 +28,7 @@ constexpr Meeting spatial_meetings[] = {{"gripping, diagonal", 1.2, 1.6, 0, 0, 5
                                         {"slipping, diagonal", 3, 4, 0, 0, 5}};
 
 PosedRun posed(const Directions& d, double step, double share, const Meeting& meeting) {
-  PosedRun run{step, {}, {}};
+  PosedRun run;
   SteppedBody flying = ball(d, radius);
   const oracles::WallImpact impact{
       flying.mass,

@@ -19,7 +19,7 @@ struct Pile {
 };
 
 PosedRun posed(const Directions& d, double step, const Pile& pile) {
-  PosedRun run{step, {on_the_floor(d), step, report_at({duration}, step)}, {}};
+  PosedRun run{{on_the_floor(d), step, report_at({duration}, step)}, {}};
   run.stepping.scene.friction = 0.5;
   std::vector<SteppedBody>& bodies = run.stepping.scene.bodies;
   for (const double mass : pile.masses) {

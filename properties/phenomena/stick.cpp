@@ -15,7 +15,7 @@ constexpr double from = 0.5;  // the first time of the measurement, after the st
 constexpr double to = 1;
 
 PosedRun posed(const Directions& d, double step, double friction, double degrees) {
-  PosedRun run{step, {on_the_floor(d), step, report_at({from, to}, step)}, {}};
+  PosedRun run{{on_the_floor(d), step, report_at({from, to}, step)}, {}};
   const double angle = degrees * std::numbers::pi / 180;
   const double along = gravity * std::sin(angle);
   const double into = gravity * std::cos(angle);

@@ -54,22 +54,18 @@ std::string error_cell(const TimedEngine& engine, std::string_view phenomenon, d
 
 Table summary_table(const TimeRun& run, double step) {
   Table table{"The greatest median error of each phenomenon", {{"engine"}}, {}};
-  for (const TimedEngine& engine : run.engines) {
-    if (engine.absent.empty()) {
-      table.rows.push_back({{name_cell(engine.name)}});
+  for (const Phenomenon& phenomenon : properties::all_phenomena()) {
+    if (std::any_of(run.engines.begin(), run.engines.end(),
+                    [&](const TimedEngine& one) { return measurement_of(one, phenomenon.name) != nullptr; })) {
+      table.columns.push_back({std::string(phenomenon.name), true});
     }
   }
-  for (const Phenomenon& phenomenon : properties::all_phenomena()) {
-    if (std::none_of(run.engines.begin(), run.engines.end(),
-                     [&](const TimedEngine& one) { return measurement_of(one, phenomenon.name) != nullptr; })) {
-      continue;
-    }
-    table.columns.push_back({std::string(phenomenon.name), true});
-    auto row = table.rows.begin();
-    for (const TimedEngine& engine : run.engines) {
-      if (engine.absent.empty()) {
-        (row++)->cells.emplace_back(error_cell(engine, phenomenon.name, step), "number");
-      }
+  for (const TimedEngine& engine : run.engines) {
+    if (engine.absent.empty()) {
+      Row& row = table.rows.emplace_back(Row{{name_cell(engine.name)}});
+      std::for_each(table.columns.begin() + 1, table.columns.end(), [&](const Column& column) {
+        row.cells.emplace_back(error_cell(engine, column.name, step), "number");
+      });
     }
   }
   return table;
@@ -78,11 +74,11 @@ Table summary_table(const TimeRun& run, double step) {
 /// "height of bounce 1, ε = 0.5: 12 % too much, 3.4 steps' worth; at 1/3840 s 0.2 %, order 1.0".
 std::string reading_in_words(const MeasuredReading& reading, double step) {
   const Rung& rung = *rung_at(reading, step);
-  std::string text = fmt::format("{}: {} off", reading.what, percent(rung.median, rung.rounding));
-  if (rung.shift != 0 && std::abs(rung.shift) > 0.9 * rung.median) {
-    text = fmt::format("{}: {} too {}", reading.what, percent(rung.median, rung.rounding),
-                       rung.shift > 0 ? "much" : "little");
-  }
+  const bool is_one_sided = rung.shift != 0 && std::abs(rung.shift) > 0.9 * rung.median;
+  std::string text = fmt::format("{}: {} {}", reading.what, percent(rung.median, rung.rounding),
+                                 !is_one_sided    ? "off"
+                                 : rung.shift > 0 ? "too much"
+                                                  : "too little");
   if (rung.median_in_worths > 0) {
     text += fmt::format(", {:.2g} steps' worth", rung.median_in_worths);
   }
@@ -157,15 +153,6 @@ Document absent_part(const TimeRun& run) {
   return list.items.empty() ? Document{} : Document{Section{"Absent", {std::move(list)}}};
 }
 
-std::string opening(const TimeRun& run) {
-  std::string steps;
-  for (const double step : run.ladder.steps) {
-    steps += (steps.empty() ? "" : ", ") + step_in_words(step);
-  }
-  return fmt::format("Carom {}: engines in time, steps {}; {} phases of an impact within a step", version, steps,
-                     run.ladder.phases);
-}
-
 std::string caption(double step) {
   return fmt::format("Median error at {}, of the reading that is farthest off. 0: rounding explains it. {}: see below.",
                      step_in_words(step), no_number);
@@ -181,7 +168,10 @@ Document summary_part(const TimeRun& run) {
 }
 
 Document opening_part(const TimeRun& run) {
-  Document document{Paragraph{opening(run)}};
+  std::vector<std::string> steps(run.ladder.steps.size());
+  std::transform(run.ladder.steps.begin(), run.ladder.steps.end(), steps.begin(), step_in_words);
+  Document document{Paragraph{fmt::format("Carom {}: engines in time, steps {}; {} phases of an impact within a step",
+                                          version, fmt::join(steps, ", "), run.ladder.phases)}};
   if (run.interrupted) {
     document.emplace_back(Section{"", {Paragraph{"INTERRUPTED: these are the results so far"}}});
   }

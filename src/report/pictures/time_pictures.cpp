@@ -28,51 +28,49 @@ bool is_shipped_twin(const TimedEngine& engine, const TimeRun& run) {
                      [&](const TimedEngine& other) { return other.name + std::string(as_shipped) == engine.name; });
 }
 
+using Points = std::vector<std::vector<double>>;
+
 /// An engine's errors along the ladder.
 struct Line {
   std::string name;
   std::size_t style;  // the same in all pictures of a run
-  std::vector<std::vector<double>> by_step;
-  std::vector<std::vector<double>> by_time;
+  Points points;
 };
 
-Line line_of(const TimedEngine& engine, std::size_t style, const Measurement& measurement) {
-  Line line{engine.name, style, {}, {}};
-  for (const properties::StepTime& time : measurement.step_times) {
-    const properties::MeasuredReading* const worst = worst_reading(measurement, time.step);
-    const Rung* const rung = worst == nullptr ? nullptr : rung_at(*worst, time.step);
-    if (rung != nullptr && rung->median > rung->rounding) {
-      line.by_step.push_back({1 / time.step, rung->median});
-      if (time.seconds > 0) {  // the simulation of `carom scene` has no steps
-        line.by_time.push_back({time.seconds / time.step, rung->median});
-      }
-    }
-  }
-  return line;
-}
-
-std::vector<Line> lines_of(const properties::Phenomenon& phenomenon, const TimeRun& run) {
+/// The lines with at least two points. `abscissa` is of a step; a step at 0 has no point.
+std::vector<Line> lines_of(const properties::Phenomenon& phenomenon, const TimeRun& run,
+                           double (*abscissa)(const properties::StepTime& time)) {
   std::vector<Line> lines;
   std::size_t style = 0;
   for (const TimedEngine& engine : run.engines) {
     if (is_shipped_twin(engine, run)) {
       continue;
     }
-    if (const Measurement* const measurement = measurement_of(engine, phenomenon.name)) {
-      lines.push_back(line_of(engine, style, *measurement));
+    Line line{engine.name, style++, {}};
+    const Measurement* const measurement = measurement_of(engine, phenomenon.name);
+    if (measurement == nullptr) {
+      continue;
     }
-    ++style;
+    for (const properties::StepTime& time : measurement->step_times) {
+      const properties::MeasuredReading* const worst = worst_reading(*measurement, time.step);
+      const Rung* const rung = worst == nullptr ? nullptr : rung_at(*worst, time.step);
+      if (rung != nullptr && rung->median > rung->rounding && abscissa(time) > 0) {
+        line.points.push_back({abscissa(time), rung->median});
+      }
+    }
+    if (line.points.size() > 1) {
+      lines.push_back(std::move(line));
+    }
   }
   return lines;
 }
 
 /// An axis of whole powers of ten around the values.
-Axis axis_around(const std::vector<Line>& lines, std::vector<std::vector<double>> Line::*points, std::size_t coordinate,
-                 double first_pixel, double last_pixel) {
+Axis axis_around(const std::vector<Line>& lines, std::size_t coordinate, double first_pixel, double last_pixel) {
   double low = std::numeric_limits<double>::infinity();
   double high = 0;
   for (const Line& line : lines) {
-    for (const std::vector<double>& point : line.*points) {
+    for (const std::vector<double>& point : line.points) {
       low = std::min(low, point[coordinate]);
       high = std::max(high, point[coordinate]);
     }
@@ -95,7 +93,7 @@ std::string tics_at(const std::vector<double>& numbers) {
 std::vector<double> steps_of(const std::vector<Line>& lines) {
   std::set<double> steps;
   for (const Line& line : lines) {
-    for (const std::vector<double>& point : line.by_step) {
+    for (const std::vector<double>& point : line.points) {
       steps.insert(point[0]);
     }
   }
@@ -103,24 +101,23 @@ std::vector<double> steps_of(const std::vector<Line>& lines) {
 }
 
 Plot picture_of(const std::string& name, const std::string& title, const std::string& x_name,
-                const std::vector<Line>& lines, std::vector<std::vector<double>> Line::*points, const Axis& x,
-                const std::string& x_tics) {
+                const std::vector<Line>& lines, const Axis& x, const std::string& x_tics) {
   Plot plot(name, 860, 430, 13);
-  const Panel panel{x, axis_around(lines, points, 1, 55, 390)};
+  const Panel panel{x, axis_around(lines, 1, 55, 390)};
   plot.begin(panel, title, x_name, "error, relative to the known answer");
   plot.add(x_tics);
   plot.add(power_tics(panel.y, 'y'));
   std::vector<Label> ends;
   for (const Line& line : lines) {
-    const std::vector<double>& end = (line.*points).back();
+    const std::vector<double>& end = line.points.back();
     ends.push_back(
         {line.name, panel.place_of(end[0], end[1]), std::string(line_colours[line.style % line_colours.size()])});
   }
   plot.name_ends(ends, panel);
   for (const Line& line : lines) {
-    plot.curve(line.*points, fmt::format("with linespoints pt 7 ps 0.5 lw 1.6 lc rgb \"{}\"{}",
-                                         line_colours[line.style % line_colours.size()],
-                                         line.style < line_colours.size() ? "" : " dt 2"));
+    plot.curve(line.points, fmt::format("with linespoints pt 7 ps 0.5 lw 1.6 lc rgb \"{}\"{}",
+                                        line_colours[line.style % line_colours.size()],
+                                        line.style < line_colours.size() ? "" : " dt 2"));
   }
   plot.end();
   return plot;
@@ -154,23 +151,21 @@ std::vector<Bar> first_bounces(const TimeRun& run) {
 std::vector<Plot> time_pictures(const properties::Phenomenon& phenomenon, const TimeRun& run) {
   std::vector<Plot> pictures;
   const std::string name(phenomenon.name);
-  std::vector<Line> lines = lines_of(phenomenon, run);
-  const auto keep_lines = [&](std::vector<std::vector<double>> Line::*points) {
-    lines.erase(std::remove_if(lines.begin(), lines.end(), [&](const Line& line) { return (line.*points).size() < 2; }),
-                lines.end());
-    return !lines.empty();
-  };
-  if (keep_lines(&Line::by_step)) {
-    const std::vector<double> steps = steps_of(lines);
-    pictures.push_back(
-        picture_of(name + "-step", name + ": error against the step", "steps in a second", lines, &Line::by_step,
-                   {0.8 * steps.front(), 1.25 * steps.back(), true, left_pixel, right_pixel}, tics_at(steps)));
+  const std::vector<Line> by_step =
+      lines_of(phenomenon, run, [](const properties::StepTime& time) { return 1 / time.step; });
+  if (!by_step.empty()) {
+    const std::vector<double> steps = steps_of(by_step);
+    pictures.push_back(picture_of(name + "-step", name + ": error against the step", "steps in a second", by_step,
+                                  {0.8 * steps.front(), 1.25 * steps.back(), true, left_pixel, right_pixel},
+                                  tics_at(steps)));
   }
-  if (keep_lines(&Line::by_time)) {
-    const Axis x = axis_around(lines, &Line::by_time, 0, left_pixel, right_pixel);
+  // The simulation of `carom scene` has no steps, and so takes no time for one.
+  const std::vector<Line> by_time =
+      lines_of(phenomenon, run, [](const properties::StepTime& time) { return time.seconds / time.step; });
+  if (!by_time.empty()) {
+    const Axis x = axis_around(by_time, 0, left_pixel, right_pixel);
     pictures.push_back(picture_of(name + "-time", name + ": error against the time spent",
-                                  "seconds of stepping for a second of the scene", lines, &Line::by_time, x,
-                                  power_tics(x, 'x')));
+                                  "seconds of stepping for a second of the scene", by_time, x, power_tics(x, 'x')));
   }
   return pictures;
 }

@@ -12,19 +12,27 @@
 
 namespace carom::subjects {
 
-/// Advances a `World(stepping, configured)`, and reports its states. It has `step()` and `state(body)` of a movable
-/// body. The clock runs only while the world steps. Ten steps of another world come before it, so that caches are warm.
-template <class World>
-[[nodiscard]] SteppingAnswer advanced(const Stepping& stepping, bool configured) try {
-  using Clock = std::chrono::steady_clock;
-  constexpr int warming_steps = 10;
-  {
-    World warming(stepping, configured);
-    for (int i = 0; i < warming_steps; ++i) {
-      warming.step();
-    }
+/// Calls `sphere` with the radius, `box` with the half lengths, or `half_space` with the unit normal.
+template <class Sphere, class Box, class HalfSpace>
+auto with_shape(const Shape& shape, Sphere sphere, Box box, HalfSpace half_space) {
+  if (const auto* const one = std::get_if<SphereShape>(&shape)) {
+    return sphere(one->radius);
   }
+  const auto* const one = std::get_if<BoxShape>(&shape);
+  return one != nullptr ? box(Vector3<double>(one->lengths / 2))
+                        : half_space(unit(std::get<HalfSpaceShape>(shape).normal));
+}
+
+/// Fills a `World(stepping, configured)` by `add(body)`, advances it by `step()`, and reports each `state(body)` of a
+/// movable body. The clock runs only while the world steps.
+template <class World>
+[[nodiscard]] SteppedStates advanced(const Stepping& stepping, bool configured) {
+  using Clock = std::chrono::steady_clock;
+  const std::vector<SteppedBody>& bodies = stepping.scene.bodies;
   World world(stepping, configured);
+  for (const SteppedBody& body : bodies) {
+    world.add(body);
+  }
   SteppedStates answer;
   std::uint64_t done = 0;
   for (const std::uint64_t after : stepping.report) {
@@ -34,12 +42,20 @@ template <class World>
     }
     answer.seconds += std::chrono::duration<double>(Clock::now() - start).count();
     std::vector<BodyState>& states = answer.states.emplace_back();
-    for (std::size_t body = 0; body < stepping.scene.bodies.size(); ++body) {
-      const SteppedBody& posed = stepping.scene.bodies[body];
-      states.push_back(posed.is_fixed ? posed.state : world.state(body));
+    for (std::size_t body = 0; body < bodies.size(); ++body) {
+      states.push_back(bodies[body].is_fixed ? bodies[body].state : world.state(body));
     }
   }
   return answer;
+}
+
+/// Ten steps of another world come before the world that counts, so that caches are warm.
+template <class World>
+[[nodiscard]] SteppingAnswer answer(const Stepping& stepping, bool configured) try {
+  Stepping warming = stepping;
+  warming.report = {10};
+  static_cast<void>(advanced<World>(warming, configured));
+  return advanced<World>(stepping, configured);
 } catch (const std::exception& failure) {
   return Failed{failure.what()};
 }
@@ -49,8 +65,8 @@ template <class World>
 [[nodiscard]] std::vector<Stepper> both_settings(const Stepper& facts) {
   std::vector<Stepper> both{facts, facts};
   both[1].name += "-as-shipped";
-  both[0].open = [] { return [](const Stepping& stepping) { return advanced<World>(stepping, true); }; };
-  both[1].open = [] { return [](const Stepping& stepping) { return advanced<World>(stepping, false); }; };
+  both[0].open = [] { return [](const Stepping& stepping) { return answer<World>(stepping, true); }; };
+  both[1].open = [] { return [](const Stepping& stepping) { return answer<World>(stepping, false); }; };
   return both;
 }
 

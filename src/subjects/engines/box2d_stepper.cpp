@@ -9,21 +9,49 @@
 namespace carom::subjects {
 namespace {
 
-b2Vec2 to_box2d(const Vector3<double>& v) { return {static_cast<float>(v.x()), static_cast<float>(v.y())}; }
+using V = Vector3<double>;
+
+b2Vec2 to_box2d(const V& v) { return {static_cast<float>(v.x()), static_cast<float>(v.y())}; }
 
 /// Box2D mixes friction by the geometric mean, and restitution by the maximum. A half-space is a box of 200 m. Box2D
 /// stops a bounce below its threshold of 1 m/s. Configured, the fixture's threshold is 0, and bodies do not sleep.
 class World {
  public:
-  World(const Stepping& stepping, bool configured)
-      : step_(static_cast<float>(stepping.step)), world_(to_box2d(stepping.scene.gravity)), scene_(stepping.scene) {
+  World(const Stepping& stepping, bool configured) : stepping_(stepping), configured_(configured) {
     world_.SetContinuousPhysics(stepping.scene.is_continuous);
-    for (const SteppedBody& one : stepping.scene.bodies) {
-      add(one, configured);
-    }
   }
 
-  void step() { world_.Step(step_, 8, 3); }  // the iterations of Box2D's manual
+  void add(const SteppedBody& one) {
+    b2BodyDef definition;
+    definition.type = one.is_fixed ? b2_staticBody : b2_dynamicBody;
+    definition.position = to_box2d(one.state.position);
+    definition.angle = static_cast<float>(2 * std::atan2(one.state.orientation[3], one.state.orientation[0]));
+    definition.linearVelocity = to_box2d(one.state.velocity);
+    definition.angularVelocity = static_cast<float>(one.state.angular_velocity.z());
+    definition.allowSleep = !configured_;
+    definition.bullet = stepping_.scene.is_continuous;
+    b2CircleShape circle;
+    b2PolygonShape polygon;
+    b2FixtureDef fixture;
+    with_shape(
+        one.shape, [&](double radius) { circle.m_radius = static_cast<float>(radius); },
+        [&](const V& half) { polygon.SetAsBox(static_cast<float>(half.x()), static_cast<float>(half.y())); },
+        [&](const V& n) {
+          definition.angle = static_cast<float>(std::atan2(n.y(), n.x()) - std::atan2(1.0, 0.0));
+          definition.position = to_box2d(one.state.position - 100 * n);
+          polygon.SetAsBox(100, 100);
+        });
+    fixture.shape = circle.m_radius > 0 ? static_cast<b2Shape*>(&circle) : &polygon;
+    fixture.friction = static_cast<float>(stepping_.scene.friction);
+    fixture.restitution = static_cast<float>(stepping_.scene.restitution);
+    fixture.restitutionThreshold = configured_ ? 0 : fixture.restitutionThreshold;
+    b2Body* const body = bodies_.emplace_back(world_.CreateBody(&definition));
+    body->CreateFixture(&fixture);
+    const b2MassData mass{static_cast<float>(one.mass), {0, 0}, static_cast<float>(one.principal_inertia.z())};
+    body->SetMassData(&mass);  // of a fixed body, Box2D ignores it
+  }
+
+  void step() { world_.Step(static_cast<float>(stepping_.step), 8, 3); }  // the iterations of Box2D's manual
 
   [[nodiscard]] BodyState state(std::size_t i) const {
     const b2Body& body = *bodies_[i];
@@ -35,45 +63,9 @@ class World {
   }
 
  private:
-  void add(const SteppedBody& one, bool configured) {
-    b2BodyDef definition;
-    definition.type = one.is_fixed ? b2_staticBody : b2_dynamicBody;
-    definition.position = to_box2d(one.state.position);
-    definition.angle = static_cast<float>(2 * std::atan2(one.state.orientation[3], one.state.orientation[0]));
-    definition.linearVelocity = to_box2d(one.state.velocity);
-    definition.angularVelocity = static_cast<float>(one.state.angular_velocity.z());
-    definition.allowSleep = !configured;
-    definition.bullet = scene_.is_continuous;
-    b2CircleShape circle;
-    b2PolygonShape polygon;
-    if (const auto* const sphere = std::get_if<SphereShape>(&one.shape)) {
-      circle.m_radius = static_cast<float>(sphere->radius);
-    } else if (const auto* const box = std::get_if<BoxShape>(&one.shape)) {
-      polygon.SetAsBox(static_cast<float>(box->lengths.x() / 2), static_cast<float>(box->lengths.y() / 2));
-    } else {
-      const Vector3<double> n = unit(std::get<HalfSpaceShape>(one.shape).normal);
-      definition.angle = static_cast<float>(std::atan2(n.y(), n.x()) - std::atan2(1.0, 0.0));
-      definition.position = to_box2d(one.state.position - 100 * n);
-      polygon.SetAsBox(100, 100);
-    }
-    b2FixtureDef fixture;
-    fixture.shape = circle.m_radius > 0 ? static_cast<b2Shape*>(&circle) : &polygon;
-    fixture.density = 1;
-    fixture.friction = static_cast<float>(scene_.friction);
-    fixture.restitution = static_cast<float>(scene_.restitution);
-    fixture.restitutionThreshold = configured ? 0 : fixture.restitutionThreshold;
-    b2Body* const body = world_.CreateBody(&definition);
-    body->CreateFixture(&fixture);
-    if (!one.is_fixed) {
-      const b2MassData mass{static_cast<float>(one.mass), {0, 0}, static_cast<float>(one.principal_inertia.z())};
-      body->SetMassData(&mass);
-    }
-    bodies_.push_back(body);
-  }
-
-  float step_;
-  b2World world_;
-  const SteppedScene& scene_;
+  const Stepping& stepping_;
+  bool configured_;
+  b2World world_{to_box2d(stepping_.scene.gravity)};
   std::vector<b2Body*> bodies_;  // the world destroys them
 };
 

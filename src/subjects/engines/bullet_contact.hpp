@@ -23,7 +23,10 @@ inline btVector3 to_bullet(const Vector3<double>& v) {
   return {static_cast<btScalar>(v.x()), static_cast<btScalar>(v.y()), static_cast<btScalar>(v.z())};
 }
 
-inline Vector3<long double> from_bullet(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
+template <class Real = long double>
+Vector3<Real> from_bullet(const btVector3& v) {
+  return {v.x(), v.y(), v.z()};
+}
 
 struct Settings {
   btContactSolverInfo solver;  // defaults of the engine, step 1/60 s
@@ -47,26 +50,33 @@ inline Settings settings_of(const EngineSetting& setting) {
   return settings;
 }
 
-/// An immovable body is kinematic, so that its velocity enters the contact.
-inline btRigidBody make_body(const Body& body, const Settings& settings) {
-  const auto mass = static_cast<btScalar>(body.immovable ? 0 : body.mass);
-  btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, nullptr);
-  info.m_startWorldTransform.setOrigin(to_bullet(body.position));
-  if (!body.immovable) {
-    info.m_localInertia = to_bullet(body.principal_inertia);
-    const Quaternion<double> q = unit(body.orientation);
-    const auto scalar = [&](int i) { return static_cast<btScalar>(q[i]); };
-    info.m_startWorldTransform.setRotation({scalar(1), scalar(2), scalar(3), scalar(0)});
+/// `Facts` is a `Body` or a `SteppedBody`, and `State` a `Body` or a `BodyState`. The orientation has unit length.
+template <class Facts, class State>
+btRigidBody body_of(const Facts& facts, const State& state, const Quaternion<double>& orientation, bool is_immovable,
+                    btCollisionShape* shape) {
+  btRigidBody::btRigidBodyConstructionInfo info(static_cast<btScalar>(is_immovable ? 0 : facts.mass), nullptr, shape);
+  info.m_startWorldTransform.setOrigin(to_bullet(state.position));
+  const auto scalar = [&](int i) { return static_cast<btScalar>(orientation[i]); };
+  info.m_startWorldTransform.setRotation({scalar(1), scalar(2), scalar(3), scalar(0)});
+  if (!is_immovable) {
+    info.m_localInertia = to_bullet(facts.principal_inertia);
   }
   btRigidBody made(info);
+  made.setLinearVelocity(to_bullet(state.velocity));
+  made.setAngularVelocity(to_bullet(state.angular_velocity));
+  return made;
+}
+
+/// An immovable body is kinematic, so that its velocity enters the contact.
+inline btRigidBody make_body(const Body& body, const Settings& settings) {
+  const Quaternion<double> orientation = body.immovable ? Quaternion<double>(1, 0, 0, 0) : unit(body.orientation);
+  btRigidBody made = body_of(body, body, orientation, body.immovable, nullptr);
   if (body.immovable) {
     made.setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
   }
   if (!settings.gyroscopic) {
     made.setFlags(0);
   }
-  made.setLinearVelocity(to_bullet(body.velocity));
-  made.setAngularVelocity(to_bullet(body.angular_velocity));
   return made;
 }
 

@@ -12,9 +12,8 @@ namespace {
 
 static_assert(std::is_same_v<dReal, double>, "needs the double build of ODE");
 
-ode::World make_world(dThreadingImplementationID threading, bool configured) {
-  ode::World world(dWorldCreate());
-  dWorldSetStepThreadingImplementation(world.get(), dThreadingImplementationGetFunctions(threading), threading);
+ode::World make_world(const ode::Threading& threading, bool configured) {
+  ode::World world = ode::world_with(threading);
   const dWorldStepReserveInfo minimum{sizeof minimum, 1, 0};  // the least reserve, because a failed assertion leaks it
   dWorldSetStepMemoryReservationPolicy(world.get(), &minimum);
   if (configured) {
@@ -28,18 +27,12 @@ ode::RigidBody make_body(const ode::World& world, const Body& body, bool configu
   if (body.immovable) {
     dBodySetKinematic(made.get());
   } else {
-    const Vector3<double>& moments = body.principal_inertia;
-    dMass mass;
-    dMassSetParameters(&mass, body.mass, 0, 0, 0, moments.x(), moments.y(), moments.z(), 0, 0, 0);
-    dBodySetMass(made.get(), &mass);
-    dBodySetQuaternion(made.get(), unit(body.orientation).data());  // w, x, y, z, as in Carom
+    ode::set_mass(made.get(), body, body.orientation);
   }
   if (configured) {
     dBodySetGyroscopicMode(made.get(), 0);
   }
-  dBodySetPosition(made.get(), body.position.x(), body.position.y(), body.position.z());
-  dBodySetLinearVel(made.get(), body.velocity.x(), body.velocity.y(), body.velocity.z());
-  dBodySetAngularVel(made.get(), body.angular_velocity.x(), body.angular_velocity.y(), body.angular_velocity.z());
+  ode::set_motion(made.get(), body);
   return made;
 }
 
@@ -81,19 +74,18 @@ dContact make_contact(const Collision& collision, const EngineSetting& setting) 
 }
 
 BodyVelocity<long double> velocity_of(const ode::RigidBody& body) {
-  const Eigen::Map<const Vector3<double>> velocity(dBodyGetLinearVel(body.get()));
-  const Eigen::Map<const Vector3<double>> angular_velocity(dBodyGetAngularVel(body.get()));
-  return {velocity.cast<long double>(), angular_velocity.cast<long double>()};
+  return {ode::from_ode(dBodyGetLinearVel(body.get())).cast<long double>(),
+          ode::from_ode(dBodyGetAngularVel(body.get())).cast<long double>()};
 }
 
-ReportedOutcome step(const Collision& collision, const EngineSetting& setting, dThreadingImplementationID threading) {
+ReportedOutcome step(const Collision& collision, const EngineSetting& setting, ode::Threading& threading) {
   const ode::World world = make_world(threading, setting.configured);
   const ode::RigidBody a = make_body(world, collision.a, setting.configured);
   const ode::RigidBody b = make_body(world, collision.b, setting.configured);
   const dContact contact = make_contact(collision, setting);
   const ode::Joint joint(dJointCreateContact(world.get(), nullptr, &contact));
   dJointAttach(joint.get(), a.get(), b.get());
-  dWorldStep(world.get(), 1.0 / 60.0);  // [s]; does not affect the configured engine's answer
+  ode::step(world, 1.0 / 60.0, threading);  // [s]; does not affect the configured engine's answer
   return {velocity_of(a), velocity_of(b)};
 }
 
@@ -101,9 +93,8 @@ Answer solve(const Collision& collision, const EngineSetting& setting) {
   ode::last_warning.clear();
   ode::Threading threading = ode::own_threading();
   try {
-    return step(collision, setting, threading.get());
+    return step(collision, setting, threading);
   } catch (const ode::AssertionFailed& failure) {
-    static_cast<void>(threading.release());
     const std::string& warning = ode::last_warning;
     return Refused{std::string("ODE: ") + failure.what() + (warning.empty() ? "" : ", after the warning: " + warning)};
   }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <carom/collision/json/json.hpp>
 #include <carom/collision/json/object_reader.hpp>
@@ -22,12 +23,20 @@ using Reader = carom::detail::ObjectReader<json>;
 constexpr std::size_t longest_text = 100;          // bytes
 constexpr std::uint64_t most_steps = 100'000'000;  // of one run, so that a typing error does not run for a day
 
-std::string text(Reader& reader, const char* name, std::size_t longest) {
-  const json& value = reader.required(name);
-  if (!value.is_string()) {
-    throw FormatError(reader.at(name), "expected a string" + carom::detail::found(value));
+/// Throws FormatError with what was found if the value is not what was expected.
+void require(bool is_right, const std::string& place, const std::string& expected, const json& value) {
+  if (!is_right) {
+    throw FormatError(place, "expected " + expected + carom::detail::found(value));
   }
+}
+
+std::string text(const json& value, const std::string& place, std::size_t longest = longest_text) {
+  require(value.is_string(), place, "a string", value);
   return printable_line(value.get<std::string>(), longest);
+}
+
+std::string text(Reader& reader, const char* name, std::size_t longest = longest_text) {
+  return text(reader.required(name), reader.at(name), longest);
 }
 
 bool flag(Reader& reader, const char* name) {
@@ -35,69 +44,53 @@ bool flag(Reader& reader, const char* name) {
     return false;
   }
   const json& value = reader.required(name);
-  if (!value.is_boolean()) {
-    throw FormatError(reader.at(name), "expected true or false" + carom::detail::found(value));
-  }
+  require(value.is_boolean(), reader.at(name), "true or false", value);
   return value.get<bool>();
 }
 
 std::vector<std::string> texts(Reader& reader, const char* name) {
   std::vector<std::string> all;
-  if (!reader.has(name)) {
-    return all;
-  }
-  const json& values = reader.required(name);
-  const bool are_texts =
-      values.is_array() && std::all_of(values.begin(), values.end(), [](const json& one) { return one.is_string(); });
-  if (!are_texts) {
-    throw FormatError(reader.at(name), "expected an array of strings" + carom::detail::found(values));
-  }
-  for (const json& one : values) {
-    all.push_back(printable_line(one.get<std::string>(), longest_text));
+  if (reader.has(name)) {
+    const json& values = reader.required(name);
+    require(values.is_array(), reader.at(name), "an array of strings", values);
+    for (const json& one : values) {
+      all.push_back(text(one, fmt::format("{}/{}", reader.at(name), all.size())));
+    }
   }
   return all;
 }
 
 std::uint64_t count(const json& value, const std::string& place) {
-  if (!value.is_number_unsigned() || value.get<std::uint64_t>() > most_steps) {
-    throw FormatError(place,
-                      fmt::format("expected a whole number from 0 to {}", most_steps) + carom::detail::found(value));
-  }
+  require(value.is_number_unsigned() && value.get<std::uint64_t>() <= most_steps, place,
+          fmt::format("a whole number from 0 to {}", most_steps), value);
   return value.get<std::uint64_t>();
 }
 
-double number_above(Reader& reader, const char* name, double least) {
+double positive_number(Reader& reader, const char* name) {
   double number = 0;
   reader.number(name, number);
-  if (!(std::isfinite(number) && number > least)) {
-    throw FormatError(reader.at(name), fmt::format("expected a number above {}, found {}", least, number));
-  }
+  require(std::isfinite(number) && number > 0, reader.at(name), "a number above 0", reader.required(name));
   return number;
 }
 
-double number_from(Reader& reader, const char* name, double least, double most) {
+double number_up_to(Reader& reader, const char* name, double most) {
   double number = 0;
   reader.number(name, number);
-  if (!(number >= least && number <= most)) {
-    throw FormatError(reader.at(name), fmt::format("expected a number from {} to {}, found {}", least, most, number));
-  }
+  require(number >= 0 && number <= most, reader.at(name), fmt::format("a number from 0 to {}", most),
+          reader.required(name));
   return number;
 }
 
 template <class Vector>
 void finite_numbers(Reader& reader, const char* name, Vector& into) {
   reader.numbers(name, into);
-  if (!into.allFinite()) {
-    throw FormatError(reader.at(name), "expected finite numbers");
-  }
+  require(into.allFinite(), reader.at(name), "finite numbers", reader.required(name));
 }
 
 Vector3<double> positive_numbers(Reader& reader, const char* name) {
   Vector3<double> numbers;
   finite_numbers(reader, name, numbers);
-  if (!(numbers.array() > 0).all()) {
-    throw FormatError(reader.at(name), "expected numbers above 0");
-  }
+  require((numbers.array() > 0).all(), reader.at(name), "numbers above 0", reader.required(name));
   return numbers;
 }
 
@@ -132,9 +125,8 @@ json request_without_scene(std::uint64_t id, const Stepping& stepping) {
 
 Reader reader_of_reply(const json& reply, std::uint64_t id) {
   Reader reader(reply, "");
-  if (reader.required("id") != id) {
-    throw FormatError("/id", fmt::format("expected {}", id) + carom::detail::found(reply.at("id")));
-  }
+  const json& found = reader.required("id");
+  require(found == id, "/id", std::to_string(id), found);
   return reader;
 }
 
@@ -161,24 +153,27 @@ json body_record(const SteppedBody& one) {
   return body;
 }
 
+/// The only one of these fields that the object has.
+std::string_view only_of(Reader& reader, const std::string& place, const std::array<const char*, 3>& names) {
+  const auto has = [&](const char* name) { return reader.has(name); };
+  if (std::count_if(names.begin(), names.end(), has) != 1) {
+    throw FormatError(place, fmt::format("expected exactly one of {}", fmt::join(names, ", ")));
+  }
+  return *std::find_if(names.begin(), names.end(), has);
+}
+
 Shape shape_of(Reader& reader, const std::string& place) {
-  const bool is_sphere = reader.has("sphere");
-  const bool is_box = reader.has("box");
-  const bool is_half_space = reader.has("half_space");
-  if ((is_sphere ? 1 : 0) + (is_box ? 1 : 0) + (is_half_space ? 1 : 0) != 1) {
-    throw FormatError(place, "expected exactly one of sphere, box, half_space");
+  const std::string_view kind = only_of(reader, place, {"sphere", "box", "half_space"});
+  if (kind == "sphere") {
+    return SphereShape{positive_number(reader, "sphere")};
   }
-  if (is_sphere) {
-    return SphereShape{number_above(reader, "sphere", 0)};
-  }
-  if (is_box) {
+  if (kind == "box") {
     return BoxShape{positive_numbers(reader, "box")};
   }
   HalfSpaceShape half_space;
   finite_numbers(reader, "half_space", half_space.normal);
-  if (half_space.normal.isZero(0)) {
-    throw FormatError(reader.at("half_space"), "expected a normal of nonzero length");
-  }
+  require(!half_space.normal.isZero(0), reader.at("half_space"), "a normal of nonzero length",
+          reader.required("half_space"));
   return half_space;
 }
 
@@ -193,12 +188,11 @@ SteppedBody body_from(const json& record, const std::string& place) {
   finite_numbers(reader, "position", one.state.position);
   if (!one.is_fixed || reader.has("orientation")) {
     finite_numbers(reader, "orientation", one.state.orientation);
-    if (one.state.orientation.isZero(0)) {
-      throw FormatError(reader.at("orientation"), "expected a quaternion of nonzero length");
-    }
+    require(!one.state.orientation.isZero(0), reader.at("orientation"), "a quaternion of nonzero length",
+            reader.required("orientation"));
   }
   if (!one.is_fixed) {
-    one.mass = number_above(reader, "mass", 0);
+    one.mass = positive_number(reader, "mass");
     one.principal_inertia = positive_numbers(reader, "principal_inertia");
     finite_numbers(reader, "velocity", one.state.velocity);
     finite_numbers(reader, "angular_velocity", one.state.angular_velocity);
@@ -211,13 +205,11 @@ SteppedScene scene_from(const json& record) {
   Reader reader(record, "/scene");
   SteppedScene scene;
   finite_numbers(reader, "gravity", scene.gravity);
-  scene.restitution = number_from(reader, "restitution", 0, 1);
-  scene.friction = number_from(reader, "friction", 0, std::numeric_limits<double>::max());
+  scene.restitution = number_up_to(reader, "restitution", 1);
+  scene.friction = number_up_to(reader, "friction", std::numeric_limits<double>::max());
   scene.is_continuous = flag(reader, "continuous");
   const json& bodies = reader.required("bodies");
-  if (!bodies.is_array() || bodies.empty()) {
-    throw FormatError("/scene/bodies", "expected an array of bodies" + carom::detail::found(bodies));
-  }
+  require(bodies.is_array() && !bodies.empty(), "/scene/bodies", "an array of bodies", bodies);
   for (const json& body : bodies) {
     scene.bodies.push_back(body_from(body, fmt::format("/scene/bodies/{}", scene.bodies.size())));
   }
@@ -226,9 +218,7 @@ SteppedScene scene_from(const json& record) {
 }
 
 std::vector<BodyState> states_from(const json& values, const std::string& place, std::size_t bodies) {
-  if (!values.is_array() || values.size() != bodies) {
-    throw FormatError(place, fmt::format("expected the states of {} bodies", bodies) + carom::detail::found(values));
-  }
+  require(values.is_array() && values.size() == bodies, place, fmt::format("the states of {} bodies", bodies), values);
   std::vector<BodyState> states;
   for (const json& value : values) {
     Reader reader(value, fmt::format("{}/{}", place, states.size()));
@@ -242,19 +232,18 @@ std::vector<BodyState> states_from(const json& values, const std::string& place,
 Stepper stepper_from(std::string_view line) {
   const json reply = parse_json(line);
   Reader reader(reply, "");
-  if (reader.required("protocol") != version) {
-    throw FormatError("/protocol", fmt::format("expected {}", version) + carom::detail::found(reply.at("protocol")));
-  }
+  const json& protocol = reader.required("protocol");
+  require(protocol == version, "/protocol", std::to_string(version), protocol);
   if (!flag(reader, "time")) {
     throw FormatError("/time", "is missing or false: the program does not answer `run`");
   }
   Stepper stepper;
-  stepper.name = text(reader, "name", longest_text);
+  stepper.name = text(reader, "name");
   if (stepper.name.empty()) {
     throw FormatError("/name", "is empty; expected a name");
   }
-  stepper.version = reader.has("version") ? text(reader, "version", longest_text) : "";
-  stepper.precision = precision_named(text(reader, "precision", longest_text));
+  stepper.version = reader.has("version") ? text(reader, "version") : "";
+  stepper.precision = precision_named(text(reader, "precision"));
   stepper.is_planar = flag(reader, "planar");
   stepper.restores = flag(reader, "restores");
   stepper.cannot = texts(reader, "cannot");
@@ -297,20 +286,17 @@ RunRequest run_request_from(std::string_view line) {
   RunRequest request{};
   (void)reader.has("cmd");
   request.id = count(reader.required("id"), "/id");
-  request.stepping.step = number_above(reader, "step", 0);
+  request.stepping.step = positive_number(reader, "step");
   const std::uint64_t steps = count(reader.required("steps"), "/steps");
   const json& report = reader.required("report");
-  if (!report.is_array() || report.empty()) {
-    throw FormatError("/report", "expected an array of numbers of steps" + carom::detail::found(report));
-  }
+  require(report.is_array() && !report.empty(), "/report", "an array of numbers of steps", report);
+  std::vector<std::uint64_t>& numbers = request.stepping.report;
   for (const json& after : report) {
-    const std::string place = fmt::format("/report/{}", request.stepping.report.size());
+    const std::string place = fmt::format("/report/{}", numbers.size());
     const std::uint64_t number = count(after, place);
-    if (number > steps || (!request.stepping.report.empty() && number <= request.stepping.report.back())) {
-      throw FormatError(
-          place, "expected ascending numbers of steps, each once and at most `steps`" + carom::detail::found(after));
-    }
-    request.stepping.report.push_back(number);
+    require(number <= steps && (numbers.empty() || number > numbers.back()), place,
+            "ascending numbers of steps, each once and at most `steps`", after);
+    numbers.push_back(number);
   }
   request.stepping.scene = scene_from(reader.required("scene"));
   reader.reject_others();
@@ -339,28 +325,22 @@ std::string run_reply(std::uint64_t id, const SteppingAnswer& answer) {
 SteppingAnswer run_reply_from(std::string_view line, std::uint64_t id, const Stepping& stepping) {
   const json reply = parse_json(line);
   Reader reader = reader_of_reply(reply, id);
-  const bool is_skipped = reader.has("skipped");
-  const bool is_refused = reader.has("error");
-  if ((is_skipped ? 1 : 0) + (is_refused ? 1 : 0) + (reader.has("states") ? 1 : 0) != 1) {
-    throw FormatError("expected exactly one of: states, skipped, error");
-  }
-  if (is_skipped) {
+  const std::string_view kind = only_of(reader, "reply", {"states", "skipped", "error"});
+  if (kind == "skipped") {
     return Skipped{text(reader, "skipped", longest_reason)};
   }
-  if (is_refused) {
+  if (kind == "error") {
     return Refused{text(reader, "error", longest_reason)};
   }
   const json& states = reader.required("states");
-  if (!states.is_array() || states.size() != stepping.report.size()) {
-    throw FormatError("/states", fmt::format("expected the states after {} numbers of steps", stepping.report.size()) +
-                                     carom::detail::found(states));
-  }
+  require(states.is_array() && states.size() == stepping.report.size(), "/states",
+          fmt::format("the states after {} numbers of steps", stepping.report.size()), states);
   SteppedStates answer;
   for (const json& one : states) {
     answer.states.push_back(
         states_from(one, fmt::format("/states/{}", answer.states.size()), stepping.scene.bodies.size()));
   }
-  answer.seconds = number_from(reader, "seconds", 0, std::numeric_limits<double>::max());
+  answer.seconds = number_up_to(reader, "seconds", std::numeric_limits<double>::max());
   return answer;
 }
 

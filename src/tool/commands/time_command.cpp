@@ -11,6 +11,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -67,88 +68,95 @@ properties::Ladder ladder_of(const TimeArguments& arguments) {
 /// The name of the relations, which have no known answer, beside those of the phenomena.
 constexpr const char* heap = "heap";
 
-bool is_chosen(const TimeArguments& arguments, std::string_view name) {
-  const std::vector<std::string>& names = arguments.phenomena;
-  return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
-}
-
-/// The phenomena that were named, all of them if none was.
-std::vector<const properties::Phenomenon*> chosen_phenomena(const TimeArguments& arguments) {
-  std::vector<const properties::Phenomenon*> chosen;
-  for (const properties::Phenomenon& one : properties::all_phenomena()) {
-    if (is_chosen(arguments, one.name)) {
-      chosen.push_back(&one);
-    }
-  }
-  return chosen;
-}
-
 std::vector<std::string> known_phenomena() {
   std::vector<std::string> known = properties::phenomenon_names();
   known.emplace_back(heap);
   return known;
 }
 
-/// Throws UsageError if there is no phenomenon of a name.
-void read_phenomena(const TimeArguments& arguments) {
+/// What is measured.
+struct Choice {
+  std::vector<const properties::Phenomenon*> phenomena;
+  bool has_relations = false;
+};
+
+/// What was named, all if nothing was. Throws UsageError if there is no phenomenon of a name.
+Choice choice_of(const TimeArguments& arguments) {
   const std::vector<std::string> known = known_phenomena();
-  for (const std::string& name : arguments.phenomena) {
+  const std::vector<std::string>& names = arguments.phenomena.empty() ? known : arguments.phenomena;
+  for (const std::string& name : names) {
     if (std::find(known.begin(), known.end(), name) == known.end()) {
       throw UsageError(report::shown(
           fmt::format("--phenomena: no phenomenon is named {}; there are {}", name, fmt::join(known, ", "))));
     }
   }
+  const auto is_named = [&](std::string_view one) { return std::find(names.begin(), names.end(), one) != names.end(); };
+  Choice choice{{}, is_named(heap)};
+  for (const properties::Phenomenon& one : properties::all_phenomena()) {
+    if (is_named(one.name)) {
+      choice.phenomena.push_back(&one);
+    }
+  }
+  return choice;
 }
 
 /// The engines that were named, all of them if none was. Throws UsageError if there is none of a name.
 std::vector<Stepper> chosen_engines(const TimeArguments& arguments, const std::stop_token& stop) {
   const subjects::protocol::ExecOptions options = subjects::protocol::exec_options(arguments.timeout, stop);
   const std::vector<Stepper> all = subjects::all_steppers();
+  std::vector<std::string> known;
+  std::transform(all.begin(), all.end(), std::back_inserter(known), [](const Stepper& one) { return one.name; });
+  const std::vector<std::string>& names = arguments.subjects.empty() ? known : arguments.subjects;
   std::vector<Stepper> chosen;
-  for (const std::string& name : arguments.subjects) {
-    if (std::count(arguments.subjects.begin(), arguments.subjects.end(), name) > 1) {
+  for (const std::string& name : names) {
+    const auto place = std::find(known.begin(), known.end(), name) - known.begin();
+    if (std::count(names.begin(), names.end(), name) > 1) {
       throw UsageError(report::shown(fmt::format("the engine {} is named twice", name)));
     }
     if (name.starts_with(subjects::protocol::exec_prefix)) {
       chosen.push_back(subjects::protocol::exec_stepper(name, options));
-      continue;
-    }
-    const auto found = std::find_if(all.begin(), all.end(), [&](const Stepper& one) { return one.name == name; });
-    if (found == all.end()) {
-      std::vector<std::string> known;
-      std::transform(all.begin(), all.end(), std::back_inserter(known), [](const Stepper& one) { return one.name; });
+    } else if (static_cast<std::size_t>(place) < all.size()) {
+      chosen.push_back(subjects::started(all[static_cast<std::size_t>(place)], options));
+    } else {
       throw UsageError(report::shown(
           fmt::format("no engine in time is named {}; there are {}, and 'exec:PROGRAM ARG…' for a program", name,
                       fmt::join(known, ", "))));
-    }
-    chosen.push_back(subjects::started(*found, options));
-  }
-  if (arguments.subjects.empty()) {
-    for (const Stepper& one : all) {
-      chosen.push_back(subjects::started(one, options));
     }
   }
   return chosen;
 }
 
-report::TimedEngine measured(const Stepper& stepper, const TimeArguments& arguments, const properties::Ladder& ladder,
-                             bool has_relations, const std::stop_token& stop,
-                             const std::function<void()>& on_phenomenon) {
+/// What happens while engines are measured.
+struct Progress {
+  std::function<void()> on_phenomenon;
+  std::function<void(const std::string& what)> on_first_failure;  // of an engine
+};
+
+report::TimedEngine measured(const Stepper& stepper, const Choice& choice, const properties::Ladder& ladder,
+                             const std::stop_token& stop, const Progress& progress) {
   report::TimedEngine engine{stepper.name, stepper.version, stepper.precision, stepper.absent};
   engine.specification = stepper.specification;
   if (!engine.absent.empty()) {
     return engine;
   }
   const auto start = std::chrono::steady_clock::now();
-  Stepper::Session session = properties::patient(stepper.open(), stop);
-  for (const properties::Phenomenon* const phenomenon : chosen_phenomena(arguments)) {
+  std::string_view asked = heap;
+  bool has_failed = false;
+  Stepper::Session session = properties::patient(stepper.open(), stop, [&](const std::string& why) {
+    if (!std::exchange(has_failed, true)) {
+      progress.on_first_failure(fmt::format("{}, {}: {}", stepper.name, asked, why));
+    }
+  });
+  for (const properties::Phenomenon* const phenomenon : choice.phenomena) {
     if (stop.stop_requested()) {
       break;
     }
+    asked = phenomenon->name;
     engine.measurements.push_back(properties::measure(*phenomenon, stepper, session, ladder));
-    on_phenomenon();
+    progress.on_phenomenon();
   }
-  if (has_relations && !stop.stop_requested()) {
+  if (choice.has_relations && !stop.stop_requested()) {
+    asked = heap;
     engine.relations = properties::heap_relations(stepper, session, report::compared_step(ladder));
   }
   for (const std::string& text : stepper.claims) {
@@ -166,25 +174,27 @@ report::TimedEngine measured(const Stepper& stepper, const TimeArguments& argume
 }
 
 /// Measures two engines at once. More would disturb each other's times on a small machine.
-report::TimeRun measured(const std::vector<Stepper>& engines, const TimeArguments& arguments,
-                         const properties::Ladder& ladder, bool has_relations, const std::stop_token& stop) {
-  report::TimeRun run{this_environment(), ladder, std::vector<report::TimedEngine>(engines.size()),
-                      !arguments.subjects.empty(), false};
-  const auto progress = progress_line("phenomena measured");
-  const std::size_t all = chosen_phenomena(arguments).size() * engines.size();
+report::TimeRun measured(const std::vector<Stepper>& engines, bool are_named, const Choice& choice,
+                         const properties::Ladder& ladder, const std::stop_token& stop) {
+  report::TimeRun run{this_environment(), ladder, std::vector<report::TimedEngine>(engines.size()), are_named, false};
+  const auto line = progress_line("phenomena measured");
   std::uint64_t done = 0;
   std::mutex one_at_a_time;
-  const auto on_phenomenon = [&] {
-    const std::lock_guard lock(one_at_a_time);
-    ++done;
-    if (progress) {
-      progress(done, all);
-    }
-  };
+  const Progress progress{[&] {
+                            const std::lock_guard lock(one_at_a_time);
+                            ++done;
+                            if (line) {
+                              line(done, choice.phenomena.size() * engines.size());
+                            }
+                          },
+                          [&](const std::string& what) {
+                            const std::lock_guard lock(one_at_a_time);
+                            fmt::print(stderr, "{}carom: {}\n", line ? "\n" : "", report::shown(what));
+                          }};
   std::atomic<std::size_t> next = 0;
   const auto work = [&] {
     for (std::size_t i = next++; i < engines.size(); i = next++) {
-      run.engines[i] = measured(engines[i], arguments, ladder, has_relations, stop, on_phenomenon);
+      run.engines[i] = measured(engines[i], choice, ladder, stop, progress);
     }
   };
   std::future<void> other = std::async(std::launch::async, work);
@@ -211,7 +221,8 @@ void draw_pictures(const report::TimeRun& run, const std::filesystem::path& dire
   }
 }
 
-void write_reports(const report::TimeRun& run, const TimeArguments& arguments, std::optional<StagedOutput>& staged) {
+void write_reports(const report::TimeRun& run, const TimeArguments& arguments, const Choice& choice,
+                   std::optional<StagedOutput>& staged) {
   const std::string record = time_record(run).dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
   write_output(arguments.format == "json" ? record : time_text(run));
   if (staged) {
@@ -221,7 +232,7 @@ void write_reports(const report::TimeRun& run, const TimeArguments& arguments, s
     write_file(staged->stage() / "report.html", time_html(run));
     staged->put_in_place("report.html");
   }
-  for (const properties::Phenomenon* const one : chosen_phenomena(arguments)) {
+  for (const properties::Phenomenon* const one : choice.phenomena) {
     if (!arguments.pages.empty()) {
       write_file(std::filesystem::path(arguments.pages) / fmt::format("{}.md", one->name), phenomenon_page(*one, run),
                  "--pages");
@@ -230,24 +241,18 @@ void write_reports(const report::TimeRun& run, const TimeArguments& arguments, s
 }
 
 /// Throws UsageError for a text that is no claim.
-void read_claims(const std::vector<Stepper>& engines) {
-  for (const Stepper& engine : engines) {
-    for (const std::string& claim : engine.claims) {
-      try {
-        static_cast<void>(properties::time_claim_from(claim));
-      } catch (const std::invalid_argument& error) {
-        throw UsageError(report::shown(fmt::format("{}: time_claims: {}", engine.name, error.what())));
-      }
-    }
-  }
+void read_claims(const Stepper& engine) try {
+  std::for_each(engine.claims.begin(), engine.claims.end(), properties::time_claim_from);
+} catch (const std::invalid_argument& error) {
+  throw UsageError(report::shown(fmt::format("{}: time_claims: {}", engine.name, error.what())));
 }
 
 int measure_in_time(const TimeArguments& arguments) {
   const std::stop_token stop = stop_on_interrupt();
   const properties::Ladder ladder = ladder_of(arguments);
-  read_phenomena(arguments);
+  const Choice choice = choice_of(arguments);
   const std::vector<Stepper> engines = chosen_engines(arguments, stop);
-  read_claims(engines);
+  std::for_each(engines.begin(), engines.end(), read_claims);
   std::optional<StagedOutput> staged;  // the directories are made before the measurement, which may take minutes
   if (!arguments.out.empty()) {
     staged.emplace(arguments.out);
@@ -256,16 +261,19 @@ int measure_in_time(const TimeArguments& arguments) {
     make_directories(arguments.pages, "--pages");
   }
   const bool is_full = !arguments.is_quick && arguments.steps.empty();
-  if (is_full && arguments.format == "text" && !chosen_phenomena(arguments).empty()) {
-    const report::TimeRun first = measured(engines, arguments, properties::quick_ladder(), false, stop);
+  const auto run_of = [&](const Choice& what, const properties::Ladder& steps) {
+    return measured(engines, !arguments.subjects.empty(), what, steps, stop);
+  };
+  if (is_full && arguments.format == "text" && !choice.phenomena.empty()) {
+    const report::TimeRun first = run_of({choice.phenomena, false}, properties::quick_ladder());
     if (first.interrupted) {
-      write_reports(first, arguments, staged);
+      write_reports(first, arguments, choice, staged);
       return report::exit_usage;
     }
     write_output("A first pass, as by --quick:\n\n" + time_summary(first) + "\nAll steps and phases:\n\n");
   }
-  const report::TimeRun run = measured(engines, arguments, ladder, is_chosen(arguments, heap), stop);
-  write_reports(run, arguments, staged);
+  const report::TimeRun run = run_of(choice, ladder);
+  write_reports(run, arguments, choice, staged);
   return run.exit_status();
 }
 
