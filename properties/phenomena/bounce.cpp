@@ -75,18 +75,15 @@ PosedRun posed(const Directions& d, double step, double share, double restitutio
   run.stepping.scene.bodies.push_back(falling);
   // The difference is exact, so the fall is that of the posed position.
   const oracles::Fall fall{d.up.dot(falling.state.position) - radius, gravity, restitution};
-  std::vector<Bounce> bounces{bounce(fall, 1, step)};
+  std::vector<Bounce> bounces;
   std::vector<double> times;
-  if (restitution > 0) {
-    bounces = {bounce(fall, 1, step), bounce(fall, 2, step), bounce(fall, 3, step), bounce(fall, 4, step),
-               bounce(fall, 5, step)};
-  } else {
-    bounces[0].apex += 0.1;  // it lies on the floor
+  for (const unsigned n : {1U, 2U, 3U, 4U, 5U, 20U}) {
+    if (n == 1 || (restitution > 0 && (n < 20 || is_long))) {
+      bounces.push_back(bounce(fall, n, step));
+      bounces.back().apex += restitution > 0 ? 0 : 0.1;  // it lies on the floor
+      times.push_back(bounces.back().apex);
+    }
   }
-  if (is_long) {
-    bounces.push_back(bounce(fall, 20, step));
-  }
-  std::transform(bounces.begin(), bounces.end(), std::back_inserter(times), [](const Bounce& b) { return b.apex; });
   run.stepping.report = report_at(times, step);
   run.read = [=, report = run.stepping.report](const SteppedStates& states) {
     return read(fall, bounces, d, report, step, states);
@@ -95,15 +92,12 @@ PosedRun posed(const Directions& d, double step, double share, double restitutio
 }
 
 std::vector<PosedRun> runs(const Ladder& ladder, bool planar) {
-  const Directions d = directions(planar);
-  std::vector<PosedRun> all;
   const double shortest_long = ladder.steps[std::min<std::size_t>(ladder.steps.size(), 3) - 1];
-  each_phase(ladder, [&](double step, double share) {
+  return at_each_phase(ladder, planar, [&](std::vector<PosedRun>& all, const Directions& d, double step, double share) {
     for (const double restitution : {0.0, 0.25, 0.5, 0.75, 1.0}) {
       all.push_back(posed(d, step, share, restitution, restitution == 1 && step >= shortest_long));
     }
   });
-  return all;
 }
 
 }  // namespace

@@ -44,9 +44,7 @@ PosedRun posed(const Directions& d, double step, double share, double restitutio
 }
 
 std::vector<PosedRun> runs(const Ladder& ladder, bool planar) {
-  const Directions d = directions(planar);
-  std::vector<PosedRun> all;
-  each_phase(ladder, [&](double step, double share) {
+  return at_each_phase(ladder, planar, [&](std::vector<PosedRun>& all, const Directions& d, double step, double share) {
     for (const double restitution : {0.0, 0.5}) {
       all.push_back(posed(d, step, share, restitution, 0));
       if (!planar) {
@@ -54,7 +52,6 @@ std::vector<PosedRun> runs(const Ladder& ladder, bool planar) {
       }
     }
   });
-  return all;
 }
 
 }  // namespace

@@ -97,13 +97,11 @@ PosedRun posed(double step, Eigen::Index axis) {
 }
 
 std::vector<PosedRun> runs(const Ladder& ladder, bool planar) {
-  std::vector<PosedRun> all;
-  for (const double step : ladder.steps) {
-    for (Eigen::Index axis = 0; axis < 3 && !planar; ++axis) {
+  return at_each_step(ladder, planar, [&](std::vector<PosedRun>& all, const Directions& d, double step) {
+    for (Eigen::Index axis = 0; axis < 3 && !d.is_planar; ++axis) {
       all.push_back(posed(step, axis));
     }
-  }
-  return all;
+  });
 }
 
 }  // namespace

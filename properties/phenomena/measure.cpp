@@ -19,21 +19,27 @@ double median(std::vector<double> values) {
 
 /// A reading of a run, and the relative error that rounding explains.
 struct Read {
-  double step;
   Reading reading;
   double rounding;
 };
 
+/// The reads of one reading.
+struct Reads {
+  std::string what;
+  std::string unit;
+  std::map<double, std::vector<Read>> of_step;
+};
+
 template <class F>
-std::vector<double> each(const std::vector<const Read*>& reads, F f) {
+std::vector<double> each(const std::vector<Read>& reads, F f) {
   std::vector<double> values(reads.size());
-  std::transform(reads.begin(), reads.end(), values.begin(), [&](const Read* read) { return f(*read); });
+  std::transform(reads.begin(), reads.end(), values.begin(), f);
   return values;
 }
 
 double shift(const Reading& reading) { return (reading.measured - reading.right) / reading.scale; }
 
-Rung rung_of(double step, const std::vector<const Read*>& reads) {
+Rung rung_of(double step, const std::vector<Read>& reads) {
   const auto errors = each(reads, [](const Read& read) { return std::abs(shift(read.reading)); });
   const auto worths = each(reads, [](const Read& read) {
     const Reading& one = read.reading;
@@ -52,30 +58,16 @@ Rung rung_of(double step, const std::vector<const Read*>& reads) {
           median(each(reads, [](const Read& read) { return shift(read.reading); }))};
 }
 
-/// The readings in the order in which they were first read, with the rungs in the order of the ladder.
-std::vector<MeasuredReading> gathered(const std::vector<Read>& reads, const std::vector<double>& steps) {
-  std::vector<MeasuredReading> all;
-  for (const Read& read : reads) {
-    const auto is_same = [&](const auto& other) { return other.what == read.reading.what; };
-    if (std::any_of(all.begin(), all.end(), is_same)) {
-      continue;
+/// The rungs are in the order of the ladder.
+MeasuredReading gathered(const Reads& reads, const std::vector<double>& steps) {
+  MeasuredReading measured{reads.what, reads.unit, {}, {}};
+  for (const double step : steps) {
+    if (const auto here = reads.of_step.find(step); here != reads.of_step.end()) {
+      measured.rungs.push_back(rung_of(step, here->second));
     }
-    MeasuredReading measured{read.reading.what, read.reading.unit, {}, {}};
-    for (const double step : steps) {
-      std::vector<const Read*> here;
-      for (const Read& other : reads) {
-        if (other.step == step && is_same(other.reading)) {
-          here.push_back(&other);
-        }
-      }
-      if (!here.empty()) {
-        measured.rungs.push_back(rung_of(step, here));
-      }
-    }
-    measured.order = fitted_order(measured.rungs);
-    all.push_back(std::move(measured));
   }
-  return all;
+  measured.order = fitted_order(measured.rungs);
+  return measured;
 }
 
 /// The relative error of a reading that rounding explains: that of the answer, and one rounding of the state a step.
@@ -148,21 +140,20 @@ Stepper::Session patient(Stepper::Session session, std::stop_token stop,
   using Clock = std::chrono::steady_clock;
   constexpr double most_lost = 180;  // [s]: a program that always hangs would take hours
   return [=](const Stepping& stepping) mutable -> SteppingAnswer {
-    const Clock::time_point start = Clock::now();
-    if (!stop.stop_requested() && lost < most_lost) {
-      SteppingAnswer answer = checked(session(stepping), stepping);
-      const auto* const failed = std::get_if<Failed>(&answer);
-      if (failed == nullptr) {
-        return answer;
-      }
-      lost += std::chrono::duration<double>(Clock::now() - start).count();
-      if (!stop.stop_requested()) {
-        on_failure(failed->why);
-        return answer;
-      }
+    if (!stop.stop_requested() && lost >= most_lost) {
+      return Skipped{"runs that failed took three minutes before"};
     }
-    return Skipped{stop.stop_requested() ? "the measurement was interrupted"
-                                         : "runs that failed took three minutes before"};
+    const Clock::time_point start = Clock::now();
+    SteppingAnswer answer = stop.stop_requested() ? Skipped{} : checked(session(stepping), stepping);
+    const auto* const failed = std::get_if<Failed>(&answer);
+    lost += failed == nullptr ? 0 : std::chrono::duration<double>(Clock::now() - start).count();
+    if (stop.stop_requested()) {
+      return Skipped{"the measurement was interrupted"};
+    }
+    if (failed != nullptr) {
+      on_failure(failed->why);
+    }
+    return answer;
   };
 }
 
@@ -194,7 +185,7 @@ std::optional<double> fitted_order(std::span<const Rung> rungs) {
 Measurement measure(const Phenomenon& phenomenon, const Stepper& stepper, Stepper::Session& session,
                     const Ladder& ladder) {
   Measurement result{std::string(phenomenon.name), phenomenon.version, {}, {}, {}, 0};
-  std::vector<Read> reads;
+  std::vector<Reads> all;
   std::map<double, std::vector<double>> seconds;  // of a step
   constexpr unsigned most_failures = 3;
   unsigned failures = 0;
@@ -217,10 +208,15 @@ Measurement measure(const Phenomenon& phenomenon, const Stepper& stepper, Steppe
         continue;
       }
       const double rounding = rounding_of(reading, run.stepping, stepper.precision);
-      reads.push_back({run.stepping.step, std::move(reading), rounding});
+      auto reads = std::find_if(all.begin(), all.end(), [&](const Reads& one) { return one.what == reading.what; });
+      if (reads == all.end()) {
+        reads = all.insert(all.end(), {reading.what, reading.unit, {}});
+      }
+      reads->of_step[run.stepping.step].push_back({std::move(reading), rounding});
     }
   }
-  result.readings = gathered(reads, ladder.steps);
+  std::transform(all.begin(), all.end(), std::back_inserter(result.readings),
+                 [&](const Reads& reads) { return gathered(reads, ladder.steps); });
   for (const double step : ladder.steps) {
     if (std::none_of(runs.begin(), runs.end(), [&](const PosedRun& run) { return run.stepping.step == step; })) {
       ++result.runs;

@@ -56,21 +56,19 @@ PosedRun posed(const Directions& d, double step, double share, const Shot& shot)
 }
 
 std::vector<PosedRun> runs(const Ladder& ladder, bool planar) {
-  const Directions d = directions(planar);
-  std::vector<PosedRun> all;
   // The answer depends on the diameters a step and hardly on the step.
   Ladder longest = ladder;
   longest.steps.resize(std::min<std::size_t>(ladder.steps.size(), 2));
-  each_phase(longest, [&](double step, double share) {
-    for (const double diameters : {0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0}) {
-      for (const bool at_wall : {true, false}) {
-        for (const bool is_continuous : {false, true}) {
-          all.push_back(posed(d, step, share, {diameters, at_wall, is_continuous}));
-        }
-      }
-    }
-  });
-  return all;
+  return at_each_phase(longest, planar,
+                       [&](std::vector<PosedRun>& all, const Directions& d, double step, double share) {
+                         for (const double diameters : {0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0}) {
+                           for (const bool at_wall : {true, false}) {
+                             for (const bool is_continuous : {false, true}) {
+                               all.push_back(posed(d, step, share, {diameters, at_wall, is_continuous}));
+                             }
+                           }
+                         }
+                       });
 }
 
 }  // namespace

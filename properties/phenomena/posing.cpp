@@ -75,14 +75,6 @@ Reported reported_at(const SteppedStates& states, const std::vector<std::uint64_
   return {{step, steps}, states.states.at(static_cast<std::size_t>(place))};
 }
 
-std::vector<PosedRun> at_each_step(const Ladder& ladder, bool planar,
-                                   PosedRun (*posed)(const Directions& d, double step)) {
-  std::vector<PosedRun> all(ladder.steps.size());
-  std::transform(ladder.steps.begin(), ladder.steps.end(), all.begin(),
-                 [&](double step) { return posed(directions(planar), step); });
-  return all;
-}
-
 double height_of_fall(double height, double step, double share) {
   const double whole = std::floor(std::sqrt(2 * height / gravity) / step);
   const double time = (whole + share) * step;

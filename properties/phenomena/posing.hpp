@@ -56,19 +56,24 @@ struct Reported {
 [[nodiscard]] Reported reported_at(const SteppedStates& states, const std::vector<std::uint64_t>& report, double time,
                                    double step);
 
-/// Calls f(step, share of a step) for each step of the ladder and each phase.
-template <class F>
-void each_phase(const Ladder& ladder, F f) {
+/// Calls pose(runs, directions, step, share of a step) for each step and each phase. Returns the runs that it adds.
+template <class Pose>
+[[nodiscard]] std::vector<PosedRun> at_each_phase(const Ladder& ladder, bool planar, Pose pose) {
+  std::vector<PosedRun> runs;
   for (const double step : ladder.steps) {
     for (unsigned phase = 0; phase < ladder.phases; ++phase) {
-      f(step, static_cast<double>(phase) / static_cast<double>(ladder.phases));
+      pose(runs, directions(planar), step, static_cast<double>(phase) / static_cast<double>(ladder.phases));
     }
   }
+  return runs;
 }
 
-/// The run posed(directions, step) for each step of the ladder.
-[[nodiscard]] std::vector<PosedRun> at_each_step(const Ladder& ladder, bool planar,
-                                                 PosedRun (*posed)(const Directions& d, double step));
+/// The runs pose(runs, directions, step) for each step.
+template <class Pose>
+[[nodiscard]] std::vector<PosedRun> at_each_step(const Ladder& ladder, bool planar, Pose pose) {
+  return at_each_phase({ladder.steps, 1}, planar,
+                       [&](auto& runs, const Directions& d, double step, double /*share*/) { pose(runs, d, step); });
+}
 
 /// A height near `height`. A fall from it takes a whole number of steps and the share of one.
 [[nodiscard]] double height_of_fall(double height, double step, double share);

@@ -41,7 +41,11 @@ PosedRun posed(const Directions& d, double step) {
   return run;
 }
 
-std::vector<PosedRun> runs(const Ladder& ladder, bool planar) { return at_each_step(ladder, planar, posed); }
+std::vector<PosedRun> runs(const Ladder& ladder, bool planar) {
+  return at_each_step(ladder, planar, [&](std::vector<PosedRun>& all, const Directions& d, double step) {
+    all.push_back(posed(d, step));
+  });
+}
 
 }  // namespace
 

@@ -29,14 +29,11 @@ PosedRun posed(const Directions& d, double step, double share, double speed) {
 }
 
 std::vector<PosedRun> runs(const Ladder& ladder, bool planar) {
-  const Directions d = directions(planar);
-  std::vector<PosedRun> all;
-  each_phase(ladder, [&](double step, double share) {
+  return at_each_phase(ladder, planar, [&](std::vector<PosedRun>& all, const Directions& d, double step, double share) {
     for (const double speed : {0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0}) {
       all.push_back(posed(d, step, share, speed));
     }
   });
-  return all;
 }
 
 }  // namespace

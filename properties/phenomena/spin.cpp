@@ -76,16 +76,13 @@ PosedRun posed(const Directions& d, double step, double share, const Meeting& me
 }
 
 std::vector<PosedRun> runs(const Ladder& ladder, bool planar) {
-  const Directions d = directions(planar);
-  std::vector<PosedRun> all;
-  each_phase(ladder, [&](double step, double share) {
+  return at_each_phase(ladder, planar, [&](std::vector<PosedRun>& all, const Directions& d, double step, double share) {
     const auto add = [&](const Meeting& meeting) { all.push_back(posed(d, step, share, meeting)); };
     std::for_each(std::begin(planar_meetings), std::end(planar_meetings), add);
     if (!planar) {
       std::for_each(std::begin(spatial_meetings), std::end(spatial_meetings), add);
     }
   });
-  return all;
 }
 
 }  // namespace

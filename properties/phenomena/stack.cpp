@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
-#include <span>
 
 #include <carom/properties/phenomena/phenomena.hpp>
 #include <carom/properties/phenomena/posing.hpp>
@@ -12,22 +11,17 @@ using namespace posing;
 
 constexpr double duration = 10;
 
-/// Cubes with edges of 1 m, from the lowest to the highest.
-struct Pile {
-  const char* name;
-  std::vector<double> masses;
-};
-
-PosedRun posed(const Directions& d, double step, const Pile& pile) {
+/// A pile of cubes with edges of 1 m. The masses are from the lowest to the highest.
+PosedRun posed(const Directions& d, double step, const std::string& pile, const std::vector<double>& masses) {
   PosedRun run{{on_the_floor(d), step, report_at({duration}, step)}, {}};
   run.stepping.scene.friction = 0.5;
   std::vector<SteppedBody>& bodies = run.stepping.scene.bodies;
-  for (const double mass : pile.masses) {
+  for (const double mass : masses) {
     SteppedBody cube = block(d, 1, 1, 1, mass);
     cube.state.position = d.at(0, 0.5 + static_cast<double>(bodies.size() - 1));
     bodies.push_back(cube);
   }
-  run.read = [d, bodies, name = ", " + std::string(pile.name)](const SteppedStates& states) {
+  run.read = [d, bodies, name = ", " + pile](const SteppedStates& states) {
     double drift = 0;
     double turn = 0;
     double energy = 0;
@@ -51,17 +45,13 @@ PosedRun posed(const Directions& d, double step, const Pile& pile) {
 }
 
 std::vector<PosedRun> runs(const Ladder& ladder, bool planar) {
-  const Directions d = directions(planar);
-  const std::vector<Pile> piles{
-      {"five equal cubes", {1, 1, 1, 1, 1}}, {"10 kg on 1 kg", {1, 10}}, {"100 kg on 1 kg", {1, 100}}};
-  std::vector<PosedRun> all;
-  const std::size_t count = std::min<std::size_t>(ladder.steps.size(), 5);
-  for (const double step : std::span(ladder.steps).first(count)) {
-    for (const Pile& pile : piles) {
-      all.push_back(posed(d, step, pile));
-    }
-  }
-  return all;
+  Ladder longest = ladder;
+  longest.steps.resize(std::min<std::size_t>(ladder.steps.size(), 5));
+  return at_each_step(longest, planar, [&](std::vector<PosedRun>& all, const Directions& d, double step) {
+    all.push_back(posed(d, step, "five equal cubes", {1, 1, 1, 1, 1}));
+    all.push_back(posed(d, step, "10 kg on 1 kg", {1, 10}));
+    all.push_back(posed(d, step, "100 kg on 1 kg", {1, 100}));
+  });
 }
 
 }  // namespace
@@ -76,8 +66,7 @@ Phenomenon stack() {
       "Nothing moves, because forces up at the corners carry each cube. Source: statics.",
       "After 10 s: the greatest drift and turn of a cube, the rise of the highest cube (negative if the stack sinks), "
       "and the kinetic energy, relative to an edge, a radian, and the energy m g of one edge. The five longest steps "
-      "are "
-      "measured.",
+      "are measured.",
       "Nothing explains an error but rounding, because nothing moves.",
       runs};
 }

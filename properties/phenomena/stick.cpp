@@ -45,16 +45,13 @@ PosedRun posed(const Directions& d, double step, double friction, double degrees
 }
 
 std::vector<PosedRun> runs(const Ladder& ladder, bool planar) {
-  const Directions d = directions(planar);
-  std::vector<PosedRun> all;
-  for (const double step : ladder.steps) {
+  return at_each_step(ladder, planar, [&](std::vector<PosedRun>& all, const Directions& d, double step) {
     for (const double friction : {0.2, 0.4, 0.8}) {
       for (const double degrees : {10.0, 20.0, 30.0, 40.0}) {
         all.push_back(posed(d, step, friction, degrees));
       }
     }
-  }
-  return all;
+  });
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include <carom/collision/json/json.hpp>
@@ -10,6 +11,13 @@ namespace carom::report {
 namespace {
 
 using nlohmann::json;
+
+template <class T, class F>
+json records(const std::vector<T>& all, F record) {
+  json array = json::array();
+  std::transform(all.begin(), all.end(), std::back_inserter(array), record);
+  return array;
+}
 
 json rung_record(const properties::Rung& rung) {
   return {{"step", rung.step},
@@ -24,10 +32,7 @@ json rung_record(const properties::Rung& rung) {
 }
 
 json reading_record(const properties::MeasuredReading& reading) {
-  json record{{"what", reading.what}, {"unit", reading.unit}, {"rungs", json::array()}};
-  for (const properties::Rung& rung : reading.rungs) {
-    record["rungs"].push_back(rung_record(rung));
-  }
+  json record{{"what", reading.what}, {"unit", reading.unit}, {"rungs", records(reading.rungs, rung_record)}};
   if (reading.order) {
     record["order"] = number_to_json(*reading.order);
   }
@@ -35,22 +40,30 @@ json reading_record(const properties::MeasuredReading& reading) {
 }
 
 json measurement_record(const properties::Measurement& measurement) {
-  json record{{"phenomenon", measurement.phenomenon},
-              {"version", measurement.version},
-              {"runs", measurement.runs},
-              {"readings", json::array()},
-              {"seconds_for_a_step", json::array()},
-              {"unanswered", json::array()}};
-  for (const properties::MeasuredReading& reading : measurement.readings) {
-    record["readings"].push_back(reading_record(reading));
-  }
-  for (const properties::StepTime& time : measurement.step_times) {
-    record["seconds_for_a_step"].push_back({{"step", time.step}, {"seconds", number_to_json(time.seconds)}});
-  }
-  for (const properties::Unanswered& one : measurement.unanswered) {
-    record["unanswered"].push_back({{"why", one.why}, {"failure", one.is_failure}, {"runs", one.steps.size()}});
-  }
-  return record;
+  const auto of_time = [](const properties::StepTime& time) {
+    return json{{"step", time.step}, {"seconds", number_to_json(time.seconds)}};
+  };
+  const auto of_unanswered = [](const properties::Unanswered& one) {
+    return json{{"why", one.why}, {"failure", one.is_failure}, {"runs", one.steps.size()}};
+  };
+  return {{"phenomenon", measurement.phenomenon},
+          {"version", measurement.version},
+          {"runs", measurement.runs},
+          {"readings", records(measurement.readings, reading_record)},
+          {"seconds_for_a_step", records(measurement.step_times, of_time)},
+          {"unanswered", records(measurement.unanswered, of_unanswered)}};
+}
+
+json relation_record(const properties::RelationResult& relation) {
+  return {{"name", relation.name}, {"change", relation.change}, {"result", properties::in_words(relation)}};
+}
+
+json claim_record(const JudgedClaim& one) {
+  return {{"claim", one.claim},
+          {"judged", one.is_judged},
+          {"kept", one.verdict.is_kept},
+          {"greatest", number_to_json(one.verdict.greatest)},
+          {"why", one.verdict.why}};
 }
 
 json engine_record(const TimedEngine& engine) {
@@ -63,23 +76,9 @@ json engine_record(const TimedEngine& engine) {
     return record;
   }
   record["seconds"] = engine.seconds;
-  record["measurements"] = json::array();
-  record["relations"] = json::array();
-  record["claims"] = json::array();
-  for (const properties::Measurement& measurement : engine.measurements) {
-    record["measurements"].push_back(measurement_record(measurement));
-  }
-  for (const properties::RelationResult& relation : engine.relations) {
-    record["relations"].push_back(
-        {{"name", relation.name}, {"change", relation.change}, {"result", properties::in_words(relation)}});
-  }
-  for (const JudgedClaim& one : engine.claims) {
-    record["claims"].push_back({{"claim", one.claim},
-                                {"judged", one.is_judged},
-                                {"kept", one.verdict.is_kept},
-                                {"greatest", number_to_json(one.verdict.greatest)},
-                                {"why", one.verdict.why}});
-  }
+  record["measurements"] = records(engine.measurements, measurement_record);
+  record["relations"] = records(engine.relations, relation_record);
+  record["claims"] = records(engine.claims, claim_record);
   return record;
 }
 
@@ -159,18 +158,14 @@ double compared_step(const properties::Ladder& ladder) {
 }
 
 nlohmann::json time_record(const TimeRun& run) {
-  json record{{"carom", version},
-              {"date", run.environment.date},
-              {"processor", run.environment.processor},
-              {"exit_status", run.exit_status()},
-              {"interrupted", run.interrupted},
-              {"steps", run.ladder.steps},
-              {"phases", run.ladder.phases},
-              {"engines", json::array()}};
-  for (const TimedEngine& engine : run.engines) {
-    record["engines"].push_back(engine_record(engine));
-  }
-  return record;
+  return {{"carom", version},
+          {"date", run.environment.date},
+          {"processor", run.environment.processor},
+          {"exit_status", run.exit_status()},
+          {"interrupted", run.interrupted},
+          {"steps", run.ladder.steps},
+          {"phases", run.ladder.phases},
+          {"engines", records(run.engines, engine_record)}};
 }
 
 }  // namespace carom::report

@@ -126,14 +126,10 @@ std::vector<Stepper> chosen_engines(const TimeArguments& arguments, const std::s
   return chosen;
 }
 
-/// What happens while engines are measured.
-struct Progress {
-  std::function<void()> on_phenomenon;
-  std::function<void(const std::string& what)> on_first_failure;  // of an engine
-};
-
+/// `on_failure` is called with the first failure alone.
 report::TimedEngine measured(const Stepper& stepper, const Choice& choice, const properties::Ladder& ladder,
-                             const std::stop_token& stop, const Progress& progress) {
+                             const std::stop_token& stop, const std::function<void()>& on_phenomenon,
+                             const std::function<void(const std::string& what)>& on_failure) {
   report::TimedEngine engine{stepper.name, stepper.version, stepper.precision, stepper.absent};
   engine.specification = stepper.specification;
   if (!engine.absent.empty()) {
@@ -144,7 +140,7 @@ report::TimedEngine measured(const Stepper& stepper, const Choice& choice, const
   bool has_failed = false;
   Stepper::Session session = properties::patient(stepper.open(), stop, [&](const std::string& why) {
     if (!std::exchange(has_failed, true)) {
-      progress.on_first_failure(fmt::format("{}, {}: {}", stepper.name, asked, why));
+      on_failure(fmt::format("{}, {}: {}", stepper.name, asked, why));
     }
   });
   for (const properties::Phenomenon* const phenomenon : choice.phenomena) {
@@ -153,7 +149,7 @@ report::TimedEngine measured(const Stepper& stepper, const Choice& choice, const
     }
     asked = phenomenon->name;
     engine.measurements.push_back(properties::measure(*phenomenon, stepper, session, ladder));
-    progress.on_phenomenon();
+    on_phenomenon();
   }
   if (choice.has_relations && !stop.stop_requested()) {
     asked = heap;
@@ -177,24 +173,24 @@ report::TimedEngine measured(const Stepper& stepper, const Choice& choice, const
 report::TimeRun measured(const std::vector<Stepper>& engines, bool are_named, const Choice& choice,
                          const properties::Ladder& ladder, const std::stop_token& stop) {
   report::TimeRun run{this_environment(), ladder, std::vector<report::TimedEngine>(engines.size()), are_named, false};
-  const auto line = progress_line("phenomena measured");
+  const auto progress = progress_line("phenomena measured");
   std::uint64_t done = 0;
   std::mutex one_at_a_time;
-  const Progress progress{[&] {
-                            const std::lock_guard lock(one_at_a_time);
-                            ++done;
-                            if (line) {
-                              line(done, choice.phenomena.size() * engines.size());
-                            }
-                          },
-                          [&](const std::string& what) {
-                            const std::lock_guard lock(one_at_a_time);
-                            fmt::print(stderr, "{}carom: {}\n", line ? "\n" : "", report::shown(what));
-                          }};
+  const auto on_phenomenon = [&] {
+    const std::lock_guard lock(one_at_a_time);
+    ++done;
+    if (progress) {
+      progress(done, choice.phenomena.size() * engines.size());
+    }
+  };
+  const auto on_failure = [&](const std::string& what) {
+    const std::lock_guard lock(one_at_a_time);
+    fmt::print(stderr, "{}carom: {}\n", progress ? "\n" : "", report::shown(what));
+  };
   std::atomic<std::size_t> next = 0;
   const auto work = [&] {
     for (std::size_t i = next++; i < engines.size(); i = next++) {
-      run.engines[i] = measured(engines[i], choice, ladder, stop, progress);
+      run.engines[i] = measured(engines[i], choice, ladder, stop, on_phenomenon, on_failure);
     }
   };
   std::future<void> other = std::async(std::launch::async, work);
