@@ -210,14 +210,15 @@ std::string friction_in_words(const std::vector<Friction>& all) {
     // A box about a circle reaches √2 radii.
     constexpr double least_of_box = 1.2;
     constexpr double corner_of_box = 1.4143;
-    const double greatest = range_of(&Friction::of_cone).second;
-    if (greatest > least_of_box && greatest < corner_of_box) {
+    constexpr double spread_of_box = 1.05;  // a box exceeds the cone by another factor in each direction
+    const auto [least, greatest] = range_of(&Friction::of_cone);
+    if (greatest > least_of_box && greatest < corner_of_box && greatest > spread_of_box * least) {
       return fmt::format(
           "Friction exceeds μ F_n by up to {:.3g} in {} of {} wrong outcomes, as by a box in place of the cone",
           greatest, count_of(exceeds_cone), all.size());
     }
     return fmt::format("Friction ‖F_T‖ exceeds μ F_n in {} of {} wrong outcomes, by a factor up to {:.4g}",
-                       count_of(exceeds_cone), all.size(), range_of(&Friction::of_cone).second);
+                       count_of(exceeds_cone), all.size(), greatest);
   }
   if (most(leaves_slip)) {
     const auto [least, greatest] = range_of(&Friction::of_slip);

@@ -436,10 +436,9 @@ class FaultSearch {
       return;
     }
     Fault fault{fmt::format("It answers as if {}.", hypothesis.as_if), hypothesis.look_at};
-    for (const Condition& condition : where.conditions) {
-      if (condition.words.starts_with(nearly_holds)) {
-        fault.look_at = condition.usual_cause + "; " + fault.look_at;
-      }
+    const Condition* const told = told_condition(where);
+    if (told != nullptr && told->words.starts_with(nearly_holds)) {
+      fault.look_at = told->usual_cause + "; " + fault.look_at;
     }
     fault.cases = size_of(cases);
     fault.where = in_words(where);

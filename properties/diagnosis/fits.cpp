@@ -364,7 +364,7 @@ void add_limits(std::vector<Fit>& all) {
   }
 }
 
-/// The quotient of small integers that equals the number, or its first four digits.
+/// The quotient of small integers that equals the number, or its first digits, at most four.
 std::string in_words(double number) {
   constexpr int most = 9;
   constexpr double nearness = 1e-6;  // two quotients of numbers up to 18 and 9 are further apart: at least 1/72
@@ -376,9 +376,19 @@ std::string in_words(double number) {
     }
   }
   constexpr double readable = 5e-4;
-  return number != 1 && std::abs(number - 1) < readable
-             ? fmt::format("1 {} {:.2g}", number < 1 ? "−" : "+", std::abs(number - 1))
-             : fmt::format("{:.4g}", number);
+  if (number != 1 && std::abs(number - 1) < readable) {
+    return fmt::format("1 {} {:.2g}", number < 1 ? "−" : "+", std::abs(number - 1));
+  }
+  // Answers show a number to a share of 2⁻¹⁰ (`agree`), so -0.0009999 is as good as -0.001.
+  constexpr int most_digits = 4;
+  std::string text;
+  for (int digits = 1; digits <= most_digits; ++digits) {
+    text = fmt::format("{:.{}g}", number, digits);
+    if (std::abs(std::stod(text) - number) <= 0x1p-11 * std::abs(number)) {
+      break;
+    }
+  }
+  return text;
 }
 
 }  // namespace
@@ -386,7 +396,9 @@ std::string in_words(double number) {
 std::span<const Fit> all_fits() {
   static const std::vector<Fit> all = [] {
     std::vector<Fit> fits;
-    for (const auto add : {add_factors_of_impulse, add_factors_of_bodies, add_coefficients, add_slips,
+    // Of two that explain alike, the first one is named. Factors of the bodies also change what is not friction. So if
+    // they explain no more than factors of the slip, friction is the cause.
+    for (const auto add : {add_factors_of_impulse, add_slips, add_factors_of_bodies, add_coefficients,
                            add_tangential_part, add_additions, add_limits}) {
       add(fits);
     }

@@ -438,6 +438,9 @@ Where where_in(const Sample& sample, double left_out) {
   return telling;
 }
 
+/// A condition that says where a fault does not happen.
+bool is_exception(const Condition& condition) { return condition.words.starts_with("unless "); }
+
 }  // namespace
 
 bool is_examined(std::uint64_t index, std::uint64_t every) {
@@ -463,16 +466,7 @@ Where where_violated(const GateReport& report, const Violations& violations) {
   return where;
 }
 
-std::string in_words(const Where& where) {
-  if (where.violated < least_violated) {
-    return {};
-  }
-  const auto percent = [](const Share& share) {
-    const std::uint64_t rounded = (100 * share.violated + share.cases / 2) / std::max<std::uint64_t>(share.cases, 1);
-    return rounded == 0 && share.violated > 0 ? std::string("less than 1 %") : fmt::format("{} %", rounded);
-  };
-  const std::string of = where.of.empty() ? "cases" : where.of;
-  const auto is_exception = [](const Condition& condition) { return condition.words.starts_with("unless "); };
+const Condition* told_condition(const Where& where) {
   // A condition of which few cases fail, and hardly more than of all, tells a reader nothing.
   const auto tells = [&](const Condition& condition) {
     constexpr std::uint64_t least_part = 5;
@@ -485,7 +479,20 @@ std::string in_words(const Where& where) {
   auto told =
       std::find_if(all.begin(), all.end(), [&](const Condition& one) { return tells(one) && !is_exception(one); });
   told = told == all.end() ? std::find_if(all.begin(), all.end(), tells) : told;
-  if (told == all.end()) {
+  return told == all.end() ? nullptr : &*told;
+}
+
+std::string in_words(const Where& where) {
+  if (where.violated < least_violated) {
+    return {};
+  }
+  const auto percent = [](const Share& share) {
+    const std::uint64_t rounded = (100 * share.violated + share.cases / 2) / std::max<std::uint64_t>(share.cases, 1);
+    return rounded == 0 && share.violated > 0 ? std::string("less than 1 %") : fmt::format("{} %", rounded);
+  };
+  const std::string of = where.of.empty() ? "cases" : where.of;
+  const Condition* const told = told_condition(where);
+  if (told == nullptr) {
     return fmt::format("in {} of the {}", percent(where.all), of);
   }
   const Share others{where.all.violated - told->there.violated, where.all.cases - told->there.cases};

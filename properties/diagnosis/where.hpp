@@ -67,9 +67,13 @@ struct Violations {
 /// of the cases that meet all conditions are violated.
 [[nodiscard]] Where where_violated(const GateReport& report, const Violations& violations);
 
-/// The condition that tells most and the shares that it separates, as a clause that follows the fault: "if the speed of
-/// approach is at most 0.5 m/s (93 % of such colliding contacts fail, else 0 %)". An exception ("unless") tells less,
-/// because it may only hide the fault. Empty if there are fewer than `least_violated` violated cases.
+/// The condition that tells most. An exception ("unless") tells less, because it may only hide the fault. Null if no
+/// condition tells anything.
+[[nodiscard]] const Condition* told_condition(const Where& where);
+
+/// The told condition and the shares that it separates, as a clause that follows the fault: "if the speed of approach
+/// is at most 0.5 m/s (93 % of such colliding contacts fail, else 0 %)". Empty if there are fewer than `least_violated`
+/// violated cases.
 [[nodiscard]] std::string in_words(const Where& where);
 
 /// A fault (`Fault::what`) and the clause that says where it happens (`Fault::where`), as one sentence if it can be
