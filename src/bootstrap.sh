@@ -312,7 +312,7 @@ proofs)
   ;;
 bench)
   install_packages python3
-  build carom_benchmarks
+  build carom_benchmarks everything
   build/tests/benchmarks/solvers --benchmark_out=build/solvers.json --benchmark_out_format=json "$@"
   build/tests/benchmarks/judge_rate "--benchmark_filter=$judged" "$@"
   exec python3 tests/benchmarks/against_note.py build/solvers.json
@@ -321,7 +321,7 @@ compare)
   revision=${1:?bootstrap: compare needs a REVISION}
   shift
   install_packages python3 git
-  build carom_benchmarks
+  build carom_benchmarks everything
   [ -e build-compare/source ] && git worktree remove --force build-compare/source
   git worktree add --quiet --force --detach build-compare/source "$revision"
   cmake -S build-compare/source -B build-compare/build -G Ninja -Wno-dev --log-level=WARNING \

@@ -97,11 +97,12 @@ PosedRun posed(double step, Eigen::Index axis) {
 }
 
 std::vector<PosedRun> runs(const Ladder& ladder, bool planar) {
-  return at_each_step(ladder, planar, [&](std::vector<PosedRun>& all, const Directions& d, double step) {
-    for (Eigen::Index axis = 0; axis < 3 && !d.is_planar; ++axis) {
-      all.push_back(posed(step, axis));
-    }
-  });
+  return at_each_phase({ladder.steps, 1}, planar,
+                       [&](std::vector<PosedRun>& all, const Directions& d, double step, double /*share*/) {
+                         for (Eigen::Index axis = 0; axis < 3 && !d.is_planar; ++axis) {
+                           all.push_back(posed(step, axis));
+                         }
+                       });
 }
 
 }  // namespace

@@ -67,8 +67,8 @@ struct Measurement {
   unsigned runs = 0;  // posed, answered or not
 };
 
-/// The session, which skips each run after a request to stop, or once failed runs took three minutes. Of each failure
-/// it calls `on_failure` with the reason, at once.
+/// The session, which skips each run after a request to stop, or once failed runs took three minutes. It calls
+/// `on_failure` with the reason of each failure, at once.
 [[nodiscard]] Stepper::Session patient(Stepper::Session session, std::stop_token stop,
                                        std::function<void(const std::string& why)> on_failure, double lost = 0);
 

@@ -83,8 +83,9 @@ Phenomenon pass_through() {
       "diameters. They meet in the fourth step, at each phase. Continuous detection is off and on. The two longest "
       "steps are measured. The plane has discs.",
       "The sphere does not pass, and leaves at −ε v. Source: Newton's law of restitution.",
-      "Whether the sphere's centre is beyond the far face of the wall or the other sphere's centre (1) or not (0), and "
-      "its velocity, relative to the velocity before, 0.02 s after the impact and at least 6 steps after it.",
+      "The sphere's centre is beyond the far face of the wall or the other sphere's centre (1) or not (0). Its "
+      "velocity "
+      "is relative to the velocity before. Both are read 0.02 s after the impact and at least 6 steps after it.",
       "Nothing explains an error but rounding, because the sphere is as fast at the end of a step as at the impact.",
       runs};
 }

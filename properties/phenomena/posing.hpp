@@ -68,13 +68,6 @@ template <class Pose>
   return runs;
 }
 
-/// The runs pose(runs, directions, step) for each step.
-template <class Pose>
-[[nodiscard]] std::vector<PosedRun> at_each_step(const Ladder& ladder, bool planar, Pose pose) {
-  return at_each_phase({ladder.steps, 1}, planar,
-                       [&](auto& runs, const Directions& d, double step, double /*share*/) { pose(runs, d, step); });
-}
-
 /// A height near `height`. A fall from it takes a whole number of steps and the share of one.
 [[nodiscard]] double height_of_fall(double height, double step, double share);
 

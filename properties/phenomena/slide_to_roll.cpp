@@ -42,9 +42,10 @@ PosedRun posed(const Directions& d, double step) {
 }
 
 std::vector<PosedRun> runs(const Ladder& ladder, bool planar) {
-  return at_each_step(ladder, planar, [&](std::vector<PosedRun>& all, const Directions& d, double step) {
-    all.push_back(posed(d, step));
-  });
+  return at_each_phase({ladder.steps, 1}, planar,
+                       [&](std::vector<PosedRun>& all, const Directions& d, double step, double /*share*/) {
+                         all.push_back(posed(d, step));
+                       });
 }
 
 }  // namespace

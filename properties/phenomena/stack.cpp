@@ -45,13 +45,14 @@ PosedRun posed(const Directions& d, double step, const std::string& pile, const 
 }
 
 std::vector<PosedRun> runs(const Ladder& ladder, bool planar) {
-  Ladder longest = ladder;
+  Ladder longest{ladder.steps, 1};
   longest.steps.resize(std::min<std::size_t>(ladder.steps.size(), 5));
-  return at_each_step(longest, planar, [&](std::vector<PosedRun>& all, const Directions& d, double step) {
-    all.push_back(posed(d, step, "five equal cubes", {1, 1, 1, 1, 1}));
-    all.push_back(posed(d, step, "10 kg on 1 kg", {1, 10}));
-    all.push_back(posed(d, step, "100 kg on 1 kg", {1, 100}));
-  });
+  return at_each_phase(longest, planar,
+                       [&](std::vector<PosedRun>& all, const Directions& d, double step, double /*share*/) {
+                         all.push_back(posed(d, step, "five equal cubes", {1, 1, 1, 1, 1}));
+                         all.push_back(posed(d, step, "10 kg on 1 kg", {1, 10}));
+                         all.push_back(posed(d, step, "100 kg on 1 kg", {1, 100}));
+                       });
 }
 
 }  // namespace
@@ -64,9 +65,9 @@ Phenomenon stack() {
       "Cubes with edges of 1 m stand on each other and on a floor for 10 s, with ε = 0, μ = 1/2 and g = 9.81 m/s²: "
       "five of 1 kg, 10 kg on 1 kg, and 100 kg on 1 kg. The plane has squares.",
       "Nothing moves, because forces up at the corners carry each cube. Source: statics.",
-      "After 10 s: the greatest drift and turn of a cube, the rise of the highest cube (negative if the stack sinks), "
-      "and the kinetic energy, relative to an edge, a radian, and the energy m g of one edge. The five longest steps "
-      "are measured.",
+      "The greatest drift and turn of a cube, the rise of the highest cube (negative if the stack sinks), and the "
+      "kinetic energy, after 10 s. They are relative to an edge, a radian, and the energy m g of one edge. The five "
+      "longest steps are measured.",
       "Nothing explains an error but rounding, because nothing moves.",
       runs};
 }

@@ -45,13 +45,14 @@ PosedRun posed(const Directions& d, double step, double friction, double degrees
 }
 
 std::vector<PosedRun> runs(const Ladder& ladder, bool planar) {
-  return at_each_step(ladder, planar, [&](std::vector<PosedRun>& all, const Directions& d, double step) {
-    for (const double friction : {0.2, 0.4, 0.8}) {
-      for (const double degrees : {10.0, 20.0, 30.0, 40.0}) {
-        all.push_back(posed(d, step, friction, degrees));
-      }
-    }
-  });
+  return at_each_phase({ladder.steps, 1}, planar,
+                       [&](std::vector<PosedRun>& all, const Directions& d, double step, double /*share*/) {
+                         for (const double friction : {0.2, 0.4, 0.8}) {
+                           for (const double degrees : {10.0, 20.0, 30.0, 40.0}) {
+                             all.push_back(posed(d, step, friction, degrees));
+                           }
+                         }
+                       });
 }
 
 }  // namespace

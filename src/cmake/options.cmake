@@ -6,7 +6,7 @@ option(CAROM_WARNINGS_AS_ERRORS "Treat warnings in Carom's own code as errors" $
 option(CAROM_UNITY "Compile small files several at a time: quicker, but no line for each in compile_commands.json" OFF)
 option(CAROM_PRECOMPILED_HEADERS "Compile headers that most units include once" ON)
 option(CAROM_CHECK_PRECONDITIONS "Check preconditions in a build that defines NDEBUG, too" OFF)
-option(CAROM_ALL_INSTRUCTION_SETS "Compile the batch for every instruction set; OFF: the baseline, and the widest of this machine" ON)
+option(CAROM_ALL_INSTRUCTION_SETS "Compile the batch for every instruction set; OFF: the baseline alone" ON)
 option(CAROM_COVERAGE "Count which lines are run" OFF)
 
 set(CAROM_SANITIZE "" CACHE STRING "address (with undefined behaviour), thread, or nothing")

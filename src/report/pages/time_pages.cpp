@@ -115,7 +115,7 @@ Document titled(const std::string& title, List list) {
   return list.items.empty() ? Document{} : Document{Paragraph{title}, std::move(list)};
 }
 
-/// What is farthest off in each phenomenon of an engine, its relations and claims.
+/// The reading of an engine that is farthest off in each phenomenon, its relations and its claims.
 Document engine_part(const TimedEngine& engine, double step) {
   List farthest;
   for (const Measurement& measurement : engine.measurements) {

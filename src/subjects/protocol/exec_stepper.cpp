@@ -98,30 +98,20 @@ class SteppingProgram {
 };
 
 /// Starts the program when it is first asked, and again after a failure.
-class SteppingSession {
- public:
-  SteppingSession(std::vector<std::string> words, ExecOptions options)
-      : words_(std::move(words)), options_(std::move(options)) {}
-
-  [[nodiscard]] SteppingAnswer run(const Stepping& stepping) {
-    std::string errors;
+Stepper::Session session_of(const std::vector<std::string>& words, const ExecOptions& options) {
+  return [=, program = std::shared_ptr<SteppingProgram>()](const Stepping& stepping) mutable -> SteppingAnswer {
     try {
-      if (program_ == nullptr) {
-        program_ = std::make_unique<SteppingProgram>(words_, options_);
+      if (program == nullptr) {
+        program = std::make_shared<SteppingProgram>(words, options);
       }
-      return program_->run(stepping);
+      return program->run(stepping);
     } catch (const std::exception& error) {
-      errors = program_ == nullptr ? "" : program_->standard_error();
-      program_.reset();
+      const std::string errors = program == nullptr ? "" : program->standard_error();
+      program.reset();
       return Failed{printable_line(error.what(), longest_reason_shown), printable(errors, errors.size())};
     }
-  }
-
- private:
-  std::vector<std::string> words_;
-  ExecOptions options_;
-  std::unique_ptr<SteppingProgram> program_;
-};
+  };
+}
 
 }  // namespace
 
@@ -136,10 +126,7 @@ Stepper exec_stepper(const std::string& specification, const ExecOptions& option
     ExecOptions patient = options;
     patient.limits.line = longest_reply;
     stepper = SteppingProgram(words, patient).stepper();
-    stepper.open = [words, patient]() -> Stepper::Session {
-      const auto session = std::make_shared<SteppingSession>(words, patient);
-      return [session](const Stepping& stepping) { return session->run(stepping); };
-    };
+    stepper.open = [words, patient] { return session_of(words, patient); };
   } catch (const std::exception& error) {
     stepper.name = specification;
     stepper.absent = printable_line(error.what(), longest_reason_shown);

@@ -74,13 +74,13 @@ std::vector<std::string> known_phenomena() {
   return known;
 }
 
-/// What is measured.
+/// The phenomena to measure.
 struct Choice {
   std::vector<const properties::Phenomenon*> phenomena;
   bool has_relations = false;
 };
 
-/// What was named, all if nothing was. Throws UsageError if there is no phenomenon of a name.
+/// The phenomena and relations that were named, all if none was. Throws UsageError if there is no phenomenon of a name.
 Choice choice_of(const TimeArguments& arguments) {
   const std::vector<std::string> known = known_phenomena();
   const std::vector<std::string>& names = arguments.phenomena.empty() ? known : arguments.phenomena;

@@ -51,7 +51,7 @@ std::vector<RelationResult> relations(Stepper::Session session, const Stepper& s
   return heap_relations(stepper, session, 1.0 / 60);
 }
 
-TEST(Phenomena, HaveUniqueNamesAndReadings) {
+TEST(Phenomena, HaveReadingsWithSmallBounds) {
   for (const bool planar : {false, true}) {
     for (const Phenomenon& phenomenon : all_phenomena()) {
       EXPECT_FALSE(std::string(phenomenon.yardstick).empty()) << phenomenon.name;

@@ -105,7 +105,7 @@ struct World {
     return all;
   }
 
-  /// The contacts of a sphere with what is after it in `Shape`, or of a box with a half-space.
+  /// The contacts of a sphere with another sphere, a box or a half-space, or of a box with a half-space.
   void find(SteppedBody& one, SteppedBody& other, double h, std::vector<Contact>& all) const {
     const double speed = (one.state.velocity - other.state.velocity).norm();
     const V between = one.state.position - other.state.position;
