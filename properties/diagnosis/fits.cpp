@@ -396,7 +396,7 @@ std::string in_words(double number) {
 std::span<const Fit> all_fits() {
   static const std::vector<Fit> all = [] {
     std::vector<Fit> fits;
-    // Of two that explain alike, the first one is named. Factors of the bodies also change what is not friction. So if
+    // Of two that explain alike, the first one is named. Factors of the bodies also change the normal part. So if
     // they explain no more than factors of the slip, friction is the cause.
     for (const auto add : {add_factors_of_impulse, add_slips, add_factors_of_bodies, add_coefficients,
                            add_tangential_part, add_additions, add_limits}) {

@@ -109,6 +109,9 @@ std::vector<Feature> of_components() {
               })};
 }
 
+/// Lengths where solvers have thresholds. The limits define the features, and no judgement depends on them. The drawn
+/// lengths are well within them, up to a factor of 2: 2⁻¹⁸ = 3.8e-6, 2⁻⁵ = 0.031, 2⁻⁴⁰ = 9.1e-13. The limit 1e-300 is
+/// above the least normal number, 2.2e-308.
 std::vector<Feature> of_lengths() {
   return {
       of_length("normal_long", "the normal is 10 to 10⁶ long", "a solver may assume ‖N‖ = 1 (failure case 11)", 10, 1e6,
@@ -194,10 +197,10 @@ struct Parts {
   double tangential;
 };
 
-/// Whether a part is positive but less than about √u times the other, with u = 2⁻⁵³. In the sum of both squares,
+/// Whether a part is positive but less than √u = 1.05e-8 times the other, with u = 2⁻⁵³. In the sum of both squares,
 /// rounding then loses the square of the part.
 bool is_slight(double part, double other) {
-  constexpr double slight = 1e-8;
+  constexpr double slight = 1e-8;  // just below √u
   return part > 0 && part < slight * other;
 }
 

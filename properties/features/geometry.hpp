@@ -7,7 +7,8 @@
 
 namespace carom::properties::features {
 
-/// The domain of masses [kg].
+/// Masses that features may set [kg]. They begin at the least decade of the feature `mass_1e-9`, and end with the last
+/// one, `mass_1e9`. They bound the drawn masses, and not the judged ones.
 inline constexpr double least_mass = 1e-9;
 inline constexpr double largest_mass = 1e10;
 

@@ -275,6 +275,8 @@ Range searched_range(LimitedQuantity quantity) {
   if (is_linear(quantity)) {
     return whole_range(quantity);
   }
+  // Features draw these decades, so a search does not leave what the gate poses. A bar that reaches an end says only
+  // that the search ended there.
   constexpr double smallest = 1e-9;
   constexpr double largest = 1e9;
   constexpr double most_slender = 1e8;

@@ -93,6 +93,8 @@ constexpr PerVector<const char*> short_names{"A velocity", "A spin", "B velocity
 /// The vectors in which two outcomes differ visibly, for each kind of vector by its longest vector. If none does, all
 /// that differ at all.
 PerVector<bool> differing(const Outcome<double>& x, const Outcome<double>& y) {
+  // A share of the longest vector. Rounding stays below it unless a case amplifies it by 10⁷ ulps, and a wrong formula
+  // shows far above it. It decides which vectors are printed first, and never a verdict.
   constexpr double visible = 1e-9;
   const auto of_x = vectors(x);
   const auto of_y = vectors(y);
@@ -124,7 +126,7 @@ std::string in_digits(const Outcome<double>& outcome, const PerVector<bool>& tol
   for (const OutcomeVector k : all_outcome_vectors) {
     if (told[k]) {
       Vector3<double> v = *parts[k];
-      constexpr double negligible = 1e-9;
+      constexpr double negligible = 1e-9;  // far below the four digits that are printed
       const double length = v.norm();
       for (int i = 0; i < 3 && digits == numbers_of_digits[0]; ++i) {
         v[i] = std::abs(v[i]) <= negligible * length ? 0 : v[i];
