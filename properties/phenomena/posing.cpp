@@ -19,16 +19,10 @@ Directions directions(bool planar) {
   return planar ? Directions{true, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}} : Directions{};
 }
 
-SteppedBody floor(const Directions& d) {
-  SteppedBody body;
-  body.shape = HalfSpaceShape{d.up};
-  body.is_fixed = true;
-  return body;
-}
+SteppedBody floor(const Directions& d) { return {HalfSpaceShape{d.up}, true}; }
 
 SteppedBody ball(const Directions& d, double radius) {
-  SteppedBody body;
-  body.shape = SphereShape{radius};
+  SteppedBody body{SphereShape{radius}};
   const double solid = 0.4 * body.mass * radius * radius;
   body.principal_inertia = {solid, solid, d.is_planar ? 0.5 * body.mass * radius * radius : solid};
   return body;
@@ -39,23 +33,16 @@ double rolling_inertia(const Directions& d, const SteppedBody& ball) {
 }
 
 SteppedBody block(const Directions& d, double along, double across, double high, double mass) {
-  SteppedBody body;
   const Vector3<double> lengths =
       d.is_planar ? Vector3<double>{along, high, across} : Vector3<double>{along, across, high};
-  body.shape = BoxShape{lengths};
-  body.mass = mass;
+  SteppedBody body{BoxShape{lengths}, false, mass};
   const Vector3<double> squares = lengths.cwiseProduct(lengths);
   body.principal_inertia =
       mass / 12 * Vector3<double>{squares[1] + squares[2], squares[2] + squares[0], squares[0] + squares[1]};
   return body;
 }
 
-SteppedScene on_the_floor(const Directions& d) {
-  SteppedScene scene;
-  scene.gravity = -gravity * d.up;
-  scene.bodies = {floor(d)};
-  return scene;
-}
+SteppedScene on_the_floor(const Directions& d) { return {-gravity * d.up, 0, 0, false, {floor(d)}}; }
 
 std::uint64_t steps_to(double time, double step) {
   return static_cast<std::uint64_t>(std::max(1LL, std::llround(time / step)));

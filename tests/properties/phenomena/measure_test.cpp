@@ -176,12 +176,11 @@ TEST(TimeClaims, AreRead) {
   EXPECT_EQ(claim.phenomenon, "pass-through");
   EXPECT_NEAR(claim.within, 0.005, 1e-15);
   EXPECT_NEAR(claim.step, 1.0 / 240, 1e-15);
-  EXPECT_NEAR(time_claim_from("bounce within 5% at 0.01 s").step, 0.01, 1e-15);
 }
 
 TEST(TimeClaims, HaveStepsThatThePhenomenaCanTake) {
   EXPECT_EQ(step_from("1/60"), 1.0 / 60);
-  EXPECT_EQ(step_from("0.1"), 0.1);
+  EXPECT_EQ(step_from("0.01"), 0.01);
   for (const char* text : {"", "0.5", "1e-300", "1e-6", "1/0", "1/", "-1/60", " 1/60", "1/ 60", "0x1p-6", "nan"}) {
     EXPECT_EQ(step_from(text), std::nullopt) << text;
   }
