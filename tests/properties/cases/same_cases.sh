@@ -52,20 +52,27 @@ foreign_libraries() {
   done
 }
 
+# together NAME FILE…: writes a source that includes the files. Most of a file's compile time is spent on headers, so
+# the files of a folder compile together.
+together() {
+  local name=$1
+  shift
+  printf '#include "%s"\n' "$@" >"$work/$name.cpp"
+}
+
 # draw NAME RUNNER COMPILER [OPTION…]: builds the program, and writes the checksums to NAME.thousand and NAME.all.
 draw() {
-  local name=$1 runner=$2
+  local name=$1 runner=$2 part objects=() compiling=()
   shift 2
   mkdir -p "$work/$name"
-  rm -f "$work/$name"/*.o # of removed sources
-  # The compiling shell gets the folder as $0, and the file as $1 before the command.
-  # shellcheck disable=SC2016
-  printf '%s\0' "$source"/properties/{draws,features}/*.cpp "$source/oracles/exact/rational.cpp" \
-    "$source"/properties/cases/{beyond_domain,body_pairs,choices,families,family,friction,polyhedron,published,sweep}.cpp \
-    "$source"/tests/properties/cases/same_cases{,_main}.cpp |
-    xargs -0 -P "$(nproc)" -I{} sh -c 'out=$0/$(basename "$1").o && shift && exec "$@" -o "$out"' "$work/$name" {} \
-      "$@" -std=c++20 -DNDEBUG -DFMT_HEADER_ONLY -isystem "$work/include" -isystem /usr/include/eigen3 "$contraction" -c {}
-  "$@" "$work/$name"/*.o -o "$work/$name/same_cases" -lmpfr -lgmp
+  for part in features cases draws program; do
+    objects+=("$work/$name/$part.o")
+    "$@" -std=c++20 -DNDEBUG -DFMT_HEADER_ONLY -isystem "$work/include" -isystem /usr/include/eigen3 "$contraction" \
+      -c "$work/$part.cpp" -o "$work/$name/$part.o" &
+    compiling+=($!)
+  done
+  for part in "${compiling[@]}"; do wait "$part"; done
+  "$@" "${objects[@]}" -o "$work/$name/same_cases" -lmpfr -lgmp
   # The runner is empty or one word.
   # shellcheck disable=SC2086
   $runner "$work/$name/same_cases" 1000 >"$work/$name.thousand"
@@ -102,8 +109,15 @@ agree() {
 cross() { printf '%s\n' -isystem "$work/$1/usr/include/$2" -isystem "$work/$1/usr/include" "-L$work/$1/usr/lib/$2" -static; }
 
 include
+together draws "$source"/properties/draws/*.cpp
+together features "$source"/properties/features/*.cpp
+together cases \
+  "$source"/properties/cases/{beyond_domain,body_pairs,choices,families,family,friction,polyhedron,published,sweep}.cpp
+together program "$source"/oracles/exact/rational.cpp "$source"/tests/properties/cases/same_cases{,_main}.cpp
 agree gcc "" g++ -O2
-agree gcc-O0-without-packets "" g++ -O0 -DEIGEN_DONT_VECTORIZE
+agree gcc-O0 "" g++ -O0
+agree without-packets "" g++ -O2 -DEIGEN_DONT_VECTORIZE
+agree native "" g++ -O3 -march=native
 agree clang-native "" clang++ -O3 -march=native
 if foreign_libraries; then
   mapfile -t options < <(cross i386 i386-linux-gnu)
