@@ -222,20 +222,20 @@ TEST(WorstReading, IsNotOneThatRoundingExplains) {
 }
 
 TEST(SceneInSteps, NamesACommandThatIsNone) {
-  const RunResult run =
-      run_program("/bin/sh", {"-c", R"(echo '{"cmd":1}' | "$(dirname "$0")"/carom-scene steps)", carom_program()});
+  const char* const script = R"sh(echo '{"cmd":1}' | "$(dirname "$0")"/carom-scene steps)sh";
+  const RunResult run = run_program("/bin/sh", {"-c", script, carom_program()});
   EXPECT_EQ(run.exit_status, 2);
-    EXPECT_EQ(run.errors, "carom-scene: /cmd: expected start, run or stop, found 1\n");
+  EXPECT_EQ(run.errors, "carom-scene: /cmd: expected start, run or stop, found 1\n");
 }
 
 TEST_F(TimeCommand, RefusesNamesAndStepsThatAreNone) {
-    expect_error(run_carom({"time", "no-such-engine"}), {"no engine in time is named no-such-engine"});
-    expect_error(run_carom({"time", "scene", "--phenomena", "bonce"}),
-                 {"no phenomenon is named bonce; there are bounce,", "pass-through, heap"});
-    expect_error(run_carom({"time", "scene", "scene"}), {"the engine scene is named twice"});
-    for (const char* const step : {"1/0", "0.5", "1e-300"}) {
-      expect_error(run_carom({"time", "scene", "--steps", step}), {"--steps: expected a number of seconds"});
-    }
+  expect_error(run_carom({"time", "no-such-engine"}), {"no engine in time is named no-such-engine"});
+  expect_error(run_carom({"time", "scene", "--phenomena", "bonce"}),
+               {"no phenomenon is named bonce; there are bounce,", "pass-through, heap"});
+  expect_error(run_carom({"time", "scene", "scene"}), {"the engine scene is named twice"});
+  for (const char* const step : {"1/0", "0.5", "1e-300"}) {
+    expect_error(run_carom({"time", "scene", "--steps", step}), {"--steps: expected a number of seconds"});
+  }
 }
 
 }  // namespace

@@ -135,16 +135,34 @@ TEST(PassThrough, IsBeyondTheFarFaceOfTheWall) {
   }
 }
 
+// The first of seven readings is off by 3 − 1.4 k in phase k of 6.
 TEST(Measure, GathersErrorsAndTimes) {
-  const Measurement unmoving = measured(unchanged);
-  ASSERT_EQ(unmoving.readings.size(), 7U);
-  const Rung& rung = unmoving.readings[0].rungs[0];
+  const Measurement rising =
+      measured(unmoving([calls = 0](auto& states) mutable { states[0][1].velocity[2] += 0.001 * calls++; }));
+  ASSERT_EQ(rising.readings.size(), 7U);
+  const Rung& rung = rising.readings[0].rungs[0];
   EXPECT_EQ(rung.answers, 6U);
-  EXPECT_NEAR(rung.median, 3, 1e-12);  // −v instead of v/2
-  EXPECT_NEAR(rung.shift, -3, 1e-12);
+  EXPECT_NEAR(rung.least, 0.2, 1e-12);
+  EXPECT_NEAR(rung.median, 2.1, 1e-12);
+  EXPECT_NEAR(rung.greatest, 4, 1e-12);
+  EXPECT_NEAR(rung.shift, 0.5, 1e-12);
   EXPECT_EQ(rung.expected, 1);
-  ASSERT_EQ(unmoving.step_times.size(), 2U);
-  EXPECT_NEAR(unmoving.step_times[1].seconds, 1e-6, 1e-12);
+  ASSERT_EQ(rising.step_times.size(), 2U);
+  EXPECT_NEAR(rising.step_times[1].seconds, 1e-6, 1e-12);
+}
+
+TEST(Measure, SeesADriftACreepAndATurn) {
+  const Stepper::Session moved = unmoving([](auto& states) {
+    states.back()[1].position[0] += 0.25;
+    states.back()[1].orientation = {0, 0, 0, 1};
+  });
+  for (const Phenomenon& phenomenon : {stack(), flat_landing(), stick(), slide()}) {
+    for (const MeasuredReading& reading : measured(moved, phenomenon).readings) {
+      if (reading.what.starts_with("drift") || reading.what.starts_with("turn") || reading.what.find("creep") < 99) {
+        EXPECT_GT(reading.rungs[0].least, 0.1) << reading.what;
+      }
+    }
+  }
 }
 
 TEST(Stack, StandsIfNothingMovesAndNotIfTheHighestCubeSinks) {
