@@ -81,11 +81,8 @@ ClaimVerdict verdict_of(const TimeClaim& claim, const Measurement& measurement) 
       }
     }
   }
-  verdict.is_kept = is_measured && verdict.greatest <= claim.within;
-  if (verdict.is_kept) {
-    verdict.why.clear();
-  }
-  return verdict;
+  const bool is_kept = is_measured && verdict.greatest <= claim.within;
+  return {is_kept, verdict.greatest, is_kept ? "" : verdict.why};
 }
 
 }  // namespace carom::properties

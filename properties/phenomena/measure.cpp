@@ -25,8 +25,7 @@ struct Read {
 
 /// The reads of one reading.
 struct Reads {
-  std::string what;
-  std::string unit;
+  MeasuredReading measured;
   std::map<double, std::vector<Read>> of_step;
 };
 
@@ -60,7 +59,7 @@ Rung rung_of(double step, const std::vector<Read>& reads) {
 
 /// The rungs are in the order of the ladder.
 MeasuredReading gathered(const Reads& reads, const std::vector<double>& steps) {
-  MeasuredReading measured{reads.what, reads.unit, {}, {}};
+  MeasuredReading measured = reads.measured;
   for (const double step : steps) {
     if (const auto here = reads.of_step.find(step); here != reads.of_step.end()) {
       measured.rungs.push_back(rung_of(step, here->second));
@@ -208,9 +207,10 @@ Measurement measure(const Phenomenon& phenomenon, const Stepper& stepper, Steppe
         continue;
       }
       const double rounding = rounding_of(reading, run.stepping, stepper.precision);
-      auto reads = std::find_if(all.begin(), all.end(), [&](const Reads& one) { return one.what == reading.what; });
+      auto reads =
+          std::find_if(all.begin(), all.end(), [&](const Reads& one) { return one.measured.what == reading.what; });
       if (reads == all.end()) {
-        reads = all.insert(all.end(), {reading.what, reading.unit, {}});
+        reads = all.insert(all.end(), Reads{{reading.what, reading.unit, {}, {}}, {}});
       }
       reads->of_step[run.stepping.step].push_back({std::move(reading), rounding});
     }

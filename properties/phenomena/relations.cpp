@@ -128,11 +128,6 @@ void compare(RelationResult& result, const Stepping& stepping, const SteppedStat
   result.digits = greatest > 0 ? static_cast<int>(std::floor(-std::log10(greatest))) : 16;
 }
 
-void unanswered(RelationResult& result, const NoAnswer& none) {
-  result.why = none.why;
-  result.is_failure = none.is_failure;
-}
-
 /// A ball hits a row of four balls that touch, at 1 m/s, without friction and gravity. Each bounce keeps the energy.
 RelationResult row_of_balls(const Stepper& stepper, Stepper::Session& session, double step) {
   const Directions d = directions(stepper.is_planar);
@@ -156,7 +151,9 @@ RelationResult row_of_balls(const Stepper& stepper, Stepper::Session& session, d
     }
     result.likeness = result.energy > 1 + tolerance ? Likeness::differs : Likeness::same_digits;
   } else {
-    unanswered(result, std::get<NoAnswer>(answer));
+    const auto& none = std::get<NoAnswer>(answer);
+    result.why = none.why;
+    result.is_failure = none.is_failure;
   }
   return result;
 }
@@ -201,7 +198,9 @@ std::vector<RelationResult> heap_relations(const Stepper& stepper, Stepper::Sess
       std::for_each(states->states.begin(), states->states.end(), related.back);
       compare(result, plain, std::get<SteppedStates>(first), *states);
     } else {
-      unanswered(result, std::get<NoAnswer>(second));
+      const auto& none = std::get<NoAnswer>(second);
+      result.why = none.why;
+      result.is_failure = none.is_failure;
     }
     results.push_back(std::move(result));
   }

@@ -223,9 +223,8 @@ TEST(WorstReading, IsNotOneThatRoundingExplains) {
 
 TEST(SceneInSteps, NamesACommandThatIsNone) {
   const char* const script = R"sh(echo '{"cmd":1}' | "$(dirname "$0")"/carom-scene steps)sh";
-  const RunResult run = run_program("/bin/sh", {"-c", script, carom_program()});
-  EXPECT_EQ(run.exit_status, 2);
-  EXPECT_EQ(run.errors, "carom-scene: /cmd: expected start, run or stop, found 1\n");
+  expect_error(run_program("/bin/sh", {"-c", script, carom_program()}),
+               {"carom-scene: /cmd: expected start, run or stop, found 1"});
 }
 
 TEST_F(TimeCommand, RefusesNamesAndStepsThatAreNone) {

@@ -101,15 +101,13 @@ bool TimedEngine::has_failed() const {
 }
 
 int TimeRun::exit_status() const {
-  const bool is_any_measured =
-      std::any_of(engines.begin(), engines.end(), [](const TimedEngine& one) { return one.is_measured(); });
-  const bool is_any_missing =
-      std::any_of(engines.begin(), engines.end(), [](const TimedEngine& one) { return !one.is_measured(); });
+  const auto measured =
+      std::count_if(engines.begin(), engines.end(), [](const TimedEngine& one) { return one.is_measured(); });
   const bool is_any_unjudged = std::any_of(engines.begin(), engines.end(), [](const TimedEngine& engine) {
     return !engine.claims.empty() && std::none_of(engine.claims.begin(), engine.claims.end(),
                                                   [](const JudgedClaim& one) { return one.is_judged; });
   });
-  if (interrupted || !is_any_measured || is_any_unjudged || (are_named && is_any_missing)) {
+  if (interrupted || measured == 0 || is_any_unjudged || (are_named && measured < std::ssize(engines))) {
     return exit_usage;
   }
   const bool is_any_at_fault = std::any_of(engines.begin(), engines.end(), [&](const TimedEngine& engine) {

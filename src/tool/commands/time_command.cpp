@@ -256,11 +256,10 @@ int measure_in_time(const TimeArguments& arguments) {
   if (!arguments.pages.empty()) {
     make_directories(arguments.pages, "--pages");
   }
-  const bool is_full = !arguments.is_quick && arguments.steps.empty();
   const auto run_of = [&](const Choice& what, const properties::Ladder& steps) {
     return measured(engines, !arguments.subjects.empty(), what, steps, stop);
   };
-  if (is_full && arguments.format == "text" && !choice.phenomena.empty()) {
+  if (!arguments.is_quick && arguments.steps.empty() && arguments.format == "text" && !choice.phenomena.empty()) {
     const report::TimeRun first = run_of({choice.phenomena, false}, properties::quick_ladder());
     if (first.interrupted) {
       write_reports(first, arguments, choice, staged);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
 #include <algorithm>
-#include <array>
 #include <map>
 
 #include <gtest/gtest.h>
@@ -51,8 +50,6 @@ struct Planted {
   std::string_view phenomenon;
   std::string_view what;
 };
-
-void PrintTo(const Planted& planted, std::ostream* out) { *out << planted.what; }
 
 class PlantedDefect : public testing::TestWithParam<Planted> {};
 
