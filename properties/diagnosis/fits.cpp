@@ -380,15 +380,12 @@ std::string in_words(double number) {
     return fmt::format("1 {} {:.2g}", number < 1 ? "−" : "+", std::abs(number - 1));
   }
   // Answers show a number to a share of 2⁻¹⁰ (`agree`), so -0.0009999 is as good as -0.001.
-  constexpr int most_digits = 4;
-  std::string text;
-  for (int digits = 1; digits <= most_digits; ++digits) {
-    text = fmt::format("{:.{}g}", number, digits);
-    if (std::abs(std::stod(text) - number) <= 0x1p-11 * std::abs(number)) {
-      break;
-    }
+  double shortest = number;
+  for (const char* const digits : {"{:.4g}", "{:.3g}", "{:.2g}", "{:.1g}"}) {
+    const double shorter = std::stod(fmt::format(fmt::runtime(digits), number));
+    shortest = std::abs(shorter - number) <= 0x1p-11 * std::abs(number) ? shorter : shortest;
   }
-  return text;
+  return fmt::format("{:.4g}", shortest);
 }
 
 }  // namespace
