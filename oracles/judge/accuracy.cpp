@@ -6,6 +6,7 @@
 #include <optional>
 #include <type_traits>
 
+#include <carom/oracles/bounds/certain_sign.hpp>
 #include <carom/oracles/bounds/norm.hpp>
 #include <carom/oracles/bounds/stage.hpp>
 #include <carom/oracles/judge/accuracy.hpp>
@@ -35,10 +36,6 @@ Outcome<T> minus(const Outcome<T>& x, const Outcome<T>& y) {
   return {{x.a.velocity - y.a.velocity, x.a.angular_velocity - y.a.angular_velocity},
           {x.b.velocity - y.b.velocity, x.b.angular_velocity - y.b.angular_velocity}};
 }
-
-std::optional<int> certain_sign(const Enclosure& x) { return x.sign(); }
-std::optional<int> certain_sign(const Rational& x) { return sign_of(x); }
-std::optional<int> certain_sign(const Radical& x) { return sign_of(x); }
 
 template <class T>
 inline constexpr bool is_exact = std::is_same_v<T, Rational> || std::is_same_v<T, Radical>;

@@ -2,12 +2,14 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include <carom/oracles/bounds/certain_sign.hpp>
 #include <carom/oracles/bounds/norm.hpp>
 #include <carom/oracles/exact/radical.hpp>
 #include <carom/oracles/laws/mechanics.hpp>
@@ -19,11 +21,30 @@ namespace {
 
 using oracles::Rational;
 
-/// Whether the contact approaches more slowly than this: 0 < −N·V⁻ < speed ‖N‖.
-bool is_slower_than(const BasicCollision<Rational>& exact, double speed) {
-  const Rational normal_velocity = oracles::normal_velocity_before(exact);
-  return sign_of(normal_velocity) < 0 &&
-         normal_velocity * normal_velocity < Rational(speed) * Rational(speed) * exact.normal.squaredNorm();
+/// Whether the contact approaches more slowly than this: 0 < −N·V⁻ < speed ‖N‖. No value if bounds do not decide it.
+template <class T>
+std::optional<bool> is_slower_than(const BasicCollision<T>& collision, double speed) {
+  const T normal_velocity = oracles::normal_velocity_before(collision);
+  const std::optional<int> direction = oracles::certain_sign(normal_velocity);
+  if (direction.value_or(-1) >= 0) {
+    return false;
+  }
+  const T limit = T(speed) * T(speed) * collision.normal.dot(collision.normal);
+  const std::optional<int> excess = oracles::certain_sign(T(normal_velocity * normal_velocity - limit));
+  if (excess.value_or(-1) >= 0) {
+    return false;
+  }
+  return direction && excess ? std::optional(true) : std::nullopt;
+}
+
+bool is_slower_than(const Collision& posed, double speed) {
+  if (speed == 0) {
+    return false;
+  }
+  const auto enclosed =
+      map_numbers<oracles::Enclosure>(posed, [](double number) { return oracles::Enclosure(number); });
+  const std::optional<bool> by_bounds = is_slower_than(enclosed, speed);
+  return by_bounds ? *by_bounds : *is_slower_than(oracles::lift(posed), speed);
 }
 
 bool is_near_speed(const oracles::ExactCase& posed, double speed, double allowance) {
@@ -161,10 +182,9 @@ Collision judged_collision(const Collision& posed, const DeclaredEffects& effect
   if (!depend_on_approach(effects) || (posed.a.immovable && posed.b.immovable)) {
     return judged;
   }
-  const auto exact = oracles::lift(posed);
-  if (is_slower_than(exact, effects[DeclaredEffect::slop])) {
+  if (is_slower_than(posed, effects[DeclaredEffect::slop])) {
     judged.normal = -posed.normal;
-  } else if (is_slower_than(exact, effects[DeclaredEffect::restitution_threshold])) {
+  } else if (is_slower_than(posed, effects[DeclaredEffect::restitution_threshold])) {
     judged.restitution = 0;
   }
   return judged;
