@@ -441,7 +441,10 @@ std::vector<double> fitted(const Fit& fit, const Steps& steps, const KnownCase& 
   // If the other mistakes give the answer, the search finds the number that changes nothing, within rounding.
   constexpr double rounding = 0x1p-30;
   if (found && !(std::isfinite(fit.nothing) && std::abs(*found - fit.nothing) <= rounding * std::abs(unit))) {
-    numbers.push_back(*found);
+    // A factor near 0 leaves only rounding of its part, so the search ends at any such number.
+    constexpr double negligible = 0x1p-20;
+    const bool is_factor = fit.nothing == 1 && fit.unit == nullptr && !fit.is_limit;
+    numbers.push_back(is_factor && std::abs(*found) <= negligible ? 0 : *found);
   }
   return numbers;
 }

@@ -152,6 +152,25 @@ TEST(Hypotheses, FitTheShareOfTheSlipThatFrictionStops) {
   expect_share_of_slip(FrictionLimit::none, "friction stopped {} of the slip, whatever its limit");
 }
 
+/// The search for a factor ends at any number that leaves only rounding of its part.
+TEST(Hypotheses, FitAFactorOfZeroAsZero) {
+  int fitted_cases = 0;
+  const Fit& factor = fit_named("the tangential part of the impulse were multiplied by {}");
+  for (KnownCase one : right_answers(Law::sticking)) {
+    Steps steps = right_steps(one);
+    steps.effort = Effort::without_rationals;
+    const std::optional<Outcome<double>> without = factor.change(steps, one, 0) ? outcome_of(steps, one) : std::nullopt;
+    one.answered = without.value_or(one.truth);
+    if (is_visibly_off(one, 0x1p-53)) {
+      for (const double number : fitted(factor, right_steps(one), one)) {
+        EXPECT_EQ(number, 0);
+        ++fitted_cases;
+      }
+    }
+  }
+  EXPECT_GT(fitted_cases, 20);
+}
+
 /// A solver that diverges has such steps. The exact numbers know no infinity.
 TEST(Hypotheses, HaveNoAnswerIfTheFirstOfTwoImpulsesOverflows) {
   int without_answer = 0;
