@@ -20,9 +20,9 @@
 #             instruction set
 #   proofs    build, check the proofs, and print the axioms of each theorem. Then compare the oracle that is extracted
 #             from the proofs with the C++ oracle on 10,000 collisions. It takes six minutes on two cores
-#   bench     build, then print the times of solvers, batches, judge and gate. The exit status is 1 if a solver takes
-#             more than four times as long as the plain C++ of tests/benchmarks/plain_note.cpp, or if a batch is slower
-#             than that plain C++
+#   bench     build, then print the times of solvers, batches, judge and gate. tests/benchmarks/plain_note.cpp is the
+#             note in plain C++. The exit status is 1 if a solver takes more than four times as long as this, or if a
+#             batch is slower
 #   compare   REVISION: run the benchmarks of that revision and of this tree in turn, and print the ratios
 #   sanitize  run the tests with assertions, AddressSanitizer and UndefinedBehaviorSanitizer, in build-sanitize
 #   tsan      run the tests that start programs and threads under ThreadSanitizer, in build-tsan

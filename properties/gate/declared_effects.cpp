@@ -57,11 +57,11 @@ bool is_near_speed(const oracles::ExactCase& posed, double speed, double allowan
 Rational rounded(const Rational& number) { return number; }
 Rational rounded(const oracles::Radical& number) { return approximately(number); }
 
-/// What remains of a velocity after damping.
+/// Damping keeps this share of a velocity.
 Rational kept_by(double damping) { return Rational(1) - Rational(damping); }
 
-/// The factor by which a limit shortens a vector of the law's answer, of which damping keeps the fraction `kept`: 1 if
-/// the vector is not longer than the limit, or if there is no limit.
+/// A limit shortens a vector of the law's answer by this factor, after damping has kept the share `kept`. The factor is
+/// 1 if the vector is not longer than the limit, or if there is no limit.
 template <class T>
 Rational shortening(const Vector3<T>& of_law, const Rational& kept, double limit) {
   if (limit == 0) {

@@ -186,7 +186,9 @@ TEST_F(TimeCommand, EndsInTwoIfNoReplyComes) {
 TEST_F(TimeCommand, ShowsTheFirstFailureAtOnce) {
   const std::string first = "carom: unmoving, bounce: /states/0/0/velocity/1: expected";
   const RunResult run = measured("text", {"--phenomena", "bounce,slow-bounce"});
-  unit::expect_in(run.output, {"slow-bounce, 84 of 84 runs not posed: " + first});
+  unit::expect_in(run.output, {"bounce, 3 of 60 runs failed: /states/0/0/velocity/1: expected a number",
+                               "slow-bounce, 84 of 84 runs not posed: " + first});
+  EXPECT_EQ(run.exit_status, 2);
   EXPECT_EQ(run.errors.find(first), run.errors.rfind("carom: ")) << run.errors;
 }
 

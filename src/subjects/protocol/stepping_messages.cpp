@@ -23,7 +23,7 @@ using Reader = carom::detail::ObjectReader<json>;
 constexpr std::size_t longest_text = 100;          // bytes
 constexpr std::uint64_t most_steps = 100'000'000;  // of one run, so that a typing error does not run for a day
 
-/// Throws FormatError, which shows the value, unless it is right.
+/// Throws FormatError if the value is not right. The error shows the value.
 void require(bool is_right, const std::string& place, const std::string& expected, const json& value) {
   if (!is_right) {
     throw FormatError(place, "expected " + expected + carom::detail::found(value));
