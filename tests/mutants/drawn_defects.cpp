@@ -2,6 +2,7 @@
 #include "drawn_defects.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <map>
@@ -45,6 +46,9 @@ bool has_part(const std::string& text, const std::string& part) {
   }
   if (part == "A" || part == "B") {
     return has_letter() || has("both") || has("bodies");
+  }
+  if (std::isdigit(static_cast<unsigned char>(part.back())) != 0) {
+    return std::regex_search(text, std::regex(part + "(?![0-9]|[.][0-9])"));  // 0 is not 0.5, and 1 is not 1.5
   }
   return part.size() == 1 ? has_letter() : has(part);
 }

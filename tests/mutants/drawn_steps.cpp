@@ -215,7 +215,8 @@ const std::vector<DefectKind> kinds{
        [](Vector& f, const Problem& p, const Drawn& d) { f += across(p.contact.normal, f) * (d.number - 1); },
        [](const Drawn& d) {
          return d.number < 0 ? "tangential & multiplied by -1"
-                             : (d.number == 0 ? "law were frictionless" : "friction stopped & of the slip");
+                             : (d.number == 0 ? "law were frictionless | tangential & multiplied by 0"
+                                              : "friction stopped & of the slip");
        }}}},
     {{"normal_impulse_multiplied", [](Random& r) { return Drawn{.number = r.factor()}; }, laws_with_tangents},
      {{"the normal impulse is multiplied by {c}",
