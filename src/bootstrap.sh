@@ -13,6 +13,7 @@
 #   engines   build, install the npm engines, then run `build/carom gate --engines ARG…`
 #   scenes    build carom-scene too, run every scene of docs/examples/scenes into build/scenes, and print one verdict
 #             a line
+#   time      build carom-scene too, then run `build/carom time ARG…`
 #   quick     build and run the fastest unit tests: the first answer to an edit
 #   wasm      build the judge in WebAssembly, the npm package build-wasm/carom-VERSION.tgz and the page build-wasm/page
 #   test      build, then run the tests that a change needs (`ctest ARG…`). The heavy tests run a sample of their cases
@@ -268,6 +269,10 @@ scenes)
     run_scene "$file" "$@" || status=1
   done
   exit "$status"
+  ;;
+time)
+  build carom_programs
+  exec build/carom time "$@"
   ;;
 wasm)
   install_web

@@ -16,9 +16,6 @@ namespace carom::subjects {
 /// The engines of npm, which the adapters in engines/npm/time run.
 [[nodiscard]] std::vector<Stepper> npm_steppers();
 
-/// The simulation of `carom scene`, which the program carom-scene runs.
-[[nodiscard]] Stepper scene_stepper();
-
 /// All engines in time, each configured and as shipped. An engine that is not installed is absent.
 [[nodiscard]] std::vector<Stepper> all_steppers();
 

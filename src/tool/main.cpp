@@ -12,11 +12,11 @@
 namespace carom::tool {
 namespace {
 
-/// Replaces this process by carom-scene if the command is `scene` or `plan` and carom-scene is in this program's
-/// folder. Otherwise it returns.
+/// Replaces this process by carom-scene if the command is `scene`, `time` or `plan` and carom-scene is in this
+/// program's folder. Otherwise it returns.
 void become_scene_program(int argc, char** argv) noexcept {
   const std::string_view command = argc > 1 ? argv[1] : "";
-  if (command != "scene" && command != "plan") {
+  if (command != "scene" && command != "time" && command != "plan") {
     return;
   }
   const std::filesystem::path directory = subjects::program_directory();
@@ -25,17 +25,25 @@ void become_scene_program(int argc, char** argv) noexcept {
   }
 }
 
-/// The command `scene` of a program that did not become carom-scene. It throws UsageError.
-void add_missing_scene(CLI::App& app, Chosen& chosen) {
-  CLI::App* command = app.add_subcommand(
-      "scene", "Simulate a scene: certify the order of its events, judge its impulses, and account for its energy");
+/// A command of a program that did not become carom-scene. It throws UsageError.
+void add_missing(CLI::App& app, Chosen& chosen, const std::string& name, const std::string& description) {
+  CLI::App* command = app.add_subcommand(name, description);
   command->allow_extras();
-  command->callback([&chosen] {
-    chosen = []() -> int {
-      throw UsageError(
-          "scene: the program carom-scene is not in the directory of this program; install Carom's scenes");
+  command->callback([&chosen, name] {
+    chosen = [name]() -> int {
+      throw UsageError(name +
+                       ": the program carom-scene is not in the directory of this program; install Carom's scenes");
     };
   });
+}
+
+void add_missing_scene(CLI::App& app, Chosen& chosen) {
+  add_missing(app, chosen, "scene",
+              "Simulate a scene: certify the order of its events, judge its impulses, and account for its energy");
+}
+
+void add_missing_time(CLI::App& app, Chosen& chosen) {
+  add_missing(app, chosen, "time", "Measure engines that step in time against ten phenomena with known answers");
 }
 
 }  // namespace
@@ -46,5 +54,5 @@ int main(int argc, char** argv) {
   become_scene_program(argc, argv);
   return run_program(argc, argv,
                      {add_gate, add_check, add_domain, add_lists, add_chart, add_missing_scene, add_plan, add_compare,
-                      add_merge, add_replay, add_time});
+                      add_merge, add_replay, add_missing_time});
 }

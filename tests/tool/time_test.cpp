@@ -223,12 +223,6 @@ TEST(WorstReading, IsNotOneThatRoundingExplains) {
   EXPECT_EQ(report::worst_reading(measurement, 0.01)->what, "wrong");
 }
 
-TEST(SceneInSteps, NamesACommandThatIsNone) {
-  const char* const script = R"sh(echo '{"cmd":1}' | "$(dirname "$0")"/carom-scene steps)sh";
-  expect_error(run_program("/bin/sh", {"-c", script, carom_program()}),
-               {"carom-scene: /cmd: expected start, run or stop, found 1"});
-}
-
 TEST_F(TimeCommand, RefusesNamesAndStepsThatAreNone) {
   expect_error(run_carom({"time", "no-such-engine"}), {"no engine in time is named no-such-engine"});
   expect_error(run_carom({"time", "scene", "--phenomena", "bonce"}),

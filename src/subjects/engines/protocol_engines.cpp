@@ -170,14 +170,6 @@ std::vector<Stepper> npm_steppers() {
   return steppers;
 }
 
-Stepper scene_stepper() {
-  const fs::path program = program_directory() / "carom-scene";
-  Stepper stepper{"scene"};
-  stepper.specification = specification({program.string(), "steps"});
-  stepper.absent = is_there(program) ? "" : program.string() + " does not exist: the component scenes is not built";
-  return stepper;
-}
-
 std::vector<Subject> protocol_engines() {
   std::vector<Subject> engines = bullet_float();
   for (const NodeEngine& engine :

@@ -40,7 +40,7 @@ std::vector<Stepper> all_steppers() {
 #else
       absent("box2d", "libbox2d-dev"),
 #endif
-      npm_steppers(), std::vector{scene_stepper()}};
+      npm_steppers()};
   std::vector<Stepper> all;
   for (const std::vector<Stepper>& group : groups) {
     all.insert(all.end(), group.begin(), group.end());

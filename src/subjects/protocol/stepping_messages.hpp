@@ -27,17 +27,6 @@ namespace carom::subjects::protocol {
 /// The error that the reply to a request `save` or `restore` names; no value if it names none. Throws FormatError.
 [[nodiscard]] std::optional<Refused> state_reply_from(std::string_view line, std::uint64_t id);
 
-/// A request to a stepper, as a program reads it.
-struct RunRequest {
-  std::uint64_t id;
-  Stepping stepping;
-};
-
-/// Parses a `run` request. Throws FormatError that names the place, also for a number that a scene cannot have.
-[[nodiscard]] RunRequest run_request_from(std::string_view line);
-
-[[nodiscard]] std::string run_reply(std::uint64_t id, const SteppingAnswer& answer);
-
 /// Parses the reply to the request with this id. Throws FormatError if it is no reply, or if its states do not fit the
 /// request.
 [[nodiscard]] SteppingAnswer run_reply_from(std::string_view line, std::uint64_t id, const Stepping& stepping);

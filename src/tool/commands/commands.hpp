@@ -31,8 +31,7 @@ void add_merge(CLI::App& app, Chosen& chosen);
 void add_replay(CLI::App& app, Chosen& chosen);
 void add_scene(CLI::App& app, Chosen& chosen);           // of the program carom-scene
 void add_plan_of_scenes(CLI::App& app, Chosen& chosen);  // of carom-scene; of collisions, too
-void add_steps(CLI::App& app, Chosen& chosen);           // of carom-scene
-void add_time(CLI::App& app, Chosen& chosen);
+void add_time(CLI::App& app, Chosen& chosen);            // of carom-scene
 
 /// Runs a program with these commands and returns its exit status, even if a command throws. Errors are reported on
 /// standard error. If the reader of standard output is gone, the function ends the program by SIGPIPE.

@@ -31,6 +31,7 @@
 #include "io/output.hpp"
 #include "io/this_environment.hpp"
 #include "io/usage_error.hpp"
+#include "scene/scene_stepper.hpp"
 
 namespace carom::tool {
 namespace {
@@ -103,7 +104,8 @@ Choice choice_of(const TimeArguments& arguments) {
 /// The engines that were named, all of them if none was. Throws UsageError if there is none of a name.
 std::vector<Stepper> chosen_engines(const TimeArguments& arguments, const std::stop_token& stop) {
   const subjects::protocol::ExecOptions options = subjects::protocol::exec_options(arguments.timeout, stop);
-  const std::vector<Stepper> all = subjects::all_steppers();
+  std::vector<Stepper> all = subjects::all_steppers();
+  all.push_back(scene_stepper());
   std::vector<std::string> known;
   std::transform(all.begin(), all.end(), std::back_inserter(known), [](const Stepper& one) { return one.name; });
   const std::vector<std::string>& names = arguments.subjects.empty() ? known : arguments.subjects;

@@ -1,28 +1,19 @@
 // SPDX-License-Identifier: BSL-1.0
+#include "scene/scene_stepper.hpp"
+
 #include <cmath>
-#include <iostream>
 #include <numbers>
 #include <optional>
 #include <string>
-#include <string_view>
+#include <utility>
+#include <vector>
 
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
-
-#include <carom/collision/json/json.hpp>
-#include <carom/report/results/run.hpp>
 #include <carom/report/results/version.hpp>
 #include <carom/scene/sphere_simulation.hpp>
 #include <carom/scene/valid_scene.hpp>
-#include <carom/subjects/protocol/stepping_messages.hpp>
 
-#include "commands/commands.hpp"
-
-/// `carom-scene steps`: the simulation of `carom scene` as a program that steps, so that the phenomena can judge it.
 namespace carom::tool {
 namespace {
-
-using subjects::protocol::RunRequest;
 
 /// The greatest relative difference between a moment and 2/5 m R², so that the body is a uniform ball: two roundings of
 /// the product, and one of the caller.
@@ -118,50 +109,15 @@ SteppingAnswer answer_to(const Stepping& stepping) {
   }
   try {
     return reported_states(scene, stepping);
-  } catch (const scene::SceneError& error) {  // another error is a fault, and ends the program
+  } catch (const scene::SceneError& error) {  // another error is a fault, and ends the run
     return Skipped{error.what()};
   }
 }
 
-std::string introduction() {
-  const nlohmann::json reply{{"protocol", 1},           {"name", "scene"},    {"version", report::version},
-                             {"precision", "binary64"}, {"model", "coulomb"}, {"time", true},
-                             {"cannot", {"box"}}};
-  return reply.dump() + '\n';
-}
-
-int serve_steps() {
-  std::string line;
-  while (std::getline(std::cin, line)) {
-    try {
-      const nlohmann::json request = parse_json(line);
-      const nlohmann::json command = request.is_object() ? request.value("cmd", nlohmann::json()) : nlohmann::json();
-      if (command == "stop") {
-        break;
-      }
-      if (command == "start") {
-        std::cout << introduction() << std::flush;
-        continue;
-      }
-      if (command != "run") {
-        throw FormatError("/cmd", "expected start, run or stop, found " + command.dump());
-      }
-      const RunRequest run = subjects::protocol::run_request_from(line);
-      std::cout << subjects::protocol::run_reply(run.id, answer_to(run.stepping)) << std::flush;
-    } catch (const FormatError& error) {
-      std::cerr << "carom-scene: " << error.what() << '\n';
-      return report::exit_usage;
-    }
-  }
-  return report::exit_all_hold;
-}
-
 }  // namespace
 
-void add_steps(CLI::App& app, Chosen& chosen) {
-  CLI::App* command = app.add_subcommand(
-      "steps", "Answer requests `run` of the protocol on standard input by the simulation of `carom scene`");
-  command->callback([&chosen] { chosen = [] { return serve_steps(); }; });
+Stepper scene_stepper() {
+  return {.name = "scene", .version = report::version, .cannot = {"box"}, .open = [] { return answer_to; }};
 }
 
 }  // namespace carom::tool
