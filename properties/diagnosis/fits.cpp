@@ -59,7 +59,7 @@ Number found_from(double from, double to, const OutcomeAt& outcome_at, const Kno
 }
 
 // The starts of a search, in units of the quantity.
-constexpr std::array factors{-1.0, 0.02, 0.2, 0.5, 2.0, 5.0, 57.0};
+constexpr std::array first_factors{-1.0, 0.02, 0.2, 0.5, 2.0, 5.0, 57.0};
 constexpr std::array additions{0.001, 0.03, 0.3, 3.0};
 constexpr std::array coefficients{0.5};
 constexpr std::array least_values{1.2, 2.0, 1e1, 1e2, 1e3, 1e5, 1e8};
@@ -429,7 +429,7 @@ std::vector<double> fitted(const Fit& fit, const Steps& steps, const KnownCase& 
     return numbers;
   }
   const double unit = fit.unit == nullptr ? 1 : fit.unit(one);
-  const std::span<const double> starts = fit.starts.empty() ? std::span<const double>(factors) : fit.starts;
+  const std::span<const double> starts = fit.starts.empty() ? std::span<const double>(first_factors) : fit.starts;
   constexpr double near = 1 + 0x1p-10;
   Number found;
   if (std::isfinite(fit.nothing)) {

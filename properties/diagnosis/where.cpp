@@ -65,7 +65,7 @@ struct Literal {
 
 /// A condition may miss this fraction of the violated cases (mostly cases of overflow and underflow). The second value
 /// applies if the first finds no condition.
-constexpr std::array most_left_out{0.05, 0.2};
+constexpr std::array most_missed{0.05, 0.2};
 
 /// A condition must exclude this fraction of the cases that are not violated.
 constexpr double least_taken_away = 0.3;
@@ -454,7 +454,7 @@ bool is_examined(std::uint64_t index, std::uint64_t every) {
 Where where_violated(const GateReport& report, const Violations& violations) {
   const Sample sample(report, violations);
   Where where;
-  for (const double left_out : most_left_out) {
+  for (const double left_out : most_missed) {
     where = where_in(sample, left_out);
     if (!where.conditions.empty() || is_nearly_all(where.all)) {
       break;

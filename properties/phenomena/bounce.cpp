@@ -7,7 +7,7 @@
 #include <carom/properties/phenomena/posing.hpp>
 
 namespace carom::properties {
-namespace {
+namespace of_bounce {
 
 using namespace posing;
 
@@ -100,7 +100,7 @@ std::vector<PosedRun> runs(const Ladder& ladder, bool planar) {
   });
 }
 
-}  // namespace
+}  // namespace of_bounce
 
 Phenomenon bounce() {
   return {"bounce",
@@ -115,7 +115,7 @@ Phenomenon bounce() {
           "steps; the times of impacts 1 and 5. Errors of heights are relative to H, and errors of times to t₁.",
           "An engine that looks for contacts at the ends of steps finds an impact up to a step late. It is then off by "
           "up to g h in speed or v h in place. Both are worth v h in height.",
-          runs};
+          of_bounce::runs};
 }
 
 }  // namespace carom::properties

@@ -7,7 +7,7 @@
 #include <carom/properties/phenomena/posing.hpp>
 
 namespace carom::properties {
-namespace {
+namespace of_flat_landing {
 
 using namespace posing;
 
@@ -54,7 +54,7 @@ std::vector<PosedRun> runs(const Ladder& ladder, bool planar) {
   });
 }
 
-}  // namespace
+}  // namespace of_flat_landing
 
 Phenomenon flat_landing() {
   return {
@@ -69,7 +69,7 @@ Phenomenon flat_landing() {
       "The height z + v²/(2g) near the apex, or 0.1 s after the impact for ε = 0; turn and drift at this time. Errors "
       "of lengths are relative to H.",
       "One step's worth is v h in height, as for `bounce`. Nothing explains a turn or a drift.",
-      runs};
+      of_flat_landing::runs};
 }
 
 }  // namespace carom::properties

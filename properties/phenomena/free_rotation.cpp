@@ -8,7 +8,7 @@
 #include <carom/properties/phenomena/posing.hpp>
 
 namespace carom::properties {
-namespace {
+namespace of_free_rotation {
 
 using namespace posing;
 
@@ -105,7 +105,7 @@ std::vector<PosedRun> runs(const Ladder& ladder, bool planar) {
                        });
 }
 
-}  // namespace
+}  // namespace of_free_rotation
 
 Phenomenon free_rotation() {
   return {
@@ -121,7 +121,7 @@ Phenomenon free_rotation() {
       "momentum at 10 s, relative to the first ones.",
       "One step's worth is the greatest w × J w times h in angular momentum, and the greatest w' times h times the "
       "time in attitude.",
-      runs};
+      of_free_rotation::runs};
 }
 
 }  // namespace carom::properties

@@ -5,7 +5,7 @@
 #include <carom/properties/phenomena/posing.hpp>
 
 namespace carom::properties {
-namespace {
+namespace of_pass_through {
 
 using namespace posing;
 
@@ -71,7 +71,7 @@ std::vector<PosedRun> runs(const Ladder& ladder, bool planar) {
                        });
 }
 
-}  // namespace
+}  // namespace of_pass_through
 
 Phenomenon pass_through() {
   return {
@@ -87,7 +87,7 @@ Phenomenon pass_through() {
       "velocity "
       "is relative to the velocity before. Both are read 0.02 s after the impact and at least 6 steps after it.",
       "Nothing explains an error but rounding, because the sphere is as fast at the end of a step as at the impact.",
-      runs};
+      of_pass_through::runs};
 }
 
 }  // namespace carom::properties

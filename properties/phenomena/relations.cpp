@@ -17,7 +17,7 @@ using namespace posing;
 constexpr double duration = 2;
 constexpr double saved_at = 1;
 constexpr double between_reports = 0.05;
-constexpr double shift = 8;         // [m] to the right
+constexpr double moved_by = 8;      // [m] to the right
 constexpr double tolerance = 1e-3;  // [m] and [rad]
 
 /// Maps a body by a permutation of the axes with signs, which rounds nothing.
@@ -36,7 +36,7 @@ void map_body(SteppedBody& body, const Matrix3<double>& axes) {
 }
 
 /// A heap that is related to the heap, and how its states are mapped back: without rounding, but for `translation`.
-struct Related {
+struct RelatedHeap {
   std::string_view name;
   std::string_view change;
   std::function<void(Stepping&)> to;
@@ -44,7 +44,7 @@ struct Related {
 };
 
 /// A heap whose axes are mapped. Body 0 is the floor. It keeps its place, because it has no sides.
-Related mapped(std::string_view name, std::string_view change, const Matrix3<double>& axes) {
+RelatedHeap mapped(std::string_view name, std::string_view change, const Matrix3<double>& axes) {
   return {name, change,
           [axes](Stepping& heap) {
             std::for_each(heap.scene.bodies.begin() + 1, heap.scene.bodies.end(),
@@ -59,10 +59,10 @@ Related mapped(std::string_view name, std::string_view change, const Matrix3<dou
           }};
 }
 
-std::vector<Related> related_heaps(const Stepper& stepper) {
+std::vector<RelatedHeap> related_heaps(const Stepper& stepper) {
   const bool planar = stepper.is_planar;
   const auto nothing = [](auto&) {};
-  std::vector<Related> all{
+  std::vector<RelatedHeap> all{
       {"memoryless", "run twice", nothing, nothing},
       {"swap", "with the bodies in another order",
        [](Stepping& heap) { std::reverse(heap.scene.bodies.begin() + 1, heap.scene.bodies.end()); },
@@ -71,10 +71,10 @@ std::vector<Related> related_heaps(const Stepper& stepper) {
       {"translation", "moved by 8 m",
        [](Stepping& heap) {
          std::for_each(heap.scene.bodies.begin() + 1, heap.scene.bodies.end(),
-                       [](SteppedBody& body) { body.state.position[0] += shift; });
+                       [](SteppedBody& body) { body.state.position[0] += moved_by; });
        },
        [](std::vector<BodyState>& states) {
-         std::for_each(states.begin() + 1, states.end(), [](BodyState& state) { state.position[0] -= shift; });
+         std::for_each(states.begin() + 1, states.end(), [](BodyState& state) { state.position[0] -= moved_by; });
        }},
       {"local", "with a bystander 64 m away",
        [planar](Stepping& heap) {
@@ -189,7 +189,7 @@ std::vector<RelationResult> heap_relations(const Stepper& stepper, Stepper::Sess
   const Stepping plain{heap(stepper.is_planar), step, report_at(times, step)};
   const auto first = answer_of(stepper, session, plain);
   std::vector<RelationResult> results;
-  for (const Related& related : related_heaps(stepper)) {
+  for (const RelatedHeap& related : related_heaps(stepper)) {
     RelationResult result{related.name, related.change, Likeness::unanswered, 0, 0, {}};
     Stepping changed = plain;
     related.to(changed);

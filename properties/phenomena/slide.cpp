@@ -4,7 +4,7 @@
 #include <carom/properties/phenomena/posing.hpp>
 
 namespace carom::properties {
-namespace {
+namespace of_slide {
 
 using namespace posing;
 
@@ -44,7 +44,7 @@ std::vector<PosedRun> runs(const Ladder& ladder, bool planar) {
                        });
 }
 
-}  // namespace
+}  // namespace of_slide
 
 Phenomenon slide() {
   return {
@@ -59,7 +59,7 @@ Phenomenon slide() {
       "to v₀, and the error of the distance to the distance.",
       "One step's worth of friction is μ g h in speed, and this speed times v₀/(μ g) in distance. Nothing explains a "
       "turn or a creep.",
-      runs};
+      of_slide::runs};
 }
 
 }  // namespace carom::properties

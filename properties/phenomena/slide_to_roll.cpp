@@ -4,7 +4,7 @@
 #include <carom/properties/phenomena/posing.hpp>
 
 namespace carom::properties {
-namespace {
+namespace of_slide_to_roll {
 
 using namespace posing;
 
@@ -48,7 +48,7 @@ std::vector<PosedRun> runs(const Ladder& ladder, bool planar) {
                        });
 }
 
-}  // namespace
+}  // namespace of_slide_to_roll
 
 Phenomenon slide_to_roll() {
   return {
@@ -64,7 +64,7 @@ Phenomenon slide_to_roll() {
       "and the error of the distance to the distance.",
       "One step's worth of friction is μ g h in speed in the slip, and this speed times the slip's duration in "
       "distance. The rolling speed does not depend on the step, because the angular momentum does not.",
-      runs};
+      of_slide_to_roll::runs};
 }
 
 }  // namespace carom::properties

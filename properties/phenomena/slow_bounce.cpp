@@ -5,7 +5,7 @@
 #include <carom/properties/phenomena/posing.hpp>
 
 namespace carom::properties {
-namespace {
+namespace of_slow_bounce {
 
 using namespace posing;
 
@@ -36,7 +36,7 @@ std::vector<PosedRun> runs(const Ladder& ladder, bool planar) {
   });
 }
 
-}  // namespace
+}  // namespace of_slow_bounce
 
 Phenomenon slow_bounce() {
   return {
@@ -49,7 +49,7 @@ Phenomenon slow_bounce() {
       "The sphere leaves at ε v at every speed. Source: Newton's law of restitution.",
       "The speed 0.1 s after the impact, and at least 8 steps after it. Errors are relative to ε v.",
       "Nothing explains an error but rounding, because the sphere is as fast at the end of a step as at the impact.",
-      runs};
+      of_slow_bounce::runs};
 }
 
 }  // namespace carom::properties

@@ -7,7 +7,7 @@
 #include <carom/properties/phenomena/posing.hpp>
 
 namespace carom::properties {
-namespace {
+namespace of_spin {
 
 using namespace posing;
 
@@ -85,7 +85,7 @@ std::vector<PosedRun> runs(const Ladder& ladder, bool planar) {
   });
 }
 
-}  // namespace
+}  // namespace of_spin
 
 Phenomenon spin() {
   return {
@@ -103,7 +103,7 @@ Phenomenon spin() {
       "before the impact, and to this speed divided by R.",
       "Nothing explains an error but rounding, because velocity and spin are the same at the end of a step as at the "
       "impact.",
-      runs};
+      of_spin::runs};
 }
 
 }  // namespace carom::properties

@@ -5,7 +5,7 @@
 #include <carom/properties/phenomena/posing.hpp>
 
 namespace carom::properties {
-namespace {
+namespace of_stack {
 
 using namespace posing;
 
@@ -55,7 +55,7 @@ std::vector<PosedRun> runs(const Ladder& ladder, bool planar) {
                        });
 }
 
-}  // namespace
+}  // namespace of_stack
 
 Phenomenon stack() {
   return {
@@ -69,7 +69,7 @@ Phenomenon stack() {
       "kinetic energy, after 10 s. They are relative to an edge, a radian, and the energy m g of one edge. The five "
       "longest steps are measured.",
       "Nothing explains an error but rounding, because nothing moves.",
-      runs};
+      of_stack::runs};
 }
 
 }  // namespace carom::properties

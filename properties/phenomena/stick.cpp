@@ -7,7 +7,7 @@
 #include <carom/properties/phenomena/posing.hpp>
 
 namespace carom::properties {
-namespace {
+namespace of_stick {
 
 using namespace posing;
 
@@ -55,7 +55,7 @@ std::vector<PosedRun> runs(const Ladder& ladder, bool planar) {
                        });
 }
 
-}  // namespace
+}  // namespace of_stick
 
 Phenomenon stick() {
   return {
@@ -69,7 +69,7 @@ Phenomenon stick() {
       "Between 0.5 s and 1 s: the speed of creep if the box should rest, otherwise the acceleration. Errors are "
       "relative to g sin θ, in a second.",
       "Nothing explains an error but rounding, because the acceleration is constant.",
-      runs};
+      of_stick::runs};
 }
 
 }  // namespace carom::properties

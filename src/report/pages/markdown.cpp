@@ -13,7 +13,6 @@ namespace carom::report {
 namespace {
 
 constexpr std::size_t longest_page = 1'000'000;
-constexpr std::size_t longest_line = 4000;
 
 /// Escapes a line, so that it contains no markup and does not end the cell of a table.
 std::string escaped(const std::string& text) {

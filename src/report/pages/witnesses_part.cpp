@@ -68,15 +68,15 @@ PerVector<std::string> velocities_in_words(const Outcome<T>& outcome) {
 }
 
 /// A column of velocities, to compare an outcome with.
-struct Velocities {
+struct VelocityColumn {
   std::string title;
   PerVector<std::string> velocities;
 };
 
 /// The exact velocities for a subject that claims a law. A law that may have several answers has a column for each
 /// answer. If the subject claims no law, there is a column for the exact outcome of each law.
-std::vector<Velocities> exact_columns(const oracles::ExactCase& exact_case, Law claimed) {
-  std::vector<Velocities> columns;
+std::vector<VelocityColumn> exact_columns(const oracles::ExactCase& exact_case, Law claimed) {
+  std::vector<VelocityColumn> columns;
   if (claimed == Law::coulomb) {
     for (const oracles::CoulombAnswer& answer : oracles::coulomb_answers(exact_case)) {
       columns.push_back({fmt::format("answer, {}", name_of(answer.kind)), velocities_in_words(answer.truth.outcome)});
@@ -103,9 +103,9 @@ void add_outcome(Document& document, const Witness& witness, const properties::J
     document.emplace_back(Paragraph{"More about the failure:"});
     document.emplace_back(Code{failed->said});
   }
-  std::vector<Velocities> columns;
+  std::vector<VelocityColumn> columns;
   if (const auto* computed = std::get_if<ReportedOutcome>(&witness.answer)) {
-    Velocities of_subject{"computed", {}};
+    VelocityColumn of_subject{"computed", {}};
     for (const OutcomeVector k : all_outcome_vectors) {
       of_subject.velocities[k] = in_words(*vectors(*computed)[k]);
     }
@@ -113,7 +113,7 @@ void add_outcome(Document& document, const Witness& witness, const properties::J
   }
   if (judged_case.is_valid()) {
     const std::string why_missing = properties::why_failed([&] {
-      for (Velocities& exact : exact_columns(judged_case.exact(), claimed)) {
+      for (VelocityColumn& exact : exact_columns(judged_case.exact(), claimed)) {
         columns.push_back(std::move(exact));
       }
     });
@@ -125,14 +125,14 @@ void add_outcome(Document& document, const Witness& witness, const properties::J
     return;
   }
   Table table = numbers_table("Both bodies after the impulse", {""});
-  for (const Velocities& column : columns) {
+  for (const VelocityColumn& column : columns) {
     table.columns.push_back({column.title});
   }
   constexpr PerVector<const char*> names{"velocity of A", "angular velocity of A", "velocity of B",
                                          "angular velocity of B"};
   for (const OutcomeVector k : all_outcome_vectors) {
     Row row{{names[k]}};
-    for (const Velocities& column : columns) {
+    for (const VelocityColumn& column : columns) {
       row.cells.emplace_back(column.velocities[k]);
     }
     table.rows.push_back(std::move(row));

@@ -6,13 +6,13 @@
 #include <carom/collision/json/json.hpp>
 #include <carom/collision/json/text.hpp>
 #include <carom/report/results/archive.hpp>
+#include <carom/report/results/words.hpp>
 
 namespace carom::report {
 namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t longest_line = 4000;
 constexpr std::size_t longest_found = 100;
 
 }  // namespace

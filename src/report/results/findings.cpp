@@ -25,13 +25,13 @@ json first_record(const std::vector<ViolatedCase>& first) {
   return record;
 }
 
-constexpr std::array<const char*, properties::all_answer_kinds.size()> kinds{"outcome", "not_finite", "refused",
+constexpr std::array<const char*, properties::all_answer_kinds.size()> names_of_kinds{"outcome", "not_finite", "refused",
                                                                              "failed", "skipped"};
 
 /// The twelve numbers of an outcome, or the kind of another answer.
 json answer_record(const properties::SampledAnswer& answer) {
   if (answer.kind != properties::AnswerKind::outcome) {
-    return kinds[static_cast<std::size_t>(answer.kind)];
+    return names_of_kinds[static_cast<std::size_t>(answer.kind)];
   }
   json numbers = json::array();
   const auto from = vectors(answer.outcome);
@@ -46,11 +46,11 @@ json answer_record(const properties::SampledAnswer& answer) {
 properties::SampledAnswer answer_from(std::uint64_t index, const Field& field) {
   properties::SampledAnswer answer{index, properties::AnswerKind::outcome, {}};
   if (field.value().is_string()) {
-    const auto found = std::ranges::find(kinds, field.text());
-    if (found == kinds.end() || found == kinds.begin()) {
+    const auto found = std::ranges::find(names_of_kinds, field.text());
+    if (found == names_of_kinds.end() || found == names_of_kinds.begin()) {
       field.fail("the kind of an answer: not_finite, refused, failed or skipped");
     }
-    answer.kind = static_cast<properties::AnswerKind>(found - kinds.begin());
+    answer.kind = static_cast<properties::AnswerKind>(found - names_of_kinds.begin());
     return answer;
   }
   const std::vector<Field> numbers = field.elements();

@@ -13,6 +13,9 @@
 /// Words that all forms of a report share.
 namespace carom::report {
 
+/// The greatest length of a line that a report quotes from elsewhere, in bytes.
+inline constexpr std::size_t longest_line = 4000;
+
 /// A third party's text, as one line that is safe to print.
 [[nodiscard]] std::string shown(const std::string& text);
 
