@@ -5,29 +5,29 @@
 
 namespace carom::phenomena_tests {
 
-enum class Defect {
-  none,
-  friction_an_impulse_a_step,  // the limit of friction is a force, but it is applied as an impulse
-  restitution_threshold,       // no bounce below 0.5 m/s
-  restitution_after_gravity,   // the speed that restitution turns has the step's gravity in it
-  speculative_contacts,        // a body is slowed down so that it just touches, and then it bounces with that speed
-  bounce_without_spin,         // the friction of a bounce has no torque
-  pushed_out_with_velocity,    // penetration becomes a velocity
-  damping,                     // a tenth of the velocity a second
-  no_gyroscopic_term,          // the angular velocity of a free body stays
-  explicit_gyroscopic_term,    // by Euler's explicit method
-  contacts_a_step_late,        // from the places one step before
-  binary32_state,              // the state is rounded to binary32 after each step
-  friction_of_one_axis,        // along x alone
-  friction_beyond_the_cone,    // without a limit
-  one_contact_point,           // of two bodies
-  insertion_order,             // contacts are solved in the order in which bodies were added
-  surviving_warm_starts        // the impulses of the last run are the first guess of the next
+/// The switches of the sixteen defects. By default, all are off.
+struct Defects {
+  bool friction_an_impulse_a_step = false;  // the limit of friction is a force, but it is applied as an impulse
+  double restitution_threshold = 0;         // no bounce below this speed [m/s]
+  bool restitution_after_gravity = false;   // the speed that restitution turns has the step's gravity in it
+  double speculation = 0;  // a body just touches what is nearer than this, and then it bounces with less speed [m]
+  double torque = 1;       // this share of the torque of an impulse acts: a bounce without spin has 0
+  double push_out = 0;     // this share of a penetration becomes a velocity in a step
+  double damping = 0;      // this share of the velocity is lost in a second
+  bool no_gyroscopic_term = false;         // the angular velocity of a free body stays
+  bool explicit_gyroscopic_term = false;   // by Euler's explicit method
+  bool contacts_a_step_late = false;       // from the places one step before
+  bool binary32_state = false;             // the state is rounded to binary32 after each step
+  Vector3<double> friction_axes{1, 1, 1};  // friction acts along them: friction of one axis has one 1
+  bool friction_beyond_the_cone = false;   // without a limit
+  unsigned corners = 8;                    // of a box that can touch: a box with one contact point has 1
+  bool insertion_order = false;            // contacts are solved in the order in which bodies were added
+  bool surviving_warm_starts = false;      // the impulses of the last run are the first guess of the next
 };
 
-/// Symplectic Euler with impulses at the ends of steps, for spheres, boxes and half-spaces, and one defect. Boxes pass
-/// through each other. Impulses are found contact by contact, with warm starts, until they change no velocity by more
-/// than rounding. Nothing removes a penetration.
-[[nodiscard]] Stepper planted_engine(Defect defect);
+/// Symplectic Euler with impulses at the ends of steps, for spheres, boxes and half-spaces. Boxes pass through each
+/// other. Impulses are found contact by contact, with warm starts, until they change no velocity by more than rounding.
+/// Nothing removes a penetration.
+[[nodiscard]] Stepper planted_engine(const Defects& defects);
 
 }  // namespace carom::phenomena_tests
