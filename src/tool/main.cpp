@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <filesystem>
 #include <string_view>
 
 #include <unistd.h>
@@ -6,7 +7,6 @@
 #include <carom/subjects/engines.hpp>
 
 #include "commands/commands.hpp"
-#include "io/usage_error.hpp"
 
 /// carom. Scenes are a component with a program of its own, carom-scene, which carom starts.
 namespace carom::tool {
@@ -23,27 +23,6 @@ void become_scene_program(int argc, char** argv) noexcept {
   if (!directory.empty()) {
     execv((directory / "carom-scene").c_str(), argv);  // it returns only if the program cannot be run
   }
-}
-
-/// A command of a program that did not become carom-scene. It throws UsageError.
-void add_missing(CLI::App& app, Chosen& chosen, const std::string& name, const std::string& description) {
-  CLI::App* command = app.add_subcommand(name, description);
-  command->allow_extras();
-  command->callback([&chosen, name] {
-    chosen = [name]() -> int {
-      throw UsageError(name +
-                       ": the program carom-scene is not in the directory of this program; install Carom's scenes");
-    };
-  });
-}
-
-void add_missing_scene(CLI::App& app, Chosen& chosen) {
-  add_missing(app, chosen, "scene",
-              "Simulate a scene: certify the order of its events, judge its impulses, and account for its energy");
-}
-
-void add_missing_time(CLI::App& app, Chosen& chosen) {
-  add_missing(app, chosen, "time", "Measure engines that step in time against ten phenomena with known answers");
 }
 
 }  // namespace

@@ -11,9 +11,11 @@ file(MAKE_DIRECTORY "${WORK}/moved to")
 file(RENAME ${WORK}/installed "${prefix}")
 set(carom "${prefix}/bin/carom")
 
-# If the program carom-scene is missing, the program carom refuses scenes, but still plans collisions.
+# If the program carom-scene is missing, the program carom refuses scenes and engines in time, but still plans collisions.
 run_expecting(2 "${carom}" scene "${prefix}/share/carom/examples/scenes/cradle.json")
 expect_output("the program carom-scene is not in the directory of this program")
+run_expecting(2 "${carom}" time --quick)
+expect_output("time: the program carom-scene is not in the directory of this program")
 run_expecting(2 "${carom}" plan "${prefix}/share/carom/examples/scenes/cradle.json")
 expect_output("this file is a scene; to plan it, install carom-scene")
 run("${carom}" plan "${prefix}/share/carom/examples/contacts.jsonl" --repetitions 0)

@@ -4,9 +4,11 @@
 #include <functional>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 #include <carom/report/results/run.hpp>
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 /// The commands of the program, one file each, with their options, actions and exit statuses.
 namespace carom::tool {
@@ -32,6 +34,8 @@ void add_replay(CLI::App& app, Chosen& chosen);
 void add_scene(CLI::App& app, Chosen& chosen);           // of the program carom-scene
 void add_plan_of_scenes(CLI::App& app, Chosen& chosen);  // of carom-scene; of collisions, too
 void add_time(CLI::App& app, Chosen& chosen);            // of carom-scene
+void add_missing_scene(CLI::App& app, Chosen& chosen);   // of carom without carom-scene; throws UsageError
+void add_missing_time(CLI::App& app, Chosen& chosen);    // likewise
 
 /// Runs a program with these commands and returns its exit status, even if a command throws. Errors are reported on
 /// standard error. If the reader of standard output is gone, the function ends the program by SIGPIPE.

@@ -125,6 +125,19 @@ TEST(PlantedEngine, IsOffByAStepWorth) {
   }
 }
 
+TEST(PlantedEngine, HasNoExcuseWithoutGravity) {
+  for (const char* name : {"slow-bounce", "spin"}) {
+    double greatest = 0;
+    for (const MeasuredReading& reading : measured({.torque = 0, .binary32_state = true}, name).readings) {
+      for (const Rung& rung : reading.rungs) {
+        greatest = std::max(greatest, rung.greatest);
+        EXPECT_EQ(rung.greatest_in_worths, 0) << reading.what;
+      }
+    }
+    EXPECT_GT(greatest, 0) << name;
+  }
+}
+
 TEST(PlantedEngine, ConvergesWithTheFirstOrder) {
   const Stepper engine = planted_engine({});
   Stepper::Session session = engine.open();
