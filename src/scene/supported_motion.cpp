@@ -134,10 +134,10 @@ Arc supported_arc(const Support& support, std::uint32_t plane, const MaterialPai
   const bool slips = slip.norm() > rounding_share * (v.norm() + radius * w.norm());
   const double drive = support.along.norm();
   const bool can_roll = 2.0 / 7 * drive <= pair.friction * p;
-  const bool moves = !v.isZero(0) || drive > 0;
+  const bool is_moving = !v.isZero(0) || drive > 0;
   const double shortest = 0x1p-40 * std::abs(start);
   if (!has_friction || (slips && pair.friction == 0)) {
-    arc.turning.phase = moves ? Phase::sliding : Phase::resting;
+    arc.turning.phase = is_moving ? Phase::sliding : Phase::resting;
   } else if (slips || !can_roll) {
     const Stretch stretch =
         first_stretch(slips ? slip : Vector3<double>::Zero(), support.along, 3.5 * pair.friction * p, shortest);

@@ -15,7 +15,7 @@ bool same_numbers(const Collision& x, const Collision& y) {
   return same;
 }
 
-void read(std::string_view text) {
+void read_collision(std::string_view text) {
   try {
     const nlohmann::json json = parse_json(text);
     require(json == nlohmann::json::parse(text), "parse_json reads another value than nlohmann::json::parse");
@@ -30,7 +30,7 @@ void read(std::string_view text) {
 }  // namespace
 }  // namespace carom::fuzz
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  carom::fuzz::read(carom::fuzz::Input({data, size}).text());
+CAROM_FUZZ_TARGET(json_collision) {
+  carom::fuzz::read_collision(carom::fuzz::Input({data, size}).text());
   return 0;
 }

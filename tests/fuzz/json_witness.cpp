@@ -28,7 +28,7 @@ class FileOf {
   int descriptor_;
 };
 
-void read(std::string_view text) {
+void read_witness(std::string_view text) {
   try {
     const FileOf file(text);
     tool::JsonFile input(file.path());
@@ -44,7 +44,7 @@ void read(std::string_view text) {
 }  // namespace
 }  // namespace carom::fuzz
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  carom::fuzz::read(carom::fuzz::Input({data, size}).text());
+CAROM_FUZZ_TARGET(json_witness) {
+  carom::fuzz::read_witness(carom::fuzz::Input({data, size}).text());
   return 0;
 }

@@ -134,7 +134,7 @@ void compare_judges(Bytes bytes) {
 }  // namespace
 }  // namespace carom::fuzz
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+CAROM_FUZZ_TARGET(judge) {
   carom::fuzz::compare_judges({data, size});
   return 0;
 }

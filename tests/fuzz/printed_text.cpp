@@ -63,7 +63,7 @@ void split(const std::string& text) {
 }  // namespace
 }  // namespace carom::fuzz
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+CAROM_FUZZ_TARGET(printed_text) {
   carom::fuzz::Input input({data, size});
   const std::size_t longest = input.byte();
   const std::string text(input.text());

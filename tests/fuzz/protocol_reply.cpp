@@ -94,7 +94,7 @@ void read(Bytes bytes) {
 }  // namespace
 }  // namespace carom::fuzz
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+CAROM_FUZZ_TARGET(protocol_reply) {
   carom::fuzz::read({data, size});
   return 0;
 }

@@ -65,7 +65,7 @@ void answer(const std::string& requests, protocol::Numbers numbers) {
 }  // namespace
 }  // namespace carom::fuzz
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+CAROM_FUZZ_TARGET(protocol_request) {
   using carom::subjects::protocol::Numbers;
   const std::string requests(carom::fuzz::Input({data, size}).text());
   for (const Numbers numbers : {Numbers::decimal, Numbers::hex}) {

@@ -15,7 +15,12 @@
 
 /// A fuzzing engine calls this function with each input. Every target defines it. `fail`, an uncaught exception or a
 /// sanitizer ends the process, which is a finding.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+/// Begins the function of a target, which reads `data` and `size`. In fuzz_replay, each target has its own name.
+#ifdef CAROM_REPLAYS_FILES
+#define CAROM_FUZZ_TARGET(name) extern "C" int replay_##name(const std::uint8_t* data, std::size_t size)
+#else
+#define CAROM_FUZZ_TARGET(name) extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+#endif
 
 namespace carom::fuzz {
 

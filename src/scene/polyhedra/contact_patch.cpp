@@ -147,13 +147,13 @@ PlanePoint centroid(const PlanePolygon& polygon) {
 }
 
 /// A plane perpendicular to a normal. x, y and the normal are right-handed axes.
-struct Plane {
+struct FittedPlane {
   Vector normal;
   Vector x;
   Vector y;
 };
 
-Plane plane_across(const Vector& normal) {
+FittedPlane plane_across(const Vector& normal) {
   const Vector x = normal.unitOrthogonal();
   return {normal, x, normal.cross(x)};
 }
@@ -164,7 +164,7 @@ struct Front {
 };
 
 /// The points of a shape that are lowest along the normal (sign −1, for A) or highest (sign +1, for B).
-Front front_of(const ConvexShape& shape, const std::vector<Vector>& vertices, const Plane& plane, int sign,
+Front front_of(const ConvexShape& shape, const std::vector<Vector>& vertices, const FittedPlane& plane, int sign,
                double flatness) {
   double foremost = -std::numeric_limits<double>::infinity();
   for (const Vector& vertex : vertices) {
@@ -196,7 +196,7 @@ PlanePolygon common_of(const PlanePolygon& a, const PlanePolygon& b, double flat
   return common.empty() ? PlanePolygon{centroid(of_b == 2 ? a : b)} : common;
 }
 
-ContactPatch patch_of(const PlanePolygon& polygon, const Plane& plane, double height, const Vector& origin) {
+ContactPatch patch_of(const PlanePolygon& polygon, const FittedPlane& plane, double height, const Vector& origin) {
   const auto lifted = [&](const PlanePoint& point) -> Vector {
     return origin + point.x() * plane.x + point.y() * plane.y + height * plane.normal;
   };
@@ -212,7 +212,7 @@ ContactPatch patch_of(const PlanePolygon& polygon, const Plane& plane, double he
 ContactPatch contact_patch(const ShapePair& pair, const Placement& a, const Placement& b, const Separation& separation,
                            double flatness) {
   CAROM_EXPECTS(flatness > 0, flatness);
-  const Plane plane = plane_across(separation.normal);
+  const FittedPlane plane = plane_across(separation.normal);
   const Front front_a = front_of(pair.a(), placed_vertices(pair.a(), a, b.position), plane, -1, flatness);
   const Front front_b = front_of(pair.b(), placed_vertices(pair.b(), b, b.position), plane, 1, flatness);
   return patch_of(common_of(front_a.polygon, front_b.polygon, flatness), plane, (front_a.height + front_b.height) / 2,
@@ -221,7 +221,7 @@ ContactPatch contact_patch(const ShapePair& pair, const Placement& a, const Plac
 
 ContactPatch contact_patch(const ConvexShape& a, const Placement& placement, const HalfSpace& b, double flatness) {
   CAROM_EXPECTS(flatness > 0, flatness);
-  const Plane plane = plane_across(b.normal);
+  const FittedPlane plane = plane_across(b.normal);
   const Front front = front_of(a, placed_vertices(a, placement, placement.position), plane, -1, flatness);
   // Heights are relative to the shape's centre.
   const double ground = b.offset - b.normal.dot(placement.position);

@@ -10,12 +10,11 @@
 
 #include <carom/collision/expects.hpp>
 #include <carom/impulse/rotation.hpp>
+#include <carom/scene/crossing.hpp>
 #include <carom/scene/polyhedra/free_rotation.hpp>
 
 namespace carom::scene {
 namespace {
-
-constexpr double unit_roundoff = 0x1p-53;
 
 /// q ω, with ω a quaternion without a scalar part.
 Quaternion<double> product(const Quaternion<double>& q, const Vector3<double>& w) {
@@ -61,7 +60,7 @@ Matrix3<double> derivative_of_step(const Vector3<double>& a, const Coefficients&
 /// aⱼ| ‖ω‖/√2.
 double growth_rate(const Vector3<double>& a) {
   const double greatest =
-      std::max({std::abs(a[0] + a[1]), std::abs(a[1] + a[2]), std::abs(a[2] + a[0])}) + 8 * unit_roundoff;
+      std::max({std::abs(a[0] + a[1]), std::abs(a[1] + a[2]), std::abs(a[2] + a[0])}) + 8 * roundoff;
   return greatest * std::numbers::inv_sqrt3;
 }
 
@@ -150,9 +149,9 @@ RotationPath::Bounds RotationPath::bounds_for(double a) {
     rate_units += rate_error[k + 1] + (3 * (n + 1) + 1) * rate[k + 1];
     rotation_units += rotation_error[k + 1] + (3 * (n + 1) + 1) * rotation[k + 1];
   }
-  bounds.relative_rate = rest_of_rate + unit_roundoff * rate_units;
+  bounds.relative_rate = rest_of_rate + roundoff * rate_units;
   // An error e of a unit quaternion is a rotation by an angle of about 2 ‖e‖.
-  bounds.angle = 2.01 * (rest_of_rotation + unit_roundoff * rotation_units);
+  bounds.angle = 2.01 * (rest_of_rotation + roundoff * rotation_units);
   return bounds;
 }
 
@@ -170,15 +169,15 @@ RotationPath::RotationPath(const Vector3<double>& principal_inertia, const Rotat
     a_[i] = (principal_inertia[(i + 1) % 3] - principal_inertia[(i + 2) % 3]) / principal_inertia[i];
     a = std::max(a, std::abs(a_[i]));
   }
-  greatest_turning_ = (a + 4 * unit_roundoff) * std::numbers::inv_sqrt3;
-  greatest_rate_ = std::sqrt(greatest_squared_rate(principal_inertia, start_.body_rate)) * (1 + 32 * unit_roundoff);
+  greatest_turning_ = (a + 4 * roundoff) * std::numbers::inv_sqrt3;
+  greatest_rate_ = std::sqrt(greatest_squared_rate(principal_inertia, start_.body_rate)) * (1 + 32 * roundoff);
   if (a == 0 || greatest_rate_ == 0) {
     return;  // rotation about a fixed axis
   }
 
   bounds_ = bounds_for(a);
   const double growth_per_angle = growth_rate(a_);
-  BoundedRotation now{start_, 4 * unit_roundoff, 0};
+  BoundedRotation now{start_, 4 * roundoff, 0};
   double by_norms = 0;  // rate_error by Gronwall's inequality
   // The second bound of the error of ω, after R. Lohner: the error is frame · e with |eᵢ| ≤ widths[i]. Each step
   // multiplies the error by the derivative of the step.
@@ -194,7 +193,7 @@ RotationPath::RotationPath(const Vector3<double>& principal_inertia, const Rotat
     add_step(now, time, end - time);
     Step& step = steps_.back();
     const double fastest = rate / (1 - a * rate * step.length);
-    step.growth = std::exp(growth_per_angle * fastest * step.length) * (1 + 64 * unit_roundoff);
+    step.growth = std::exp(growth_per_angle * fastest * step.length) * (1 + 64 * roundoff);
     now = evaluate(step, end);
 
     const double added = bounds_.relative_rate * rate;
@@ -259,7 +258,7 @@ BoundedRotation RotationPath::at(double time) const {
   }
   const double rate = start_.body_rate.norm();
   if (rate == 0 || time == 0) {
-    return {start_, 4 * unit_roundoff, 0};  // 4 u: the constructor divided the quaternion by its norm
+    return {start_, 4 * roundoff, 0};  // 4 u: the constructor divided the quaternion by its norm
   }
   // The half angle has at most four roundings. Sine and cosine have an error of an ulp, and the rest has at most ten
   // roundings.
@@ -267,7 +266,7 @@ BoundedRotation RotationPath::at(double time) const {
   const Vector3<double> axis = start_.body_rate / rate;
   const Quaternion<double> turned =
       std::cos(half_angle) * start_.orientation + std::sin(half_angle) * product(start_.orientation, axis);
-  return {{turned / turned.norm(), start_.body_rate}, 2 * unit_roundoff * (4 * half_angle + 16), 0};
+  return {{turned / turned.norm(), start_.body_rate}, 2 * roundoff * (4 * half_angle + 16), 0};
 }
 
 }  // namespace carom::scene
