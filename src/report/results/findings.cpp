@@ -25,8 +25,8 @@ json first_record(const std::vector<ViolatedCase>& first) {
   return record;
 }
 
-constexpr std::array<const char*, properties::all_answer_kinds.size()> names_of_kinds{"outcome", "not_finite", "refused",
-                                                                             "failed", "skipped"};
+constexpr std::array<const char*, properties::all_answer_kinds.size()> names_of_kinds{"outcome", "not_finite",
+                                                                                      "refused", "failed", "skipped"};
 
 /// The twelve numbers of an outcome, or the kind of another answer.
 json answer_record(const properties::SampledAnswer& answer) {

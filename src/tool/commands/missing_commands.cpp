@@ -15,8 +15,8 @@ void add_missing(CLI::App& app, Chosen& chosen, const std::string& name, const s
   command->allow_extras();
   command->callback([&chosen, name] {
     chosen = [name]() -> int {
-      throw UsageError(name +
-                       ": the program carom-scene is not in the directory of this program; install Carom's scenes");
+      throw UsageError(name + ": the program carom-scene is not in the directory of this program; build " +
+                       "the component scenes, or install the package carom-scene");
     };
   });
 }
