@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include <carom/collision/expects.hpp>
+#include <carom/collision/law.hpp>
 #include <carom/properties/cases/family.hpp>
 
 namespace carom::tool {

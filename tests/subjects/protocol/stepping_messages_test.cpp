@@ -91,10 +91,9 @@ TEST(RunReply, ThatDoesNotFitTheRequestNamesThePlace) {
       {states_reply("7", R"([[{"position":[0,0]}]])"), "/states/0/0/position: expected an array of 3 numbers"},
       {R"({"id":7,"states":[],"skipped":"both"})", "exactly one of states, skipped, error"},
       {"{}", "/id: is missing"}};
-  for (const auto& [line, message] : errors) {
-    unit::expect_in(
-        unit::message_of<FormatError>([&] { static_cast<void>(run_reply_from(line, 7, ball_reported_once())); }),
-        {message});
+  for (const auto& error : errors) {
+    const auto read = [&] { static_cast<void>(run_reply_from(error.first, 7, ball_reported_once())); };
+    unit::expect_in(unit::message_of<FormatError>(read), {error.second});
   }
 }
 
