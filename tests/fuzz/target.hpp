@@ -13,9 +13,9 @@
 
 #include <carom/properties/draws/stream.hpp>
 
-/// A fuzzing engine calls this function with each input. Every target defines it. `fail`, an uncaught exception or a
-/// sanitizer ends the process, which is a finding.
-/// Begins the function of a target, which reads `data` and `size`. In fuzz_replay, each target has its own name.
+/// Begins the function of a target, which a fuzzing engine calls with the bytes `data` of each input, and their `size`.
+/// `fail`, an uncaught exception or a sanitizer ends the process, which is a finding. The program fuzz_replay has all
+/// targets, so there each function has its own name.
 #ifdef CAROM_REPLAYS_FILES
 #define CAROM_FUZZ_TARGET(name) extern "C" int replay_##name(const std::uint8_t* data, std::size_t size)
 #else

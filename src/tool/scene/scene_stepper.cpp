@@ -2,6 +2,7 @@
 #include "scene/scene_stepper.hpp"
 
 #include <cmath>
+#include <exception>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -109,8 +110,10 @@ SteppingAnswer answer_to(const Stepping& stepping) {
   }
   try {
     return reported_states(scene, stepping);
-  } catch (const scene::SceneError& error) {  // another error is a fault, and ends the run
+  } catch (const scene::SceneError& error) {
     return Skipped{error.what()};
+  } catch (const std::exception& fault) {  // the simulation is a subject here, and the other engines' results remain
+    return Failed{fault.what()};
   }
 }
 

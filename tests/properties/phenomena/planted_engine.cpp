@@ -76,7 +76,7 @@ struct Engine {
         const std::vector<Touch> touches = with.contacts_a_step_late ? std::exchange(last, found()) : found();
         std::ranges::for_each(scene.bodies, [&](auto& x) { x.state.velocity += (x.is_fixed ? 0 : h) * scene.gravity; });
         std::ranges::for_each(touches, [](const Touch& x) { x.push(std::exchange(*x.impulse, V(0, 0, 0))); });
-        const auto is_pushed = [&](const Touch& x) { return x.settle(scene, with) > 1e-13; };
+        const auto is_pushed = [&](const Touch& x) { return x.settle(scene, with) > 1e-13; };  // rounding of 1 km/s
         for (int left = 500; left > 0 && std::ranges::count_if(touches, is_pushed) > 0; --left) {
         }
         std::ranges::for_each(scene.bodies, [&](SteppedBody& x) { advance(x); });
