@@ -43,25 +43,32 @@ Bounce bounce(const oracles::Fall& fall, unsigned n, double step) {
   return b;
 }
 
+/// What an engine that solves for an impact may lose in height, as the size of a number that has 8 roundings. The gap
+/// z + v t − g t²/2 has terms of up to R + H, 2 H and H. Its coefficients and its value have 8 roundings of each. Both
+/// count, and count twice, because a bound of the root's error is 2 |gap| / |slope|.
+double size_of_search(const oracles::Fall& fall) { return 4 * (radius + 4 * fall.height); }
+
 std::vector<Reading> read(const oracles::Fall& fall, const std::vector<Bounce>& bounces, const Directions& d,
                           const std::vector<std::uint64_t>& report, double step, const SteppedStates& states) {
   std::vector<Reading> readings;
   const std::string at = ", ε = " + number(fall.restitution);
+  const auto rise = [&](double height) { return std::sqrt(2 * std::max(height, 0.0) / fall.gravity); };
   for (const Bounce& b : bounces) {
     const Reported now = reported_at(states, report, b.apex, step);
     const double z = d.up.dot(now.bodies[1].position) - radius;
     const double v = d.up.dot(now.bodies[1].velocity);
     const double height = z + v * v / (2 * fall.gravity);
+    const oracles::Known right = oracles::bounce_height(fall, b.n);
     const std::string name = "bounce " + std::to_string(b.n) + at;
-    readings.push_back(reading("height of " + name, "m", height, oracles::bounce_height(fall, b.n), fall.height,
-                               b.height_worth, std::abs(z) + radius + v * v / fall.gravity));
+    readings.push_back(reading("height of " + name, "m", height, right, fall.height, b.height_worth,
+                               std::abs(z) + radius + v * v / fall.gravity + size_of_search(fall)));
     // A low bounce shows no time.
     if (fall.restitution > 0 && (b.n == 1 || (b.n == 5 && fall.restitution > 0.7))) {
-      const double rise = std::sqrt(2 * std::max(height, 0.0) / fall.gravity);
-      const double sensitivity = rise > 0 ? 1 / (rise * fall.gravity) : 1;  // of the rise to the height
-      readings.push_back(reading("time of impact of " + name, "s", now.seconds() + v / fall.gravity - rise,
+      // A height that is off by e moves an impact, and the rise after it, by up to e / v. The last v is the least.
+      const double slowest = fall.gravity * rise(right.value);
+      readings.push_back(reading("time of impact of " + name, "s", now.seconds() + v / fall.gravity - rise(height),
                                  oracles::impact_time(fall, b.n), oracles::impact_time(fall, 1).value, b.time_worth,
-                                 now.seconds() + rise + sensitivity * (radius + height)));
+                                 now.seconds() + (radius + right.value + 2 * b.n * size_of_search(fall)) / slowest));
     }
   }
   return readings;
@@ -78,7 +85,9 @@ PosedRun posed(const Directions& d, double step, double share, double restitutio
   std::vector<Bounce> bounces;
   std::vector<double> times;
   for (const unsigned n : {1U, 2U, 3U, 4U, 5U, 20U}) {
-    if (n == 1 || (restitution > 0 && (n < 20 || is_long))) {
+    // A rise of less than half a step is reported nowhere: the state nearest the apex lies in another bounce.
+    const double rise = std::sqrt(2 * oracles::bounce_height(fall, n).value / gravity);
+    if (restitution > 0 ? rise >= step / 2 && (n < 20 || is_long) : n == 1) {
       bounces.push_back(bounce(fall, n, step));
       bounces.back().apex += restitution > 0 ? 0 : 0.1;  // it lies on the floor
       times.push_back(bounces.back().apex);
@@ -104,7 +113,7 @@ std::vector<PosedRun> runs(const Ladder& ladder, bool planar) {
 
 Phenomenon bounce() {
   return {"bounce",
-          1,
+          2,
           "Does a ball bounce as high as it should?",
           "A sphere of 1 kg and R = 0.5 m falls from about 1 m above a floor, with g = 9.81 m/s² and without friction. "
           "The restitution ε is 0, 1/4, 1/2, 3/4 or 1. The height of the fall puts the first impact at each phase of a "
@@ -112,7 +121,8 @@ Phenomenon bounce() {
           "Bounce n reaches the height ε²ⁿ H. With t₁ = √(2H/g), impact n is at t₁ (1 + 2ε + … + 2εⁿ⁻¹). Source: "
           "Newton's law of restitution, and the conservation of energy in free fall.",
           "The height z + v²/(2g) near the apex of bounces 1 to 5, and of bounce 20 for ε = 1 at the three longest "
-          "steps; the times of impacts 1 and 5. Errors of heights are relative to H, and errors of times to t₁.",
+          "steps; the times of impacts 1 and 5. A bounce that rises for less than half a step is left out. Errors of "
+          "heights are relative to H, and errors of times to t₁.",
           "An engine that looks for contacts at the ends of steps finds an impact up to a step late. It is then off by "
           "up to g h in speed or v h in place. Both are worth v h in height.",
           of_bounce::runs};

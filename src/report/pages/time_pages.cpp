@@ -369,8 +369,8 @@ std::string phenomenon_page(const Phenomenon& phenomenon, const TimeRun& run) {
   const double step = compared_step(run.ladder);
   return page +
          fmt::format(
-             "\n{}\n\n{}\n{}\n\n{}The median error of each reading at {}. –: not answered, or a reading of planar "
-             "engines or of the others alone.\n\n{}\n`carom time` wrote this page on {}, on {}.\n",
+             "\n{}\n\n{}\n{}\n\n{}The median error of each reading at {}. –: not answered, left out at this step, or a "
+             "reading of planar engines or of the others alone.\n\n{}\n`carom time` wrote this page on {}, on {}.\n",
              caption(step), markdown_table(phenomenon_table(phenomenon, run)), missing_numbers,
              unanswered.rows.empty() ? "" : markdown_table(unanswered) + '\n', step_in_words(step),
              markdown_table(readings_table(phenomenon, run)), run.environment.date.substr(0, 10),
