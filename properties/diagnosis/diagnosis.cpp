@@ -91,7 +91,7 @@ Diagnosis diagnose(const SubjectResult& result, const GateReport& report) {
 std::vector<Diagnosis> diagnose_all(const GateReport& report) {
   std::vector<Diagnosis> diagnoses(report.results.size());
   report.options.workers.run(diagnoses.size(), [&](std::size_t s) {
-    if (report.results[s].violated_invariants().empty()) {
+    if (!is_explained(report.options, s) || report.results[s].violated_invariants().empty()) {
       return;
     }
     const std::string fault = why_failed([&] { diagnoses[s] = diagnose(report.results[s], report); });

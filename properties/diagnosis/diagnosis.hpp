@@ -22,8 +22,8 @@ struct Diagnosis {
 /// Precondition: `result.violated_invariants()` is not empty.
 [[nodiscard]] Diagnosis diagnose(const SubjectResult& result, const GateReport& report);
 
-/// The diagnoses of the report's subjects, in order. Empty for a subject that violates nothing. If a diagnosis fails,
-/// it has only `missing`.
+/// The diagnoses of the report's subjects, in order. A diagnosis is empty if the subject violates nothing, or if the
+/// options do not explain it. If a diagnosis fails, it has only `missing`.
 [[nodiscard]] std::vector<Diagnosis> diagnose_all(const GateReport& report);
 
 }  // namespace carom::properties::diagnosis

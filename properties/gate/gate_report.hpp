@@ -59,12 +59,18 @@ struct GateOptions {
   /// claimed invariant.
   bool is_part = false;
   bool shrinks = true;
+  /// Of each subject, whether its violations are explained: witnesses shrunk, the defect diagnosed. Empty: of all.
+  std::vector<bool> explains = {};
   /// If a stop is requested, the report holds the results so far.
   std::stop_token stop;
   /// Called from time to time, by any thread, but by one thread at a time. `done` and `all` are numbers of cases, or
   /// milliseconds with a budget.
   std::function<void(std::uint64_t done, std::uint64_t all)> progress;
 };
+
+[[nodiscard]] inline bool is_explained(const GateOptions& options, std::size_t subject) {
+  return options.explains.empty() || options.explains[subject];
+}
 
 /// The number of cases to draw of the family. With a budget, the largest std::uint64_t.
 [[nodiscard]] std::uint64_t cases_of(const GateOptions& options, const Family& family);

@@ -98,7 +98,7 @@ void add_witnesses(GateReport& report) {
     SubjectResult& result = report.results[found[i].subject];
     Witness& witness = result.witnesses[found[i].witness];
     const std::string fault = why_failed([&] {
-      if (options.shrinks && !options.stop.stop_requested()) {
+      if (options.shrinks && is_explained(options, found[i].subject) && !options.stop.stop_requested()) {
         Claim claim = claim_of(result.subject, options.limits);
         claim.within = options.within;
         witness = shrunk_witness(result.subject, claim, witness, options.within);

@@ -17,9 +17,9 @@ namespace carom::properties {
 /// of the subject's session.
 [[nodiscard]] Witness shrunk_witness(const Subject& subject, const Claim& claim, Witness witness, const Domain& within);
 
-/// Gives each result a witness of each violated invariant. If options.shrinks, the witness is shrunk. A stop that
-/// options.stop requests ends the shrinking. If the shrinking fails, the witness stays as it was found. Preconditions:
-/// the results have no witnesses, and their subjects open sessions.
+/// Gives each result a witness of each violated invariant. If options.shrinks, the witness of a subject that is
+/// explained is shrunk. A stop that options.stop requests ends the shrinking. If the shrinking fails, the witness stays
+/// as it was found. Preconditions: the results have no witnesses, and their subjects open sessions.
 void add_witnesses(GateReport& report);
 
 /// Whether `verdict` is about as serious a violation as `found`, and of the same kind.

@@ -195,12 +195,12 @@ std::vector<Together> drawn_sets(const Together& defects, std::size_t size, std:
 }
 
 /// Plants `count` sets of `size` defects. In at least `least_complete` of the solvers, the diagnosis names all of them.
-void expect_all_named(std::size_t size, std::size_t count, std::uint64_t cases, int least_complete) {
+void expect_all_named(std::size_t size, std::size_t count, int least_complete) {
   const std::vector<KnownDefect> known = known_defects();
   const Together frequent = frequent_defects(known);
   ASSERT_GE(frequent.size(), 30U);
   const std::vector<Together> sets = drawn_sets(frequent, size, count);
-  const std::vector<Diagnosis> found = diagnose_all(judged(subjects_with(sets), cases));
+  const std::vector<Diagnosis> found = diagnose_all(judged(subjects_with(sets), enough));
   int complete = 0;
   std::string others;
   for (std::size_t s = 0; s < count; ++s) {
@@ -222,11 +222,9 @@ void expect_all_named(std::size_t size, std::size_t count, std::uint64_t cases, 
 }
 
 // A defect may be invisible: another one overwrites its effect.
-TEST(Diagnosis, NamesTwoDefectsThatArePlantedTogether) { expect_all_named(2, 30, properties::GateOptions().cases, 27); }
+TEST(Diagnosis, NamesTwoDefectsThatArePlantedTogether) { expect_all_named(2, 30, 27); }
 
-TEST(Diagnosis, NamesThreeDefectsThatArePlantedTogether) {
-  expect_all_named(3, 10, properties::GateOptions().cases, 7);
-}
+TEST(Diagnosis, NamesThreeDefectsThatArePlantedTogether) { expect_all_named(3, 10, 7); }
 
 }  // namespace
 }  // namespace carom::mutants

@@ -211,6 +211,11 @@ int gate(const GateArguments& arguments) {
   properties::PosedFamilies posed = properties::posed_families(arguments.families, within, arguments.seed);
   properties::GateOptions options = options_of(arguments, within, posed, stop);
   options.shard = shard.value_or(properties::Shard{});
+  // In text alone, a subject that does not count is a row of the table, without a cause and without witnesses.
+  const bool is_text_alone = out.empty() && arguments.summary.empty() && !baseline && arguments.format == "text";
+  if (is_text_alone) {
+    options.explains = selection.counts;
+  }
   std::optional<StagedOutput> staged;
   if (!out.empty()) {
     make_directories(fs::path(out) / "witnesses");

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <string>
@@ -32,6 +33,26 @@ TEST(Diagnosis, OfASingleViolatedCaseSaysThatItIsTooFewForAHint) {
       "Only 1 violated case was examined, and a hint on the cause needs 5. Judge more cases without --fail-fast.");
   EXPECT_EQ(diagnosis.faults[0].where, "");
   EXPECT_EQ(diagnosis.faults[0].look_at, "");
+}
+
+/// A subject that a run does not explain has the same violations. Their witnesses stay as they were found.
+TEST(Diagnosis, IsLeftOutForASubjectThatTheRunDoesNotExplain) {
+  GateOptions options = unit::gate_options(100, {"near_head_on"});
+  options.explains = {true, false};
+  const Subject subject = unit::subject_of("reflection-in-basis-double");
+  const GateReport report = run_gate({subject, subject}, options);
+  const std::vector<Diagnosis> diagnoses = diagnose_all(report);
+  EXPECT_FALSE(diagnoses.at(0).faults.empty());
+  EXPECT_TRUE(diagnoses.at(1).faults.empty());
+  const std::vector<Witness>& explained = report.results.at(0).witnesses;
+  const std::vector<Witness>& found = report.results.at(1).witnesses;
+  ASSERT_EQ(explained.size(), found.size());
+  ASSERT_FALSE(found.empty());
+  const auto is_as_found = [](const Witness& witness) {
+    return witness.shrunk.collision.a.velocity == witness.original.collision.a.velocity;
+  };
+  EXPECT_TRUE(std::all_of(found.begin(), found.end(), is_as_found));
+  EXPECT_FALSE(std::all_of(explained.begin(), explained.end(), is_as_found));
 }
 
 /// `frictionless-world-double` keeps the inverse inertia as a matrix in world axes. The diagnosis must name this
