@@ -20,7 +20,7 @@ const is_idle = 'document.getElementById("stop").disabled && !document.getElemen
 export class PageInBrowser extends Browser {
   static async make(width = 1280, height = 900) {
     const profile = mkdtempSync(join(tmpdir(), 'carom-page-'));
-    const made = new PageInBrowser(process.env.CHROMIUM ?? 'chromium', profile);
+    const made = new PageInBrowser(process.env.CHROMIUM ?? 'chromium', profile, ['--js-flags=--liftoff-only']);
     made.profile = profile;
     await made.start(width, height);
     return made;
