@@ -14,7 +14,7 @@ lines_of(${pages}/docs/guide/use-from-cpp.md "    -1.5" "\n" printed)
 
 # The solvers and the gate need neither GoogleTest nor RapidCheck.
 run(${CMAKE_COMMAND} -S ${CONSUMER} -B ${WORK}/build -G Ninja -DCMAKE_PREFIX_PATH=${WORK}/installed
-    -DCMAKE_BUILD_TYPE=Debug -DPAGE_EXAMPLE=${WORK}/page_example.cpp
+    -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG= -DPAGE_EXAMPLE=${WORK}/page_example.cpp
     -DCMAKE_DISABLE_FIND_PACKAGE_GTest=ON -DCMAKE_DISABLE_FIND_PACKAGE_rapidcheck=ON)
 # solvers_alone.cmake runs the programs `solve` and `batch`.
 run(${CMAKE_COMMAND} --build ${WORK}/build --target page_example judge report builtin scene)
@@ -96,7 +96,7 @@ foreach(name readme_property guide_properties my_engine_test)
   target_link_libraries(\${name} PRIVATE carom::kit GTest::gtest_main)
 endforeach()
 ")
-run(${CMAKE_COMMAND} -S ${kit} -B ${kit}/build -G Ninja -DCMAKE_PREFIX_PATH=${WORK}/installed -DCMAKE_BUILD_TYPE=Debug)
+run(${CMAKE_COMMAND} -S ${kit} -B ${kit}/build -G Ninja -DCMAKE_PREFIX_PATH=${WORK}/installed -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=)
 run(${CMAKE_COMMAND} --build ${kit}/build)
 
 # Runs a program of the kit, which must end with the exit status `expected` if the solver is `solver`. `parameters` are

@@ -26,7 +26,7 @@ endif()
 
 function(configure_consumer expected components)
   run_expecting(${expected} ${CMAKE_COMMAND} -S ${CONSUMER} -B ${WORK}/consumer -G Ninja ${nothing_else}
-                -DCMAKE_PREFIX_PATH=${WORK}/installed -DCMAKE_BUILD_TYPE=Debug -DCOMPONENTS=${components})
+                -DCMAKE_PREFIX_PATH=${WORK}/installed -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG= -DCOMPONENTS=${components})
   set(output "${output}" PARENT_SCOPE)
 endfunction()
 configure_consumer(1 kit)

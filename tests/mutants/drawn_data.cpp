@@ -77,10 +77,9 @@ void round_to_float(Vectors&... vectors) {
   ((vectors = rounded(vectors)), ...);
 }
 
-constexpr std::array laws_with_friction{Law::rough, Law::coulomb};
 constexpr std::array laws_with_tangential_restitution{Law::rough};
 
-const std::vector<DefectKind> kinds{
+const std::vector<DefectKind> data_kinds{
     // Masses, moments, coefficients.
     {{"mass_multiplied", factor_at_place},
      {{"the mass of {bodies} is multiplied by {c}{use}", "mass & %times",
@@ -291,6 +290,6 @@ const std::vector<DefectKind> kinds{
 
 }  // namespace
 
-std::span<const DefectKind> kinds_of_data() { return kinds; }
+std::span<const DefectKind> kinds_of_data() { return data_kinds; }
 
 }  // namespace carom::mutants

@@ -51,6 +51,8 @@ struct Way {
   const char* (*also_named_by)(const Drawn&) = nullptr;  // other alternatives
 };
 
+inline constexpr std::array laws_with_friction{Law::rough, Law::coulomb};
+
 struct DefectKind {
   struct Draw {
     std::string_view name;

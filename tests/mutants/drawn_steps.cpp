@@ -113,10 +113,9 @@ Drawn drawn_component(Random& random) {
 
 constexpr std::array laws_with_tangents{Law::reflection, Law::sticking, Law::rough, Law::coulomb};
 constexpr std::array laws_that_stop_slip{Law::sticking, Law::rough, Law::coulomb};
-constexpr std::array laws_with_friction{Law::rough, Law::coulomb};
 constexpr std::array coulomb{Law::coulomb};
 
-const std::vector<DefectKind> kinds{
+const std::vector<DefectKind> step_kinds{
     // The relative velocity, and the test for approach.
     {{"spin_in_velocity",
       [](Random& r) {
@@ -357,6 +356,6 @@ const std::vector<DefectKind> kinds{
 
 }  // namespace
 
-std::span<const DefectKind> kinds_of_steps() { return kinds; }
+std::span<const DefectKind> kinds_of_steps() { return step_kinds; }
 
 }  // namespace carom::mutants

@@ -65,7 +65,7 @@ draw() {
   local name=$1 runner=$2 part objects=() compiling=()
   shift 2
   mkdir -p "$work/$name"
-  for part in features cases draws program; do
+  for part in cases program; do
     objects+=("$work/$name/$part.o")
     "$@" -std=c++20 -DNDEBUG -DFMT_HEADER_ONLY -isystem "$work/include" -isystem /usr/include/eigen3 "$contraction" \
       -c "$work/$part.cpp" -o "$work/$name/$part.o" &
@@ -109,9 +109,7 @@ agree() {
 cross() { printf '%s\n' -isystem "$work/$1/usr/include/$2" -isystem "$work/$1/usr/include" "-L$work/$1/usr/lib/$2" -static; }
 
 include
-together draws "$source"/properties/draws/*.cpp
-together features "$source"/properties/features/*.cpp
-together cases \
+together cases "$source"/properties/{draws,features}/*.cpp \
   "$source"/properties/cases/{beyond_domain,body_pairs,choices,families,family,friction,polyhedron,published,sweep}.cpp
 together program "$source"/oracles/exact/rational.cpp "$source"/tests/properties/cases/same_cases{,_main}.cpp
 agree gcc "" g++ -O2
