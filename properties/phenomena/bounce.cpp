@@ -13,6 +13,9 @@ using namespace posing;
 
 constexpr double radius = 0.5;
 
+/// The time of a rise to the height [s].
+double rise(double height) { return std::sqrt(2 * std::max(height, 0.0) / gravity); }
+
 /// The n-th bounce of a fall: its times, and the errors that one step's worth at each impact explains.
 struct Bounce {
   unsigned n;
@@ -45,14 +48,13 @@ Bounce bounce(const oracles::Fall& fall, unsigned n, double step) {
 
 /// What an engine that solves for an impact may lose in height, as the size of a number that has 8 roundings. The gap
 /// z + v t − g t²/2 has terms of up to R + H, 2 H and H. Its coefficients and its value have 8 roundings of each. Both
-/// count, and count twice, because a bound of the root's error is 2 |gap| / |slope|.
+/// count twice, because a bound of the root's error is 2 |gap| / |slope|.
 double size_of_search(const oracles::Fall& fall) { return 4 * (radius + 4 * fall.height); }
 
 std::vector<Reading> read(const oracles::Fall& fall, const std::vector<Bounce>& bounces, const Directions& d,
                           const std::vector<std::uint64_t>& report, double step, const SteppedStates& states) {
   std::vector<Reading> readings;
   const std::string at = ", ε = " + number(fall.restitution);
-  const auto rise = [&](double height) { return std::sqrt(2 * std::max(height, 0.0) / fall.gravity); };
   for (const Bounce& b : bounces) {
     const Reported now = reported_at(states, report, b.apex, step);
     const double z = d.up.dot(now.bodies[1].position) - radius;
@@ -86,8 +88,8 @@ PosedRun posed(const Directions& d, double step, double share, double restitutio
   std::vector<double> times;
   for (const unsigned n : {1U, 2U, 3U, 4U, 5U, 20U}) {
     // A rise of less than half a step is reported nowhere: the state nearest the apex lies in another bounce.
-    const double rise = std::sqrt(2 * oracles::bounce_height(fall, n).value / gravity);
-    if (restitution > 0 ? rise >= step / 2 && (n < 20 || is_long) : n == 1) {
+    const bool is_reported = rise(oracles::bounce_height(fall, n).value) >= step / 2;
+    if (restitution > 0 ? is_reported && (n < 20 || is_long) : n == 1) {
       bounces.push_back(bounce(fall, n, step));
       bounces.back().apex += restitution > 0 ? 0 : 0.1;  // it lies on the floor
       times.push_back(bounces.back().apex);

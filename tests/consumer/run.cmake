@@ -12,7 +12,7 @@ lines_of(${pages}/docs/guide/use-from-cpp.md "    #include <carom/impulse/reflec
 file(WRITE ${WORK}/page_example.cpp "${example}")
 lines_of(${pages}/docs/guide/use-from-cpp.md "    -1.5" "\n" printed)
 
-# The solvers and the gate need neither GoogleTest nor RapidCheck.
+# The solvers and the gate need neither GoogleTest nor RapidCheck. Preconditions are checked, but nobody debugs.
 run(${CMAKE_COMMAND} -S ${CONSUMER} -B ${WORK}/build -G Ninja -DCMAKE_PREFIX_PATH=${WORK}/installed
     -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG= -DPAGE_EXAMPLE=${WORK}/page_example.cpp
     -DCMAKE_DISABLE_FIND_PACKAGE_GTest=ON -DCMAKE_DISABLE_FIND_PACKAGE_rapidcheck=ON)
