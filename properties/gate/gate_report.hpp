@@ -59,7 +59,8 @@ struct GateOptions {
   /// claimed invariant.
   bool is_part = false;
   bool shrinks = true;
-  /// Of each subject, whether its violations are explained: witnesses shrunk, the defect diagnosed. Empty: of all.
+  /// The subjects whose violations are explained, in their order: witnesses are shrunk, and the defect is diagnosed. If
+  /// it is empty, all subjects are explained. Otherwise, it has a value for each subject of the run.
   std::vector<bool> explains = {};
   /// If a stop is requested, the report holds the results so far.
   std::stop_token stop;

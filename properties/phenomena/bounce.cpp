@@ -46,7 +46,7 @@ Bounce bounce(const oracles::Fall& fall, unsigned n, double step) {
   return b;
 }
 
-/// What an engine that solves for an impact may lose in height, as the size of a number that has 8 roundings. The gap
+/// The size of a number whose 8 roundings an engine may lose in height if it solves for the time of an impact. The gap
 /// z + v t − g t²/2 has terms of up to R + H, 2 H and H. Its coefficients and its value have 8 roundings of each. Both
 /// count twice, because a bound of the root's error is 2 |gap| / |slope|.
 double size_of_search(const oracles::Fall& fall) { return 4 * (radius + 4 * fall.height); }

@@ -199,7 +199,7 @@ def build(places, jobs):
 
 def noticed_by(number):
     """The first test that detects the change; empty if none does."""
-    environment = {**os.environ, "CAROM_MUTANT": str(number), "CAROM_EFFORT": "0.1"}  # as CTest samples (effort.hpp)
+    environment = {**os.environ, "CAROM_MUTANT": str(number), "CAROM_EFFORT": "0.15"}  # as CTest samples (tests/CMakeLists.txt)
     for program, tests in TESTS:
         run = subprocess.run([*LIMITS, WORK / "build/tests" / program, f"--gtest_filter={tests}", "--gtest_fail_fast",
                               "--gtest_brief=1"], env=environment, text=True, errors="replace", capture_output=True)

@@ -42,6 +42,24 @@ TEST(GateCommand, JudgesOneSolverOfEachLawUnlessAllAreAskedFor) {
   EXPECT_TRUE(judges({"gate", "rough-float", "--all"}, "rough-double"));
 }
 
+/// A run that prints text alone shows no cause of a subject that does not count. Every record shows it.
+TEST(GateCommand, ExplainsSubjectsThatDoNotCountInItsRecords) {
+  const TemporaryDirectory out;
+  const std::vector<std::string> small{"gate", "--families", "near_head_on", "--cases", "20"};
+  const std::string printed = run_carom(small, {"--format", "json"}).output;
+  unit::expect_in(run_carom(small, {"--out", out.path().string()}).output, {"Kept because they fail, not counted"});
+  for (const json& record : {json::parse(printed), json::parse(content_of(out.path() / "report.json"))}) {
+    std::size_t violated = 0;
+    for (const json& subject : record.at("subjects")) {
+      if (subject.at("status") == "violated" && !subject.at("counts").get<bool>()) {
+        ++violated;
+        EXPECT_FALSE(subject.at("diagnosis").at("faults").empty()) << subject.at("name");
+      }
+    }
+    EXPECT_GT(violated, 0U);
+  }
+}
+
 TEST(GateCommand, FindsTheNotesMethodFaultyNearHeadOnAndItsWitnessReplaysShrunkAndDrawn) {
   const TemporaryDirectory out;
   const RunResult result = run_carom({"gate", "reflection-in-basis-double", "--families", "near_head_on", "--cases",
