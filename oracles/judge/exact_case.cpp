@@ -215,14 +215,19 @@ bool ExactCase::has_clear_divisor() const {
 
 namespace {
 
+/// `matrix` is K, or nullptr.
+template <class T>
+RoughParts<T> parts_of_rough(const BasicCollision<T>& c, const Matrix3<T>* matrix, Branch branch) {
+  const detail::RoughImpulses<T> of(c, matrix);
+  const auto after = [&](const Vector3<T>& impulse) { return sum(unchanged(c), response<T>(c, impulse)); };
+  return {after(of.stops_approach), after(of.stops_point),
+          Rough::friction_share<T>(c, of.stops_approach, of.difference(), branch)};
+}
+
 template <class T>
 Truth<T> certified_rough(const BasicCollision<T>& c, Branch branch) {
   Truth<T> truth = colliding_truth(c, Law::rough, branch);
-  const detail::RoughImpulses<T> of(c, nullptr);
-  const auto after = [&](const Vector3<T>& impulse) { return sum(unchanged(c), response<T>(c, impulse)); };
-  certify_rough<T>(c, truth.outcome,
-                   {after(of.stops_approach), after(of.stops_point),
-                    Rough::friction_share<T>(c, of.stops_approach, of.difference(), branch)});
+  certify_rough<T>(c, truth.outcome, parts_of_rough<T>(c, nullptr, branch));
   certify(c, Law::rough, ContactState::colliding, truth.outcome);
   return truth;
 }
@@ -299,14 +304,15 @@ const Truth<Enclosure>& ExactCase::enclosed_truth(Law law, ContactState as) cons
 }
 
 void ExactCase::check_enclosed_truth(Law law, ContactState as) const {
-  if (law == Law::rough) {
-    with_truth(law, as, [](const auto&) {});
-    return;
-  }
   is_enclosed_truth_checked_.get({law, as}, [&] {
-    const Truth<Enclosure>& truth = enclosed_truth(law, as);
-    if (const char* const name = first_refuted(collision(), enclosed(), law, as, truth.outcome)) {
-      throw JudgeError(std::string("the enclosed truth does not satisfy ") + name, collision());
+    const ContactState answered = answered_as(law, as);
+    const Outcome<Enclosure>& outcome = enclosed_truth(law, as).outcome;
+    demand_no_refuted(first_refuted(collision(), enclosed(), law, answered, outcome), "the enclosed truth",
+                      collision());
+    if (law == Law::rough && answered == ContactState::colliding) {
+      const auto parts = parts_of_rough(enclosed(), &enclosed_collision_matrix(), branch(law));
+      demand_no_refuted(first_refuted_of_rough(collision(), enclosed(), outcome, parts),
+                        "the enclosed truth of `rough`", collision());
     }
     return true;
   });

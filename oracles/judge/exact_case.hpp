@@ -97,8 +97,8 @@ class ExactCase {
   [[nodiscard]] const Truth<Enclosure>& enclosed_truth(Law law) const { return enclosed_truth(law, state()); }
   [[nodiscard]] const Truth<Enclosure>& enclosed_truth(Law law, ContactState as) const;
 
-  /// Throws JudgeError if `enclosed_truth(law, as)` certainly violates an equation that defines the law. For `rough`,
-  /// whose equations do not suffice, certifies the exact truth.
+  /// Throws JudgeError if `enclosed_truth(law, as)` certainly violates an equation that defines the law, or a condition
+  /// of `first_refuted_of_rough`.
   void check_enclosed_truth(Law law, ContactState as) const;
 
   /// ‖y − y⁻‖ in the kinetic-energy norm (accuracy.hpp), for the outcome y of `enclosed_truth(law, as)`. `measure`

@@ -75,13 +75,13 @@ std::optional<Vector3<double>> first_impulse_on_a(const Steps& steps, const Coll
   const bool is_of_law =
       steps.friction == FrictionSteps{} && steps.matrix == MatrixSteps{} && is_permitted(collision.restitution);
   if (is_of_law && steps.test == ApproachTest::right) {
-    return law_impulse(collision, steps.law, {}, steps.effort);
+    return law_impulse(collision, steps.law, {}, steps.effort, steps.impulses);
   }
   const oracles::ContactState as = approach_by(steps.test, collision);
   const bool is_extended = as == oracles::ContactState::colliding && state_of(collision) != as;
   const Law law = is_extended && !is_linear(steps.law) ? Law::frictionless : steps.law;
   if (is_of_law) {
-    return law_impulse(collision, law, as, steps.effort);
+    return law_impulse(collision, law, as, steps.effort, steps.impulses);
   }
   return as == oracles::ContactState::colliding
              ? impulse_by(collision, law, is_extended ? FrictionSteps{} : steps.friction, steps.matrix)
@@ -235,7 +235,11 @@ bool explains(const Hypothesis& hypothesis, const KnownCase& one) {
   return explains(std::span(&alone, 1), one);
 }
 
-Steps right_steps(const KnownCase& one) { return {one.collision, one.collision, one.law}; }
+Steps right_steps(const KnownCase& one) {
+  Steps steps{one.collision, one.collision, one.law};
+  steps.impulses = one.impulses.get();
+  return steps;
+}
 
 std::optional<Impulses> impulses_by(const Steps& steps, const KnownCase& one) {
   if (!can_be_solved(steps.applied_to) || !can_be_solved(steps.computed_from)) {

@@ -43,11 +43,12 @@ struct Steps {
   double most_impulse = unlimited;      // [N s]
   bool has_turned_torque_of_a = false;  // whether A's spin is changed by r × (Rᵀ F)
   bool has_turned_torque_of_b = false;
-  PerVector<double> factors{1, 1, 1, 1};  // of the changes of the outcome vectors
-  double most_speed = unlimited;          // of the outcome [m/s]
-  double most_spin = unlimited;           // of the outcome [rad/s]
-  bool has_right_impulse = true;          // whether no mistake changes the computation of the impulse
-  Effort effort = Effort::rational;       // of the law's answers
+  PerVector<double> factors{1, 1, 1, 1};   // of the changes of the outcome vectors
+  double most_speed = unlimited;           // of the outcome [m/s]
+  double most_spin = unlimited;            // of the outcome [rad/s]
+  bool has_right_impulse = true;           // whether no mistake changes the computation of the impulse
+  Effort effort = Effort::rational;        // of the law's answers
+  const SlowImpulses* impulses = nullptr;  // KnownCase::impulses
 };
 
 /// Changes the steps as a mistake would. Returns false if the mistake does not apply to the case.

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <optional>
 
+#include <carom/oracles/bounds/lazy.hpp>
 #include <carom/properties/gate/gate_report.hpp>
 
 namespace carom::properties::diagnosis {
@@ -29,11 +31,25 @@ struct LawAnswer {
 /// How long the computation of an answer may take: milliseconds with rational numbers, microseconds without them.
 enum class Effort { rational, without_rationals };
 
+/// A question that has one answer: the impulse of a law.
+struct LawQuestion {
+  Collision collision;
+  Law law;
+  oracles::ContactState approach;
+
+  [[nodiscard]] bool operator==(const LawQuestion& other) const;
+};
+
+/// Impulses that took long to compute. Many hypotheses ask the same question.
+using SlowImpulses = oracles::LazyMap<LawQuestion, Vector3<double>>;
+
 /// The impulse of `law_answer`, with a relative error below 2⁻³⁴. It takes less time. There is no value if `coulomb`
-/// has several answers, or if the answer cannot be computed so well with this effort.
+/// has several answers, or if the answer cannot be computed so well with this effort. `known`, if set, keeps what took
+/// long.
 [[nodiscard]] std::optional<Vector3<double>> law_impulse(const Collision& collision, Law law,
                                                          std::optional<oracles::ContactState> approach = {},
-                                                         Effort effort = Effort::rational);
+                                                         Effort effort = Effort::rational,
+                                                         const SlowImpulses* known = nullptr);
 
 /// A case that the subject answered by an outcome, and the law's answer.
 struct KnownCase {
@@ -48,6 +64,8 @@ struct KnownCase {
   double most_distant = std::numeric_limits<double>::infinity();
   double near = 0;                       // an outcome at this energy distance explains it; of answers with few digits
   std::optional<double> tolerance = {};  // the energy distance at which an outcome explains it, if it is known
+  /// The impulses of the collisions that mistakes make of this one. Copies share them, so they stay in one thread.
+  std::shared_ptr<const SlowImpulses> impulses = std::make_shared<const SlowImpulses>();
 };
 
 /// No value if the collision is invalid, if the answer is not an outcome of finite numbers, or if the law determines no

@@ -6,7 +6,6 @@
 
 #include <carom/oracles/bounds/norm.hpp>
 #include <carom/oracles/judge/compare.hpp>
-#include <carom/oracles/judge/coulomb_answers.hpp>
 #include <carom/oracles/laws/equations.hpp>
 #include <carom/properties/gate/energy_gains.hpp>
 
@@ -123,8 +122,16 @@ bool is_answer_of_law(const Claim& claim, const Judgement& judgement) {
          });
 }
 
+/// Whether the exact outcome gains energy beyond the wall's work.
+bool gains_exactly(const oracles::ExactCase& exact_case, const Outcome<oracles::Rational>& after) {
+  const auto near = map_outcome<oracles::Enclosure>(after, [](const auto& x) { return oracles::Enclosure(x); });
+  const std::optional<int> sign = gain_beyond_work(exact_case.enclosed(), near).sign();
+  return (sign ? *sign : sign_of(gain_beyond_work(exact_case.exact(), after))) > 0;
+}
+
 /// Whether an answer of the law gains energy. Precondition: the case collides.
-bool gains_by_law(const oracles::ExactCase& exact_case, const Claim& claim, const Judgement& judgement) {
+bool gains_by_law(const JudgedCase& judged_case, const Claim& claim, const Judgement& judgement) {
+  const oracles::ExactCase& exact_case = judged_case.exact();
   switch (claim.law) {
     case Law::frictionless:
     case Law::rough:  // proved: energy.v, friction.v and driven_walls.v
@@ -139,9 +146,8 @@ bool gains_by_law(const oracles::ExactCase& exact_case, const Claim& claim, cons
   if (is_answer_of_law(claim, judgement)) {
     return true;
   }
-  const std::vector<oracles::CoulombAnswer> answers = oracles::coulomb_answers(exact_case);
-  return std::ranges::any_of(answers, [&](const oracles::CoulombAnswer& answer) {
-    return sign_of(gain_beyond_work(exact_case.exact(), answer.truth.outcome)) > 0;
+  return std::ranges::any_of(judged_case.coulomb_answers(), [&](const oracles::CoulombAnswer& answer) {
+    return gains_exactly(exact_case, answer.truth.outcome);
   });
 }
 
@@ -179,7 +185,7 @@ EnergyGains energy_gains_of(std::uint64_t index, const JudgedCase& judged_case, 
   const double joules = joules_of(exact_case, outcome);
   const EnergyGain gain{joules, joules / energy_before(exact_case.collision()), index};
   gained.gaining = 1;
-  gained.by_law = gains_by_law(exact_case, claim, judgement) ? 1 : 0;
+  gained.by_law = gains_by_law(judged_case, claim, judgement) ? 1 : 0;
   gained.greatest = gain;
   if (std::isfinite(gain.share)) {
     gained.greatest_share = gain;

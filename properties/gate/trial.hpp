@@ -12,6 +12,7 @@
 
 #include <carom/collision/expects.hpp>
 #include <carom/oracles/bounds/lazy.hpp>
+#include <carom/oracles/judge/coulomb_answers.hpp>
 #include <carom/properties/cases/domain.hpp>
 #include <carom/properties/cases/family.hpp>
 #include <carom/properties/gate/by_name.hpp>
@@ -77,6 +78,11 @@ class JudgedCase {
   /// Whether the posed collision collides. Precondition: is_valid().
   [[nodiscard]] bool collides() const;
 
+  /// `oracles::coulomb_answers` of the case. Precondition: is_valid().
+  [[nodiscard]] const std::vector<oracles::CoulombAnswer>& coulomb_answers() const {
+    return coulomb_answers_.get([this] { return oracles::coulomb_answers(exact()); });
+  }
+
   /// `reason_unjudged` of the case. Precondition: is_valid().
   [[nodiscard]] std::optional<Unjudged> reason_unjudged_by(const oracles::Yardstick& yardstick) const;
   /// Whether each question of the invariant is judged. Preconditions: those of `questions_of`.
@@ -102,6 +108,7 @@ class JudgedCase {
   std::optional<oracles::ExactCase> exact_;
   oracles::LazyMap<const Invariant*, Questions> questions_;
   mutable PerYardstick<std::optional<Unjudged>> unjudged_;
+  oracles::Lazy<std::vector<oracles::CoulombAnswer>> coulomb_answers_;
 };
 
 struct NamedVerdict {

@@ -18,11 +18,12 @@ using oracles::LiftedMatrix;
 using oracles::Rational;
 
 /// The entries of a matrix row by row, for print.
-std::vector<double> entries(const Matrix3<Rational>& matrix) {
+template <class T>
+std::vector<double> entries(const Matrix3<T>& matrix) {
   std::vector<double> rounded;
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 3; ++column) {
-      rounded.push_back(oracles::to_double(matrix(row, column)));
+      rounded.push_back(rounded_for_print(matrix(row, column)));
     }
   }
   return rounded;
@@ -43,8 +44,10 @@ Rational eigenvalue_rounding(const Evidence& e) {
 }
 
 /// (C + Cᵀ) / 2, which has the same xᵀ C x.
-Matrix3<Rational> symmetric_part(const LiftedMatrix& shown) {
-  return (shown.exact() + shown.exact().transpose()) / Rational(2);
+template <class T>
+Matrix3<T> symmetric_part(const LiftedMatrix& shown) {
+  const Matrix3<T> matrix = shown.in<T>();
+  return (matrix + matrix.transpose()) / T(2);
 }
 
 /// ‖M‖_F ≤ bound. No value if error bounds do not decide it.
@@ -53,12 +56,35 @@ auto norm_at_most(const Matrix3<T>& matrix, double bound) {
   return oracles::norm_at_most(std::span<const T>(matrix.data(), 9), bound);
 }
 
+/// Whether bounds may decide a statement about the shown C.
+bool may_use_bounds(const Evidence& e, const LiftedMatrix& shown) {
+  return e.yardstick.uses_bounds() && e.exact_case.is_moderate() && shown.is_moderate();
+}
+
+/// `by_bounds()` if bounds may decide a statement about the shown C, and do. Otherwise `by_rationals()`.
+template <class ByBounds, class ByRationals>
+auto decided(const Evidence& e, const LiftedMatrix& shown, const ByBounds& by_bounds, const ByRationals& by_rationals) {
+  if (may_use_bounds(e, shown)) {
+    if (const auto decision = by_bounds()) {
+      count(oracles::Stage::enclosure);
+      return *decision;
+    }
+  }
+  count(oracles::Stage::rational);
+  return by_rationals();
+}
+
+/// bound · I ⪯ M for a symmetric M. No value if error bounds do not decide it.
+std::optional<bool> is_at_least(const Matrix3<Enclosure>& matrix, const Enclosure& bound) {
+  return is_positive_semidefinite(less_multiple_of_identity<Enclosure>(matrix, bound));
+}
+
 /// Whether bounds show that the shown C is near the exact K: ‖C − K‖_F is at most `allowance` times a lower bound of
 /// the sensitivity. K ⪰ λI (`ExactCase::is_definite`), so each eigenvalue of C is then at least λ, within the permitted
 /// rounding.
 bool is_surely_exact(const Evidence& e, const LiftedMatrix& shown) {
   const oracles::ExactCase& exact_case = e.exact_case;
-  if (!e.yardstick.uses_bounds() || !exact_case.is_moderate() || !shown.is_moderate()) {
+  if (!may_use_bounds(e, shown)) {
     return false;
   }
   const double allowed = e.allowance() * exact_case.collision_matrix_sensitivity_below();
@@ -73,8 +99,7 @@ bool is_surely_exact(const Evidence& e, const LiftedMatrix& shown) {
 /// Whether bounds show K ⪯ 16 λI, with no permitted rounding.
 bool is_surely_well_conditioned(const oracles::ExactCase& exact_case) {
   const Enclosure bound = Enclosure(16) * inverse_mass(exact_case.enclosed());
-  return is_positive_semidefinite(less_multiple_of_identity<Enclosure>(-exact_case.enclosed_collision_matrix(), -bound))
-      .value_or(false);
+  return is_at_least(-exact_case.enclosed_collision_matrix(), -bound).value_or(false);
 }
 
 /// Whether the subject owes its matrix: the contact collides. If rounding of the inputs can make the contact separate,
@@ -108,11 +133,14 @@ Verdict check_definite(const Evidence& e, const LiftedMatrix& shown) {
     return beyond_range();
   }
   const Rational lambda = inverse_mass(e.exact_case.exact());
-  count(oracles::Stage::rational);
   if (!e.exact_case.is_definite()) {
     return bound_missed("the exact C and λI", e.exact_case.collision_matrix(), lambda);
   }
-  if (!oracles::is_at_least(symmetric_part(shown), lambda - eigenvalue_rounding(e))) {
+  const Rational least = lambda - eigenvalue_rounding(e);
+  const bool is_definite = decided(
+      e, shown, [&] { return is_at_least(symmetric_part<Enclosure>(shown), Enclosure(least)); },
+      [&] { return oracles::is_at_least(symmetric_part<Rational>(shown), least); });
+  if (!is_definite) {
     return bound_missed("the computed C and λI", shown.exact(), lambda);
   }
   return {};
@@ -125,14 +153,16 @@ Verdict check_well_conditioned(const Evidence& e, const LiftedMatrix& shown) {
   if (!e.yardstick.allowed(sensitivity(e))) {
     return beyond_range();
   }
-  count(oracles::Stage::rational);
   const Rational bound = 16 * inverse_mass(e.exact_case.exact());
   // The bound 16 λ is sharp, so rounded moments and lever arms can exceed it.
-  const Rational rounding = eigenvalue_rounding(e);
-  if (!e.exact_case.is_bounded_by(bound + rounding)) {
+  const Rational most = bound + eigenvalue_rounding(e);
+  if (!e.exact_case.is_bounded_by(most)) {
     return bound_missed("the exact C and 16 λI", e.exact_case.collision_matrix(), bound);
   }
-  if (!oracles::is_at_most(symmetric_part(shown), bound + rounding)) {
+  const bool is_bounded = decided(
+      e, shown, [&] { return is_at_least(-symmetric_part<Enclosure>(shown), Enclosure(Rational(-most))); },
+      [&] { return oracles::is_at_most(symmetric_part<Rational>(shown), most); });
+  if (!is_bounded) {
     return bound_missed("the computed C and 16 λI", shown.exact(), bound);
   }
   return {};
@@ -150,22 +180,30 @@ Verdict check_exact(const Evidence& e, const LiftedMatrix& shown) {
   if (is_surely_exact(e, shown)) {
     return {};
   }
-  const Matrix3<Rational>& exact = e.exact_case.collision_matrix();
-  const Matrix3<Rational> missed = shown.exact() - exact;
   const std::optional<double> allowed = e.yardstick.allowed(sensitivity(e));
-  count(oracles::Stage::rational);
-  if (norm_at_most(missed, allowed.value_or(0))) {
-    return {};
-  }
-  if (!allowed) {
-    return beyond_range();
-  }
-  return {.status = Status::violated,
-          .detail = "C and K",
-          .residual = oracles::root_of_squares(9, [&](std::size_t i) { return oracles::to_double(missed.data()[i]); }),
-          .allowed = *allowed,
-          .left = entries(shown.exact()),
-          .right = entries(exact)};
+  const auto verdict = [&]<class T>(const Matrix3<T>& missed, const Matrix3<T>& exact) -> Verdict {
+    return {.status = Status::violated,
+            .detail = "C and K",
+            .residual = oracles::root_of_squares(9, [&](std::size_t i) { return oracles::rounded(missed.data()[i]); }),
+            .allowed = *allowed,
+            .left = entries(shown.in<T>()),
+            .right = entries(exact)};
+  };
+  const auto by_bounds = [&]() -> std::optional<Verdict> {
+    const Matrix3<Enclosure>& exact = e.exact_case.enclosed_collision_matrix();
+    const Matrix3<Enclosure> missed = shown.in<Enclosure>() - exact;
+    const std::optional<bool> is_near = allowed ? norm_at_most(missed, *allowed) : std::nullopt;
+    return is_near ? std::optional(*is_near ? Verdict{} : verdict(missed, exact)) : std::nullopt;
+  };
+  const auto by_rationals = [&]() -> Verdict {
+    const Matrix3<Rational>& exact = e.exact_case.collision_matrix();
+    const Matrix3<Rational> missed = shown.exact() - exact;
+    if (norm_at_most(missed, allowed.value_or(0))) {
+      return {};
+    }
+    return allowed ? verdict(missed, exact) : beyond_range();
+  };
+  return decided(e, shown, by_bounds, by_rationals);
 }
 
 Verdict check_matrix_used(const Evidence& e, const LiftedMatrix& shown) {

@@ -41,13 +41,6 @@ Verdict untouched_body(const Evidence& e, bool a) {
               holds(e, EquationForm::equal, what, equation::Untouched{angular_velocity}));
 }
 
-/// Zero if the bounds do not tell the number from zero.
-double rounded_for_print(const oracles::Enclosure& x) { return x.sign().has_value() ? oracles::rounded(x) : 0; }
-template <class T>
-double rounded_for_print(const T& exact) {
-  return oracles::rounded(exact);
-}
-
 Verdict check_linear_momentum(const Evidence& e) {
   if (body(e, true).immovable || body(e, false).immovable) {
     return does_not_apply("a body is immovable");

@@ -38,6 +38,15 @@ namespace carom::properties {
           std::move(comparison.left), std::move(comparison.right)};
 }
 
+/// A number rounded for print. Zero if its bounds do not tell it from zero.
+[[nodiscard]] inline double rounded_for_print(const oracles::Enclosure& x) {
+  return x.sign().has_value() ? oracles::rounded(x) : 0;
+}
+template <class T>
+[[nodiscard]] double rounded_for_print(const T& exact) {
+  return oracles::rounded(exact);
+}
+
 /// Whether some permitted inputs collide, others separate, and the two answers are far apart
 /// (`ExactCase::has_two_answers`). If so, an outcome near either answer is permitted, so an invariant that expects one
 /// of them does not apply.

@@ -7,7 +7,8 @@
 #include <carom/oracles/judge/accuracy.hpp>
 #include <carom/oracles/laws/judge_error.hpp>
 
-/// The build plants a wrong formula in truths/linear_laws.hpp: ε is halved. Only this program is compiled with it.
+/// The build plants a wrong formula in truths/linear_laws.hpp, where ε is halved, and one in truths/rough.hpp, where
+/// the share of friction inside the cone is halved. Only this program is compiled with them.
 namespace carom::oracles {
 namespace {
 
@@ -19,37 +20,48 @@ Collision central_contact() {
   return c;
 }
 
-Outcome<double> with_normal_velocities(double of_a, double of_b) {
+Outcome<double> with_velocities(const Vector3<double>& of_a, const Vector3<double>& of_b) {
   Outcome<double> outcome = unchanged(central_contact());
-  outcome.a.velocity = {0, of_a, 0};
-  outcome.b.velocity = {0, of_b, 0};
+  outcome.a.velocity = of_a;
+  outcome.b.velocity = of_b;
   return outcome;
 }
 
-Accuracy accuracy_of(const Outcome<double>& outcome, bool filtered) {
+Accuracy accuracy_of(const Collision& collision, Law law, const Outcome<double>& outcome, bool filtered) {
   const Yardstick yardstick = Yardstick::of(Precision::binary64, {.filtered = filtered});
-  const ExactCase exact_case(central_contact(), filtered);
-  return accuracy(exact_case, Law::frictionless, LiftedOutcome(reported(outcome)), yardstick);
+  return accuracy(ExactCase(collision, filtered), law, LiftedOutcome(reported(outcome)), yardstick);
 }
 
-/// Momentum is conserved, and the bodies part at ½ m/s: −¼ and −¾ m/s.
-TEST(PlantedModel, IsFoundBeforeItRejectsARightAnswer) {
+void expect_found(const char* what, const Collision& collision, Law law, const Outcome<double>& right) {
   for (const bool filtered : {true, false}) {
     try {
-      accuracy_of(with_normal_velocities(-0.25, -0.75), filtered);
+      accuracy_of(collision, law, right, filtered);
       FAIL() << "filtered: " << filtered;
     } catch (const JudgeError& error) {
-      EXPECT_NE(std::string(error.what()).find("restitution"), std::string::npos) << error.what();
-      EXPECT_EQ(error.collision().a.velocity, central_contact().a.velocity);
+      EXPECT_NE(std::string(error.what()).find(what), std::string::npos) << error.what();
+      EXPECT_EQ(error.collision().a.velocity, collision.a.velocity);
     }
   }
 }
 
+/// Momentum is conserved, and the bodies part at ½ m/s: −¼ and −¾ m/s.
+TEST(PlantedModel, IsFoundBeforeItRejectsARightAnswer) {
+  expect_found("restitution", central_contact(), Law::frictionless, with_velocities({0, -0.25, 0}, {0, -0.75, 0}));
+}
+
+/// A also slides with 1 m/s. K = 2, so P_I = (0, ½, 0), P_II = (−½, ½, 0) and F = (−½, ¾, 0).
+TEST(PlantedModel, OfRoughIsFoundBeforeItRejectsARightAnswer) {
+  Collision sliding = central_contact();
+  sliding.a.velocity[0] = 1;
+  sliding.friction = 1;
+  expect_found("its share of friction", sliding, Law::rough, with_velocities({0.5, -0.25, 0}, {0.5, -0.75, 0}));
+}
+
 /// The answer of the wrong formula passes if bounds decide, and ℚ finds the fault. So the formula is planted.
 TEST(PlantedModel, AcceptsItsOwnAnswerByBounds) {
-  const Outcome<double> planted = with_normal_velocities(-0.375, -0.625);
-  EXPECT_TRUE(accuracy_of(planted, true).is_allowed());
-  EXPECT_THROW(accuracy_of(planted, false), JudgeError);
+  const Outcome<double> planted = with_velocities({0, -0.375, 0}, {0, -0.625, 0});
+  EXPECT_TRUE(accuracy_of(central_contact(), Law::frictionless, planted, true).is_allowed());
+  EXPECT_THROW(accuracy_of(central_contact(), Law::frictionless, planted, false), JudgeError);
 }
 
 }  // namespace

@@ -104,6 +104,39 @@ TEST_F(CertifiedRough, IsMadeOfTheAnswersOfItsLaws) {
   EXPECT_EQ(missed_by(Rational(3, 4)), "the angular momentum of A");
 }
 
+/// An enclosure of some 100 bits refutes an error of 2⁻⁷⁰, inside the cone and on its surface.
+TEST(Rough, RefutesEachErrorOfAnEnclosedTruth) {
+  for (const double friction : {0.25, 0.125}) {
+    const Collision collision = rough_ball(friction);
+    const ExactCase exact_case(collision);
+    const BasicCollision<Enclosure>& c = exact_case.enclosed();
+    const detail::RoughImpulses<Enclosure> impulses(c, nullptr);
+    const auto after = [&](const Vector3<Enclosure>& impulse) {
+      return sum(unchanged(c), response<Enclosure>(c, impulse));
+    };
+    RoughParts<Enclosure> parts{after(impulses.stops_approach), after(impulses.stops_point),
+                                Rough::friction_share<Enclosure>(c, impulses.stops_approach, impulses.difference(),
+                                                                 exact_case.branch(Law::rough))};
+    const auto refuted = [&](const Outcome<Enclosure>& outcome) {
+      const char* const name = first_refuted_of_rough(collision, c, outcome, parts);
+      return std::string(name == nullptr ? "" : name);
+    };
+    const Outcome<Enclosure>& truth = exact_case.enclosed_truth(Law::rough).outcome;
+    EXPECT_EQ(refuted(truth), "");
+    for (const OutcomeVector k : all_outcome_vectors) {
+      for (int i = 0; i < 3; ++i) {
+        Outcome<Enclosure> wrong = truth;
+        (*vectors(wrong)[k])[i] += Enclosure(0x1p-70);
+        EXPECT_EQ(refuted(wrong), "the combination of its parts") << name_of(k) << '[' << i << ']';
+      }
+    }
+    parts.friction_share = parts.friction_share * Enclosure(1 - 0x1p-50);
+    const Vector3<Enclosure> less =
+        Rough::combined<Enclosure>(c, impulses.stops_approach, impulses.difference(), parts.friction_share);
+    EXPECT_EQ(refuted(after(less)), "its share of friction") << friction;
+  }
+}
+
 /// A contact that slips with (1, 0, 0) and approaches by a rounding error: V⁻ = (1, −2⁻⁵³, 0). Up to this error, P_I =
 /// 0 and D = P_II = (−5/8, 3/8, 0). D lies in the friction cone if μ ≥ 5/3.
 Collision approached_by_rounding(double friction) {
