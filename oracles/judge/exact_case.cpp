@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -215,7 +214,7 @@ bool ExactCase::has_clear_divisor() const {
 
 namespace {
 
-/// `matrix` is K, or nullptr.
+/// The parts of the truth of `rough`. `matrix` is K, or nullptr.
 template <class T>
 RoughParts<T> parts_of_rough(const BasicCollision<T>& c, const Matrix3<T>* matrix, Branch branch) {
   const detail::RoughImpulses<T> of(c, matrix);
@@ -298,21 +297,21 @@ const Truth<Enclosure>& ExactCase::colliding_truth(Law law) const {
 Vector3<double> ExactCase::colliding_impulse(Law law) const { return middle(colliding_truth(law).impulse); }
 
 const Truth<Enclosure>& ExactCase::enclosed_truth(Law law, ContactState as) const {
-  return answered_as(law, as) == ContactState::colliding
+  const ContactState answered = answered_as(law, as);
+  return answered == ContactState::colliding
              ? colliding_truth(law)
-             : enclosed_unchanged_.get([&] { return truth_of(enclosed(), law, as, Branch::only); });
+             : enclosed_unchanged_.get([&] { return truth_of(enclosed(), law, answered, Branch::only); });
 }
 
 void ExactCase::check_enclosed_truth(Law law, ContactState as) const {
   is_enclosed_truth_checked_.get({law, as}, [&] {
     const ContactState answered = answered_as(law, as);
     const Outcome<Enclosure>& outcome = enclosed_truth(law, as).outcome;
-    demand_no_refuted(first_refuted(collision(), enclosed(), law, answered, outcome), "the enclosed truth",
-                      collision());
+    throw_if_refuted(first_refuted(collision(), enclosed(), law, answered, outcome), "the enclosed truth", collision());
     if (law == Law::rough && answered == ContactState::colliding) {
       const auto parts = parts_of_rough(enclosed(), &enclosed_collision_matrix(), branch(law));
-      demand_no_refuted(first_refuted_of_rough(collision(), enclosed(), outcome, parts),
-                        "the enclosed truth of `rough`", collision());
+      throw_if_refuted(first_refuted_of_rough(collision(), enclosed(), outcome, parts), "the enclosed truth of `rough`",
+                       collision());
     }
     return true;
   });

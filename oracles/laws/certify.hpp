@@ -19,7 +19,7 @@ template <class T>
   }
 }
 
-/// Whether x < y for certain. T is as in `certainly_differ`.
+/// Whether x is certainly less than y. T is as in `certainly_differ`.
 template <class T>
 [[nodiscard]] bool is_certainly_less(const T& x, const T& y) {
   if constexpr (requires { x.sign().has_value(); }) {
@@ -45,7 +45,7 @@ template <class T>
 }
 
 /// Throws a JudgeError if a check has refuted a truth. `refuted` is what the truth does not satisfy, or nullptr.
-inline void demand_no_refuted(const char* refuted, const char* truth, const Collision& collision) {
+inline void throw_if_refuted(const char* refuted, const char* truth, const Collision& collision) {
   if (refuted != nullptr) {
     throw JudgeError(std::string(truth) + " does not satisfy " + refuted, collision);
   }
@@ -57,7 +57,7 @@ inline void demand_no_refuted(const char* refuted, const char* truth, const Coll
 template <class T>
 void certify(const BasicCollision<T>& c, Law law, ContactState approach, const Outcome<T>& outcome) {
   const Collision collision = map_numbers<double>(c, [](const T& x) { return nearest_double(x); });
-  demand_no_refuted(first_refuted(collision, c, law, approach, outcome), "the truth", collision);
+  throw_if_refuted(first_refuted(collision, c, law, approach, outcome), "the truth", collision);
 }
 
 }  // namespace carom::oracles

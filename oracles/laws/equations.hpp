@@ -405,7 +405,8 @@ consteval bool stand_in_the_order_of_their_names() {
 static_assert(detail::stand_in_the_order_of_their_names());
 
 /// Calls visit(name, equation) for each equation that defines the answer of a law to a contact with this approach. The
-/// law `rough` has further conditions, which `certify_rough` checks. Precondition: the law is one of `laws_with_truth`.
+/// law `rough` has further conditions, which `first_refuted_of_rough` checks. Precondition: the law is one of
+/// `laws_with_truth`.
 template <class T, class Visit>
 void for_each_defining_equation(const BasicCollision<T>& c, Law law, ContactState approach, const Visit& visit) {
   const auto visit_untouched = [&](const char* name, bool a) {
@@ -444,7 +445,7 @@ void for_each_defining_equation(const BasicCollision<T>& c, Law law, ContactStat
       visit("restitution", equation::Restitution{});
       visit("sticking", equation::Sticks{});
       return;
-    case Law::rough:  // certify_rough checks the rest, which is no equation of the outcome alone
+    case Law::rough:  // first_refuted_of_rough checks the rest, which is no equation of the outcome alone
       visit("restitution", equation::Restitution{});
       return;
     case Law::coulomb:

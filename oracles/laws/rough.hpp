@@ -24,8 +24,8 @@ struct RoughParts {
 ///   (3) F lies in the cone: N·F ≥ 0 and ‖N × F‖ ≤ μ N·F;
 ///   (4) κ = 1 + e_t, or 0 ≤ κ ≤ 1 + e_t with F on the cone's surface.
 ///
-/// T is as in `certainly_differ`, and `c` is the collision in T. Preconditions: the contact collides; a body is
-/// movable; e_t ≥ −1.
+/// T is as in `certainly_differ`, and `c` is the collision in T. Preconditions: the law answers as if the contact
+/// collides; a body is movable; e_t ≥ −1.
 template <class T>
 [[nodiscard]] const char* first_refuted_of_rough(const Collision& collision, const BasicCollision<T>& c,
                                                  const Outcome<T>& outcome, const RoughParts<T>& parts) {
@@ -74,7 +74,7 @@ template <class T>
 template <class T>
 void certify_rough(const BasicCollision<T>& c, const Outcome<T>& outcome, const RoughParts<T>& parts) {
   const Collision collision = map_numbers<double>(c, [](const T& x) { return nearest_double(x); });
-  demand_no_refuted(first_refuted_of_rough(collision, c, outcome, parts), "the truth of `rough`", collision);
+  throw_if_refuted(first_refuted_of_rough(collision, c, outcome, parts), "the truth of `rough`", collision);
 }
 
 }  // namespace carom::oracles

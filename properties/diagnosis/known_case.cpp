@@ -127,6 +127,7 @@ std::optional<LawAnswer> enclosed_answer(const oracles::ExactCase& exact_case, L
 /// The impulse of the law's answer by exact arithmetic, without the check of the truth. This check takes half the time,
 /// and no verdict rests on a diagnosis. Preconditions: those of `law_answer`.
 Vector3<double> exact_impulse(const oracles::ExactCase& exact_case, Law law, oracles::ContactState as) {
+  CAROM_EXPECTS(as == exact_case.state() || is_linear(law), law);
   if (as != oracles::ContactState::colliding) {
     return Vector3<double>::Zero();
   }
@@ -196,8 +197,8 @@ std::optional<Vector3<double>> law_impulse(const Collision& collision, Law law,
       return enclosed();
     }
     const auto impulse = [&] {
-      const std::optional<Vector3<double>> known_well = enclosed();
-      return known_well ? *known_well : exact_impulse(exact_case, law, as);
+      const std::optional<Vector3<double>> by_bounds = enclosed();
+      return by_bounds ? *by_bounds : exact_impulse(exact_case, law, as);
     };
     return known == nullptr ? impulse() : known->get({collision, law, as}, impulse);
   }

@@ -31,7 +31,7 @@ struct LawAnswer {
 /// How long the computation of an answer may take: milliseconds with rational numbers, microseconds without them.
 enum class Effort { rational, without_rationals };
 
-/// A question that has one answer: the impulse of a law.
+/// The law and the collision whose impulse is asked for.
 struct LawQuestion {
   Collision collision;
   Law law;
@@ -40,12 +40,12 @@ struct LawQuestion {
   [[nodiscard]] bool operator==(const LawQuestion& other) const;
 };
 
-/// Impulses that took long to compute. Many hypotheses ask the same question.
+/// Impulses that need bounds or rational numbers. Many hypotheses ask the same question.
 using SlowImpulses = oracles::LazyMap<LawQuestion, Vector3<double>>;
 
 /// The impulse of `law_answer`, with a relative error below 2⁻³⁴. It takes less time. There is no value if `coulomb`
-/// has several answers, or if the answer cannot be computed so well with this effort. `known`, if set, keeps what took
-/// long.
+/// has several answers, or if the answer cannot be computed so well with this effort. `known`, if set, keeps what needs
+/// bounds or rational numbers.
 [[nodiscard]] std::optional<Vector3<double>> law_impulse(const Collision& collision, Law law,
                                                          std::optional<oracles::ContactState> approach = {},
                                                          Effort effort = Effort::rational,
@@ -64,7 +64,8 @@ struct KnownCase {
   double most_distant = std::numeric_limits<double>::infinity();
   double near = 0;                       // an outcome at this energy distance explains it; of answers with few digits
   std::optional<double> tolerance = {};  // the energy distance at which an outcome explains it, if it is known
-  /// The impulses of the collisions that mistakes make of this one. Copies share them, so they stay in one thread.
+  /// The impulses of the collisions that mistakes make of this one. Copies share this map. Use all copies in
+  /// one thread.
   std::shared_ptr<const SlowImpulses> impulses = std::make_shared<const SlowImpulses>();
 };
 

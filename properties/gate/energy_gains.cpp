@@ -6,6 +6,7 @@
 
 #include <carom/oracles/bounds/norm.hpp>
 #include <carom/oracles/judge/compare.hpp>
+#include <carom/oracles/judge/coulomb_answers.hpp>
 #include <carom/oracles/laws/equations.hpp>
 #include <carom/properties/gate/energy_gains.hpp>
 
@@ -122,11 +123,15 @@ bool is_answer_of_law(const Claim& claim, const Judgement& judgement) {
          });
 }
 
-/// Whether the exact outcome gains energy beyond the wall's work.
-bool gains_exactly(const oracles::ExactCase& exact_case, const Outcome<oracles::Rational>& after) {
+/// Whether the exact outcome gains energy beyond the wall's work. If `filtered`, bounds may decide.
+bool outcome_gains(const oracles::ExactCase& exact_case, const Outcome<oracles::Rational>& after, bool filtered) {
+  const auto exactly = [&] { return sign_of(gain_beyond_work(exact_case.exact(), after)); };
+  if (!filtered) {
+    return exactly() > 0;
+  }
   const auto near = map_outcome<oracles::Enclosure>(after, [](const auto& x) { return oracles::Enclosure(x); });
   const std::optional<int> sign = gain_beyond_work(exact_case.enclosed(), near).sign();
-  return (sign ? *sign : sign_of(gain_beyond_work(exact_case.exact(), after))) > 0;
+  return (sign ? *sign : exactly()) > 0;
 }
 
 /// Whether an answer of the law gains energy. Precondition: the case collides.
@@ -147,7 +152,7 @@ bool gains_by_law(const JudgedCase& judged_case, const Claim& claim, const Judge
     return true;
   }
   return std::ranges::any_of(judged_case.coulomb_answers(), [&](const oracles::CoulombAnswer& answer) {
-    return gains_exactly(exact_case, answer.truth.outcome);
+    return outcome_gains(exact_case, answer.truth.outcome, claim.yardstick.filtered());
   });
 }
 

@@ -6,6 +6,7 @@
 
 #include <carom/collision/expects.hpp>
 #include <carom/collision/validate.hpp>
+#include <carom/oracles/judge/coulomb_answers.hpp>
 #include <carom/oracles/laws/judge_error.hpp>
 #include <carom/properties/gate/trial.hpp>
 #include <carom/properties/invariants/verdicts.hpp>

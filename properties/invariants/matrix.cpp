@@ -61,7 +61,7 @@ bool may_use_bounds(const Evidence& e, const LiftedMatrix& shown) {
   return e.yardstick.uses_bounds() && e.exact_case.is_moderate() && shown.is_moderate();
 }
 
-/// `by_bounds()` if bounds may decide a statement about the shown C, and do. Otherwise `by_rationals()`.
+/// `by_bounds()` if bounds decide the statement about the shown C. Otherwise `by_rationals()`.
 template <class ByBounds, class ByRationals>
 auto decided(const Evidence& e, const LiftedMatrix& shown, const ByBounds& by_bounds, const ByRationals& by_rationals) {
   if (may_use_bounds(e, shown)) {
@@ -134,6 +134,7 @@ Verdict check_definite(const Evidence& e, const LiftedMatrix& shown) {
   }
   const Rational lambda = inverse_mass(e.exact_case.exact());
   if (!e.exact_case.is_definite()) {
+    count(oracles::Stage::rational);
     return bound_missed("the exact C and λI", e.exact_case.collision_matrix(), lambda);
   }
   const Rational least = lambda - eigenvalue_rounding(e);
@@ -157,6 +158,7 @@ Verdict check_well_conditioned(const Evidence& e, const LiftedMatrix& shown) {
   // The bound 16 λ is sharp, so rounded moments and lever arms can exceed it.
   const Rational most = bound + eigenvalue_rounding(e);
   if (!e.exact_case.is_bounded_by(most)) {
+    count(oracles::Stage::rational);
     return bound_missed("the exact C and 16 λI", e.exact_case.collision_matrix(), bound);
   }
   const bool is_bounded = decided(

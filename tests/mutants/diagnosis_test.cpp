@@ -222,7 +222,7 @@ void expect_named_together(std::size_t size, std::size_t count, int least) {
   for (std::size_t s = 0; s < sets.size(); ++s) {
     complete += are_named(sets[s], found[s], others) ? 1 : 0;
   }
-  EXPECT_GE(complete, least) << "of " << count << "; the others are\n" << others;
+  EXPECT_GE(complete, least) << "of " << count << " sets of " << size << "; the others are\n" << others;
 }
 
 TEST(Diagnosis, NamesTwoDefectsThatArePlantedTogether) { expect_named_together(2, 30, 27); }

@@ -7,8 +7,8 @@
 #include <carom/oracles/judge/accuracy.hpp>
 #include <carom/oracles/laws/judge_error.hpp>
 
-/// The build plants a wrong formula in truths/linear_laws.hpp, where ε is halved, and one in truths/rough.hpp, where
-/// the share of friction inside the cone is halved. Only this program is compiled with them.
+/// The build plants wrong formulas. In truths/linear_laws.hpp, ε is halved. In truths/rough.hpp, the share of friction
+/// is halved, inside the cone and on its surface. Only this program is compiled with them.
 namespace carom::oracles {
 namespace {
 
@@ -49,12 +49,15 @@ TEST(PlantedModel, IsFoundBeforeItRejectsARightAnswer) {
   expect_found("restitution", central_contact(), Law::frictionless, with_velocities({0, -0.25, 0}, {0, -0.75, 0}));
 }
 
-/// A also slides with 1 m/s. K = 2, so P_I = (0, ½, 0), P_II = (−½, ½, 0) and F = (−½, ¾, 0).
+/// A also slides with 1 m/s. K = 2, so P_I = (0, ½, 0) and P_II = (−½, ½, 0). F is (−½, ¾, 0) inside the cone, and
+/// (−3/16, ¾, 0) on its surface for μ = ¼.
 TEST(PlantedModel, OfRoughIsFoundBeforeItRejectsARightAnswer) {
   Collision sliding = central_contact();
   sliding.a.velocity[0] = 1;
   sliding.friction = 1;
   expect_found("its share of friction", sliding, Law::rough, with_velocities({0.5, -0.25, 0}, {0.5, -0.75, 0}));
+  sliding.friction = 0.25;
+  expect_found("its share of friction", sliding, Law::rough, with_velocities({0.8125, -0.25, 0}, {0.1875, -0.75, 0}));
 }
 
 /// The answer of the wrong formula passes if bounds decide, and ℚ finds the fault. So the formula is planted.

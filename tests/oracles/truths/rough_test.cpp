@@ -104,36 +104,65 @@ TEST_F(CertifiedRough, IsMadeOfTheAnswersOfItsLaws) {
   EXPECT_EQ(missed_by(Rational(3, 4)), "the angular momentum of A");
 }
 
-/// An enclosure of some 100 bits refutes an error of 2⁻⁷⁰, inside the cone and on its surface.
-TEST(Rough, RefutesEachErrorOfAnEnclosedTruth) {
-  for (const double friction : {0.25, 0.125}) {
-    const Collision collision = rough_ball(friction);
-    const ExactCase exact_case(collision);
-    const BasicCollision<Enclosure>& c = exact_case.enclosed();
-    const detail::RoughImpulses<Enclosure> impulses(c, nullptr);
-    const auto after = [&](const Vector3<Enclosure>& impulse) {
-      return sum(unchanged(c), response<Enclosure>(c, impulse));
-    };
-    RoughParts<Enclosure> parts{after(impulses.stops_approach), after(impulses.stops_point),
-                                Rough::friction_share<Enclosure>(c, impulses.stops_approach, impulses.difference(),
-                                                                 exact_case.branch(Law::rough))};
-    const auto refuted = [&](const Outcome<Enclosure>& outcome) {
-      const char* const name = first_refuted_of_rough(collision, c, outcome, parts);
-      return std::string(name == nullptr ? "" : name);
-    };
-    const Outcome<Enclosure>& truth = exact_case.enclosed_truth(Law::rough).outcome;
-    EXPECT_EQ(refuted(truth), "");
+/// The enclosed truth of a rough ball, and the check of its definition.
+struct EnclosedRough {
+  explicit EnclosedRough(double friction)
+      : exact_case(rough_ball(friction)),
+        impulses(exact_case.enclosed(), nullptr),
+        truth(exact_case.enclosed_truth(Law::rough).outcome) {
+    parts = {after(impulses.stops_approach), after(impulses.stops_point), share()};
+  }
+  [[nodiscard]] Enclosure share() const {
+    return Rough::friction_share<Enclosure>(exact_case.enclosed(), impulses.stops_approach, impulses.difference(),
+                                            exact_case.branch(Law::rough));
+  }
+  [[nodiscard]] Outcome<Enclosure> after(const Vector3<Enclosure>& impulse) const {
+    return sum(unchanged(exact_case.enclosed()), response<Enclosure>(exact_case.enclosed(), impulse));
+  }
+  [[nodiscard]] std::string refuted(const Outcome<Enclosure>& outcome) const {
+    const char* const name = first_refuted_of_rough(exact_case.collision(), exact_case.enclosed(), outcome, parts);
+    return name == nullptr ? "" : name;
+  }
+  /// The refuted condition if the share of friction is this many times the right one.
+  [[nodiscard]] std::string refuted_with_share(double factor) {
+    parts.friction_share = share() * Enclosure(factor);
+    return refuted(after(Rough::combined<Enclosure>(exact_case.enclosed(), impulses.stops_approach,
+                                                    impulses.difference(), parts.friction_share)));
+  }
+
+  ExactCase exact_case;
+  detail::RoughImpulses<Enclosure> impulses;
+  Outcome<Enclosure> truth;
+  RoughParts<Enclosure> parts;
+};
+
+/// F lies inside the cone, where two edges meet, and on the surface with a smaller share.
+constexpr double frictions[]{0.5, 0.25, 0.125};
+
+/// An enclosure has some 100 bits.
+TEST(EnclosedRough, RefutesASmallErrorOfEachComponent) {
+  for (const double friction : frictions) {
+    EnclosedRough rough(friction);
+    EXPECT_EQ(rough.refuted(rough.truth), "");
     for (const OutcomeVector k : all_outcome_vectors) {
       for (int i = 0; i < 3; ++i) {
-        Outcome<Enclosure> wrong = truth;
+        Outcome<Enclosure> wrong = rough.truth;
         (*vectors(wrong)[k])[i] += Enclosure(0x1p-70);
-        EXPECT_EQ(refuted(wrong), "the combination of its parts") << name_of(k) << '[' << i << ']';
+        EXPECT_EQ(rough.refuted(wrong), "the combination of its parts") << name_of(k) << '[' << i << ']';
       }
     }
-    parts.friction_share = parts.friction_share * Enclosure(1 - 0x1p-50);
-    const Vector3<Enclosure> less =
-        Rough::combined<Enclosure>(c, impulses.stops_approach, impulses.difference(), parts.friction_share);
-    EXPECT_EQ(refuted(after(less)), "its share of friction") << friction;
+    rough.parts.point_stopped.a.velocity[0] += Enclosure(0x1p-70);
+    EXPECT_EQ(rough.refuted(rough.truth), "the angular momentum of A") << friction;
+  }
+}
+
+TEST(EnclosedRough, RefutesAnotherShareOfFriction) {
+  for (const double friction : frictions) {
+    EXPECT_EQ(EnclosedRough(friction).refuted_with_share(1 - 0x1p-50), "its share of friction") << friction;
+    const bool is_inside = friction == frictions[0];
+    EXPECT_EQ(EnclosedRough(friction).refuted_with_share(1 + 0x1p-50),
+              is_inside ? "its share of friction" : "the friction cone")
+        << friction;
   }
 }
 
