@@ -136,7 +136,7 @@ struct EnclosedRough {
   RoughParts<Enclosure> parts;
 };
 
-/// F lies inside the cone, where two edges meet, and on the surface with a smaller share.
+/// F has the whole share of friction inside the cone and on its surface, and a smaller share on its surface.
 constexpr double frictions[]{0.5, 0.25, 0.125};
 
 /// An enclosure has some 100 bits.
