@@ -5,9 +5,12 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <span>
+#include <vector>
 
 #include <carom/collision/expects.hpp>
 #include <carom/oracles/laws/eigen_scalar.hpp>
+#include <carom/oracles/laws/fraction.hpp>
 
 namespace carom::oracles {
 
@@ -84,6 +87,18 @@ struct Dual {
     return dual;
   }
 };
+
+/// The least positive integer whose product with each value and derivative is without a denominator. S is a fraction.
+template <Fraction S, std::size_t N>
+[[nodiscard]] auto common_denominator(std::span<const Dual<S, N>> numbers) {
+  std::vector<S> parts;
+  parts.reserve((N + 1) * numbers.size());
+  for (const Dual<S, N>& number : numbers) {
+    parts.push_back(number.value);
+    parts.insert(parts.end(), number.derivative.begin(), number.derivative.end());
+  }
+  return S(common_denominator(std::span<const S>(parts)));
+}
 
 }  // namespace carom::oracles
 

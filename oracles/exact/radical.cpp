@@ -2,6 +2,7 @@
 #include <functional>
 #include <ostream>
 #include <stdexcept>
+#include <vector>
 
 #include <CGAL/Sqrt_extension.h>
 
@@ -55,6 +56,16 @@ Radical operator+(const Radical& x, const Radical& y) { return Radical::combined
 Radical operator-(const Radical& x, const Radical& y) { return Radical::combined(x, y, std::minus<>()); }
 Radical operator*(const Radical& x, const Radical& y) { return Radical::combined(x, y, std::multiplies<>()); }
 Radical operator/(const Radical& x, const Radical& y) { return Radical::combined(x, y, std::divides<>()); }
+
+Rational common_denominator(std::span<const Radical> numbers) {
+  std::vector<Rational> parts;
+  parts.reserve(2 * numbers.size());
+  for (const Radical& number : numbers) {
+    parts.push_back(number.rational_part());
+    parts.push_back(number.coefficient());
+  }
+  return common_denominator(parts);
+}
 
 int sign_of(const Radical& number) { return CGAL::sign(extension_of(number)); }
 

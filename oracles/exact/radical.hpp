@@ -4,6 +4,7 @@
 #include <compare>
 #include <concepts>
 #include <iosfwd>
+#include <span>
 #include <string>
 
 #include <carom/oracles/exact/rational.hpp>
@@ -56,6 +57,7 @@ class Radical {
     return x <=> Radical(whole);
   }
   friend std::ostream& operator<<(std::ostream& out, const Radical& number);
+  friend Rational common_denominator(std::span<const Radical> numbers);
 
  private:
   Radical(const Rational& rational, const Rational& coefficient, const Rational& under_root)
@@ -67,6 +69,9 @@ class Radical {
   Rational coefficient_;
   Rational under_root_;
 };
+
+/// The least positive integer whose product with each p and q is an integer.
+[[nodiscard]] Rational common_denominator(std::span<const Radical> numbers);
 
 /// √x. Precondition: x is rational and not negative.
 [[nodiscard]] inline Radical sqrt(const Radical& x) { return Radical::root_of(x.rational_part()); }

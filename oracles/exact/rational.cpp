@@ -81,6 +81,15 @@ Rational Rational::times_power_of_two(int exponent) const {
 double to_double(const Rational& number) { return mpq_get_d(Rational::Number::of(number).mpq()); }
 int sign_of(const Rational& number) { return mpq_sgn(Rational::Number::of(number).mpq()); }
 
+Rational common_denominator(std::span<const Rational> numbers) {
+  Rational least(1);
+  const mpz_ptr multiple = mpq_numref(Rational::Number::of(least).mpq());
+  for (const Rational& number : numbers) {
+    mpz_lcm(multiple, multiple, mpq_denref(Rational::Number::of(number).mpq()));
+  }
+  return least;
+}
+
 RootBelow root_below(const Rational& number) {
   CAROM_EXPECTS(number >= 0, number);
   // For the number n/d, √(n/d) = √(n d 4^k) / (d 2^k). The integer part of √(n d 4^k) is at least 2^k and errs by less

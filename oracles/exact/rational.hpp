@@ -6,6 +6,7 @@
 #include <concepts>
 #include <cstddef>
 #include <iosfwd>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -62,6 +63,7 @@ class Rational {
   friend double to_double(const Rational& number);
   friend int sign_of(const Rational& number);
   friend struct RootBelow root_below(const Rational& number);
+  friend Rational common_denominator(std::span<const Rational> numbers);
 
   struct Number;  // access to CGAL's number, in gmpq.hpp
 
@@ -90,6 +92,9 @@ class Rational {
 
 /// The sign: −1, 0 or 1.
 [[nodiscard]] int sign_of(const Rational& number);
+
+/// The least positive integer whose product with each of the numbers is an integer.
+[[nodiscard]] Rational common_denominator(std::span<const Rational> numbers);
 
 /// √x rounded down, with a relative error of at most 2⁻¹⁶⁰. The root is exact if √x is rational. Precondition: x ≥ 0.
 struct RootBelow {

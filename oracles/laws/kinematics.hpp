@@ -5,6 +5,7 @@
 
 #include <carom/collision/expects.hpp>
 #include <carom/collision/outcome.hpp>
+#include <carom/oracles/laws/fraction.hpp>
 
 /// The kinematics of the defining equations, for any field T, such as rationals or dual numbers.
 namespace carom::oracles {
@@ -20,9 +21,11 @@ template <class T>
 [[nodiscard]] Vector3<T> turned(const Quaternion<T>& q, const Vector3<T>& v) {
   const T& w = q[0];
   const Vector3<T> u = q.template tail<3>();
-  const Vector3<T> t = w * v + u.cross(v);
   const T inverse_squared_length = T(1) / q.dot(q);  // one division instead of three
-  return Vector3<T>(u.dot(v) * u + w * t + u.cross(t)) * inverse_squared_length;
+  return mapped_linearly(v, [&](const Vector3<T>& x) {
+    const Vector3<T> t = w * x + u.cross(x);
+    return Vector3<T>(Vector3<T>(u.dot(x) * u + w * t + u.cross(t)) * inverse_squared_length);
+  });
 }
 
 /// J x in world axes, with the inertia tensor J of the body. Precondition: the body is movable.
@@ -42,7 +45,8 @@ template <class T>
 /// v + w × r, the velocity of the body's material point at P.
 template <class T>
 [[nodiscard]] Vector3<T> point_velocity(const BodyVelocity<T>& motion, const Vector3<T>& lever_arm) {
-  return motion.velocity + motion.angular_velocity.cross(lever_arm);
+  return motion.velocity +
+         mapped_linearly(motion.angular_velocity, [&](const Vector3<T>& w) { return Vector3<T>(w.cross(lever_arm)); });
 }
 
 /// V = V_A − V_B at the contact point.

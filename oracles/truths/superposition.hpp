@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concepts>
+#include <span>
 #include <type_traits>
 
 #include <carom/collision/expects.hpp>
@@ -43,8 +44,11 @@ template <class T>
   if (body.immovable) {
     return {Vector3<T>{T(0), T(0), T(0)}, Vector3<T>{T(0), T(0), T(0)}};
   }
-  const Vector3<T> angular_impulse = turned<T>(conjugate(body.orientation), lever_arm(body, point).cross(impulse));
-  return {impulse / body.mass, turned<T>(body.orientation, angular_impulse.cwiseQuotient(body.principal_inertia))};
+  const Vector3<T> arm = lever_arm(body, point);
+  return {impulse / body.mass, mapped_linearly(impulse, [&](const Vector3<T>& f) {
+            const Vector3<T> angular_impulse = turned<T>(conjugate(body.orientation), arm.cross(f));
+            return turned<T>(body.orientation, angular_impulse.cwiseQuotient(body.principal_inertia));
+          })};
 }
 
 /// The change of all velocities by F on A and −F on B.
@@ -66,9 +70,10 @@ template <class T>
   return matrix;
 }
 
-/// The solution of M x = b by Cramer's rule. Precondition: M is regular.
+namespace detail {
+
 template <class T>
-[[nodiscard]] Vector3<T> cramer(const Matrix3<T>& m, const Vector3<T>& b) {
+[[nodiscard]] Vector3<T> cramers_rule(const Matrix3<T>& m, const Vector3<T>& b) {
   const Vector3<T> c0 = m.col(0);
   const Vector3<T> c1 = m.col(1);
   const Vector3<T> c2 = m.col(2);
@@ -78,6 +83,21 @@ template <class T>
     CAROM_EXPECTS(determinant != T(0));
   }
   return Vector3<T>{b.dot(c12), b.dot(c2.cross(c0)), b.dot(c0.cross(c1))} / determinant;
+}
+
+}  // namespace detail
+
+/// The solution of M x = b by Cramer's rule. Of fractions, d M with the common denominator d takes the place of M.
+/// Precondition: M is regular.
+template <class T>
+[[nodiscard]] Vector3<T> cramer(const Matrix3<T>& m, const Vector3<T>& b) {
+  if constexpr (Fraction<T>) {
+    const T denominator(common_denominator(std::span<const T>(m.data(), 9)));
+    const Matrix3<T> whole = m * denominator;
+    return mapped_linearly(b, [&](const Vector3<T>& x) { return detail::cramers_rule<T>(whole, x); }) * denominator;
+  } else {
+    return detail::cramers_rule<T>(m, b);
+  }
 }
 
 /// F with K F = change. `matrix` is K, or nullptr if K is not known. Precondition: a body is movable.

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <cmath>
+#include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <limits>
 
 #include <carom/collision/collision.hpp>
@@ -19,14 +21,19 @@ using Wide = long double;
 /// share of an error that `is_explained_by` tells apart.
 template <class... Outcomes>
 bool is_plain(const Collision& collision, const Outcomes&... outcomes) {
-  // Products of four such numbers, and of their differences, neither overflow nor underflow.
-  const auto is_in_middle = [](double x) { return x == 0 || (std::abs(x) >= 0x1p-100 && std::abs(x) <= 0x1p100); };
+  // Products of four such numbers, and of their differences, neither overflow nor underflow. The exponent alone
+  // decides, and no number is skipped, because this is asked for each trial answer.
+  const auto is_in_middle = [](double x) {
+    constexpr std::uint64_t all_exponents = 0x7ff;
+    constexpr std::uint64_t least = 1023 - 100;  // of numbers from 2⁻¹⁰⁰ to 2¹⁰¹
+    return (x == 0) | (((std::bit_cast<std::uint64_t>(x) >> 52U) & all_exponents) - least <= 200);
+  };
   constexpr double slender = 8;
   bool plain = moment_ratio(collision.a) <= slender && moment_ratio(collision.b) <= slender;
-  for_each_number([&](const FieldPath&, double x) { plain = plain && is_in_middle(x); }, collision);
+  for_each_number([&](const FieldPath&, double x) { plain &= is_in_middle(x); }, collision);
   [[maybe_unused]] const auto look_at = [&](const Outcome<double>& outcome) {
     for (const Vector3<double>* v : vectors(outcome)) {
-      plain = plain && is_in_middle((*v)[0]) && is_in_middle((*v)[1]) && is_in_middle((*v)[2]);
+      std::ranges::for_each(*v, [&](double x) { plain &= is_in_middle(x); });
     }
   };
   (look_at(outcomes), ...);
