@@ -22,7 +22,7 @@ using Wide = long double;
 template <class... Outcomes>
 bool is_plain(const Collision& collision, const Outcomes&... outcomes) {
   // Products of four such numbers, and of their differences, neither overflow nor underflow. The exponent alone
-  // decides, and no number is skipped, because this is asked for each trial answer.
+  // decides, without branches, because each trial answer of a search is looked at.
   const auto is_in_middle = [](double x) {
     constexpr std::uint64_t all_exponents = 0x7ff;
     constexpr std::uint64_t least = 1023 - 100;  // of numbers from 2⁻¹⁰⁰ to 2¹⁰¹

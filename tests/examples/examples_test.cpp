@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "support/cases.hpp"
 #include "support/program.hpp"
 
 /// The examples of docs/guide/plug-in.md are sound, and the gate finds defects planted in them.
@@ -19,9 +20,9 @@ using nlohmann::json;
 
 const std::filesystem::path documents = std::filesystem::path(CAROM_SOURCE_DIR) / "docs";
 
-json report_on(const std::string& subject, const std::string& cases) {
+json report_on(const std::string& subject, int cases) {
   const TemporaryDirectory out;
-  const RunResult run = run_carom({"gate", subject, "--cases", cases, "--out", out.path().string()});
+  const RunResult run = run_carom({"gate", subject, "--cases", std::to_string(cases), "--out", out.path().string()});
   const std::string text = content_of(out.path() / "report.json");
   return text.empty() ? json{{"errors", run.errors}} : json::parse(text).at("subjects").at(0);
 }
@@ -53,18 +54,18 @@ TEST(Examples, AreLinkedInTheGuideAndQuotedWordForWord) {
 }
 
 TEST(Examples, InCppIsSound) {
-  const json report = report_on(std::string("exec:") + CAROM_EXAMPLE_SOLVER, "200");
+  const json report = report_on(std::string("exec:") + CAROM_EXAMPLE_SOLVER, unit::effort(200));
   EXPECT_EQ(report.at("status"), "sound") << report;
   EXPECT_EQ(report.at("name"), "example-cpp");
 }
 
 TEST(Examples, InPythonIsSound) {
-  const json report = report_on("exec:python3 " + (documents / "examples" / "solver.py").string(), "200");
+  const json report = report_on("exec:python3 " + (documents / "examples" / "solver.py").string(), unit::effort(200));
   EXPECT_EQ(report.at("status"), "sound") << report;
 }
 
 TEST(Examples, InJavaScriptIsSound) {
-  const json report = report_on("exec:node " + (documents / "examples" / "solver.mjs").string(), "200");
+  const json report = report_on("exec:node " + (documents / "examples" / "solver.mjs").string(), unit::effort(200));
   EXPECT_EQ(report.at("status"), "sound") << report;
 }
 
@@ -76,13 +77,14 @@ TEST(Examples, InCIsSound) {
       run_program("/usr/bin/env", {"cc", "-std=c11", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-O2", "-o", program,
                                    (documents / "examples" / "solver.c").string(), "-lm"});
   ASSERT_EQ(built.exit_status, 0) << built.errors;
-  const json report = report_on("exec:" + program, "200");
+  const json report = report_on("exec:" + program, unit::effort(200));
   EXPECT_EQ(report.at("status"), "sound") << report;
   EXPECT_EQ(report.at("name"), "example-c");
 }
 
 TEST(Examples, OfReflectionIsSound) {
-  const json report = report_on("exec:python3 " + (documents / "examples" / "reflection.py").string(), "200");
+  const json report =
+      report_on("exec:python3 " + (documents / "examples" / "reflection.py").string(), unit::effort(200));
   EXPECT_EQ(report.at("status"), "sound") << report;
   EXPECT_EQ(report.at("shows_collision_matrix"), true);
   for (const char* invariant : {"definite", "well_conditioned", "matrix_used"}) {
@@ -92,7 +94,7 @@ TEST(Examples, OfReflectionIsSound) {
       const json& invariants = family.at("invariants");
       held += invariants.contains(invariant) ? invariants.at(invariant).at("holds").get<std::uint64_t>() : 0;
     }
-    EXPECT_GT(held, 100U) << invariant;
+    EXPECT_GT(held, static_cast<unsigned>(unit::effort(100))) << invariant;
   }
 }
 
@@ -125,7 +127,7 @@ TEST(Examples, OfAPlaneAreToldTheKindInWhichTheyAreSound) {
   const RunResult within = run_carom({"gate", solver, "--cases", "60", "--within", "plane=xy"});
   EXPECT_EQ(within.exit_status, 0) << within.output;
   const std::string declaring = planar_solver("\"domain\": {\"plane\": \"xy\"}, ");
-  EXPECT_EQ(report_on("exec:python3 " + directory.write("planar.py", declaring), "60").at("status"), "sound");
+  EXPECT_EQ(report_on("exec:python3 " + directory.write("planar.py", declaring), 60).at("status"), "sound");
 }
 
 struct Defect {
@@ -146,7 +148,7 @@ TEST_P(Defects, AreFoundInTheExample) {
   ASSERT_NE(at, std::string::npos) << GetParam().line;
   text.replace(at, GetParam().line.size(), GetParam().planted);
   const TemporaryDirectory directory;
-  const json report = report_on("exec:python3 " + directory.write("solver.py", text), "20");
+  const json report = report_on("exec:python3 " + directory.write("solver.py", text), 20);
   EXPECT_EQ(report.at("status"), "violated") << report.dump(1);
   std::vector<std::string> violated;
   for (const json& violation : report.at("violations")) {

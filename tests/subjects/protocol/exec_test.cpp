@@ -29,6 +29,7 @@
 #include <carom/subjects/protocol/spelling.hpp>
 
 #include "io/threads.hpp"
+#include "support/cases.hpp"
 #include "support/changed_subject.hpp"
 #include "support/expect_in.hpp"
 #include "support/message_of.hpp"
@@ -38,7 +39,7 @@ namespace carom::subjects::protocol {
 namespace {
 
 properties::GateReport gate_of(const std::vector<Subject>& subjects, unsigned jobs) {
-  properties::GateOptions options = unit::gate_options(60);
+  properties::GateOptions options = unit::gate_options(static_cast<std::uint64_t>(unit::effort(60)));
   options.workers = tool::threads(jobs);
   options.relations_every = 1;
   return properties::run_gate(subjects, options);
