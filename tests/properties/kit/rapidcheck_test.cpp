@@ -19,6 +19,7 @@
 #include <carom/rapidcheck.hpp>
 
 #include "consumer/my_solver.hpp"
+#include "support/cases.hpp"
 
 namespace carom {
 namespace {
@@ -77,7 +78,9 @@ TEST_P(EachFamily, ShrinksToWhatItCouldDraw) {
   const Family& family = *GetParam();
   rc::Random random(1);
   int shrunk = 0;
-  for (int size = 5; size <= 100; size += 5) {
+  const int sizes = unit::effort(20);
+  for (int i = 1; i <= sizes; ++i) {
+    const int size = i * 100 / sizes;
     ChosenCase chosen = properties::chosen_case(
         family.generate, [&] { return random.next(); }, size);
     while (true) {
@@ -96,7 +99,7 @@ TEST_P(EachFamily, ShrinksToWhatItCouldDraw) {
       ASSERT_EQ(bits_of(drawn_by_words(family, gates.choices).collision), bits_of(gates.one.collision));
     }
   }
-  EXPECT_GT(shrunk, 20);
+  EXPECT_GT(shrunk, sizes);
 }
 
 TEST_P(EachFamily, DrawsTheCasesOfTheGateAtFullSize) {
