@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <limits>
@@ -33,7 +32,9 @@ bool is_plain(const Collision& collision, const Outcomes&... outcomes) {
   for_each_number([&](const FieldPath&, double x) { plain &= is_in_middle(x); }, collision);
   [[maybe_unused]] const auto look_at = [&](const Outcome<double>& outcome) {
     for (const Vector3<double>* v : vectors(outcome)) {
-      std::ranges::for_each(*v, [&](double x) { plain &= is_in_middle(x); });
+      for (const double x : *v) {
+        plain &= is_in_middle(x);
+      }
     }
   };
   (look_at(outcomes), ...);
