@@ -24,8 +24,10 @@ bool is_plain(const Collision& collision, const Outcomes&... outcomes) {
   // decides, without branches, because each trial answer of a search is looked at.
   const auto is_in_middle = [](double x) {
     constexpr std::uint64_t all_exponents = 0x7ff;
-    constexpr std::uint64_t least = 1023 - 100;  // of numbers from 2⁻¹⁰⁰ to 2¹⁰¹
-    return (x == 0) | (((std::bit_cast<std::uint64_t>(x) >> 52U) & all_exponents) - least <= 200);
+    constexpr std::uint64_t least = 1023 - 100;  // of 2⁻¹⁰⁰, in the format of binary64
+    constexpr std::uint64_t greatest = 1023 + 100;
+    const std::uint64_t exponent = (std::bit_cast<std::uint64_t>(x) >> 52U) & all_exponents;
+    return (x == 0) | (exponent - least <= greatest - least);
   };
   constexpr double slender = 8;
   bool plain = moment_ratio(collision.a) <= slender && moment_ratio(collision.b) <= slender;

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <carom/impulse/rotation.hpp>
 #include <carom/oracles/bounds/dual.hpp>
 #include <carom/oracles/exact/radical.hpp>
 #include <carom/oracles/laws/kinematics.hpp>
@@ -72,17 +73,6 @@ void expect_equal(const Eigen::Matrix<T, Rows, Columns>& x, const Eigen::Matrix<
   }
 }
 
-/// The rotation matrix of a quaternion, by its entries.
-template <class T>
-Matrix3<T> rotation_of(const Quaternion<T>& q) {
-  const auto of = [&](int i, int j) { return T(q[i] * q[j]); };
-  Matrix3<T> squares;
-  squares << of(0, 0) + of(1, 1) - of(2, 2) - of(3, 3), T(2) * (of(1, 2) - of(0, 3)), T(2) * (of(1, 3) + of(0, 2)),
-      T(2) * (of(1, 2) + of(0, 3)), of(0, 0) - of(1, 1) + of(2, 2) - of(3, 3), T(2) * (of(2, 3) - of(0, 1)),
-      T(2) * (of(1, 3) - of(0, 2)), T(2) * (of(2, 3) + of(0, 1)), of(0, 0) - of(1, 1) - of(2, 2) + of(3, 3);
-  return squares / T(of(0, 0) + of(1, 1) + of(2, 2) + of(3, 3));
-}
-
 /// With the common denominator taken out, rotations, Cramer's rule and maps give what they give without it.
 template <class T, class Draw>
 void expect_linear_maps_are_exact(const Draw& draw) {
@@ -94,7 +84,7 @@ void expect_linear_maps_are_exact(const Draw& draw) {
     expect_equal<T, 3, 1>(mapped_linearly(v, [&](const Vector3<T>& x) { return Vector3<T>(matrix * x); }), matrix * v);
     Quaternion<T> q{draw(), draw(), draw(), draw()};
     q[0] = q[0] * q[0] + T(1);  // not zero
-    expect_equal<T, 3, 1>(turned<T>(q, v), rotation_of<T>(q) * v);
+    expect_equal<T, 3, 1>(turned<T>(q, v), impulse::rotation_matrix<T>(q) * v);
     const Matrix3<T> definite = matrix * matrix.transpose() + Matrix3<T>::Identity();
     expect_equal<T, 3, 1>(definite * cramer<T>(definite, v), v);
   }
