@@ -26,8 +26,13 @@ function(carom_precompile target)
 endfunction()
 
 # carom_reuse_precompiled(TARGET FROM): TARGET reuses the precompiled headers of FROM. TARGET must be permitted to
-# include them.
+# include them. It also takes the level of `carom_optimise` from FROM, because gcc compiles a unit at the level of its
+# precompiled header, and ignores another level without a warning.
 function(carom_reuse_precompiled target from)
+  get_target_property(level ${from} CAROM_LEVEL)
+  if(level)
+    carom_optimise(${target} ${level})
+  endif()
   if(CAROM_PRECOMPILED_HEADERS)
     target_precompile_headers(${target} REUSE_FROM ${from})
     target_compile_options(${target} PRIVATE "${carom_precompiled_options}")

@@ -325,14 +325,14 @@ std::size_t explained_without_counting(const json& record) {
 
 /// A default run that prints text alone shows no cause of a subject that does not count.
 TEST(FormsOfTheDefaultRun, HaveTheFaultsOfSubjectsThatDoNotCountInPrintedJson) {
-  const RunResult run = run_carom({"gate", "--families", "near_head_on", "--cases", "20", "--format", "json"});
+  const RunResult run = run_carom({"gate", "--families", "near_head_on", "--cases", "5", "--format", "json"});
   EXPECT_GT(explained_without_counting(json::parse(run.output)), 0U);
 }
 
 /// Only subjects that count are in the summary and in the annotations. The subjects that are kept because they fail are
 /// in the report, with their faults.
 TEST(FormsOfTheDefaultRun, LeaveOutWhatIsExpectedToFail) {
-  const Forms forms({"--families", "near_head_on", "--deviates", few_families_judge_no, "--cases", "20"});
+  const Forms forms({"--families", "near_head_on", "--deviates", few_families_judge_no, "--cases", "5"});
   EXPECT_EQ(forms.run.exit_status, 0) << forms.run.output;
   EXPECT_GT(explained_without_counting(forms.report), 0U);
   unit::expect_in(forms.run.output, {"Kept because they fail, not counted"});
@@ -409,10 +409,10 @@ TEST(ReportSchema, DescribesReportsOfEveryKindOfRun) {
   EXPECT_EQ(shard.at("shard").at("digits").size(), 2U);
   const std::vector<std::string> faulty{"gate",       "frictionless-double",  "reflection-in-basis-double",
                                         "--families", "head_on,near_head_on", "--cases",
-                                        "30"};
+                                        "5"};
   json before = report_of(faulty);
   before.at("subjects").at(1).at("families").at(0).at("invariants").at("restitution") = {
-      {"holds", 30}, {"violated", 0}, {"skipped", 0}};
+      {"holds", 5}, {"violated", 0}, {"skipped", 0}};
   std::vector<std::string> later = faulty;
   later.insert(later.end(), {"--baseline", directory.write("before.json", before.dump()), "--relations-every", "2",
                              "--deviates", "restitution@near_head_on,energy"});

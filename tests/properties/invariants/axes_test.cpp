@@ -8,6 +8,7 @@
 
 #include <carom/properties/gate/trial.hpp>
 
+#include "support/cases.hpp"
 #include "support/exact.hpp"
 #include "support/known_collisions.hpp"
 
@@ -168,7 +169,7 @@ void expect_the_same(const Judgement& one, const Judgement& other, Law law, doub
 TEST(Verdicts, AreTheSameWhenACollisionIsTurned) {
   Stream stream = stream_from(51);
   std::map<std::pair<std::string_view, Status>, std::size_t> seen;
-  for (int i = 0; i < 180; ++i) {
+  for (int i = 0; i < unit::effort(180); ++i) {
     const Collision c = few_bits(stream);
     WholeTurn turn{{0, 0, 0, 0}};
     for (int j = 0; j < 4; ++j) {
@@ -193,12 +194,13 @@ TEST(Verdicts, AreTheSameWhenACollisionIsTurned) {
   for (const auto& [key, count] : seen) {
     sum[key.second] += count;
   }
-  EXPECT_GT(sum[Status::holds], 2000U);
-  EXPECT_GT(sum[Status::violated], 2000U);
+  const auto share_of = [](int full) { return static_cast<std::size_t>(unit::effort(full)); };
+  EXPECT_GT(sum[Status::holds], share_of(2000));
+  EXPECT_GT(sum[Status::violated], share_of(2000));
   for (const char* invariant : {"backward_error", "linear_momentum", "angular_momentum", "restitution", "sticks",
                                 "slip_opposed", "friction_cone", "energy", "definite", "matrix_used"}) {
-    EXPECT_GT((seen[{invariant, Status::holds}]), 60U) << invariant;
-    EXPECT_GT((seen[{invariant, Status::violated}]), 60U) << invariant;
+    EXPECT_GT((seen[{invariant, Status::holds}]), share_of(60)) << invariant;
+    EXPECT_GT((seen[{invariant, Status::violated}]), share_of(60)) << invariant;
   }
 }
 

@@ -245,7 +245,7 @@ TEST(Within, ShrinksInTheDomain) {
 TEST(Features, AreGivenByName) {
   for (const properties::Feature& feature : properties::all_features()) {
     int seen = 0;
-    visit_shrunk(gen::with_feature(feature.name), 2, [&](const Collision& collision) {
+    visit_shrunk(gen::with_feature(feature.name), unit::effort(2), [&](const Collision& collision) {
       ++seen;
       ASSERT_TRUE(feature.is_present(collision)) << feature.name;
     });
