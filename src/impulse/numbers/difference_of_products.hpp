@@ -23,11 +23,11 @@ namespace detail {
 /// x y + z, rounded once. Without an instruction for it, a pack needs a call for each lane. Inlined in each product,
 /// these calls would double the size and the compile time of the batch kernels.
 template <class S>
+[[nodiscard]]
 #if !defined(__FMA__) && !defined(__ARM_FEATURE_FMA)
 [[gnu::noinline]]
 #endif
-[[nodiscard]] S
-fused_multiply_add(const S& x, const S& y, const S& z) {
+S fused_multiply_add(const S& x, const S& y, const S& z) {
   if constexpr (std::is_floating_point_v<S>) {
     return std::fma(x, y, z);
   } else {
