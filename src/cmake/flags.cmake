@@ -40,7 +40,8 @@ if(CAROM_COVERAGE)
 endif()
 
 # carom_optimise(TARGET LEVEL): compiles TARGET at LEVEL in a Release build, in place of CMake's -O3. It does nothing if
-# the user chose a level. Use a lower level for code that -O3 makes no faster.
+# the user chose a level. Use a lower level for code that -O3 makes no faster. It is an error for a TARGET that reuses
+# precompiled headers, which has their level (units.cmake).
 string(STRIP "${CMAKE_CXX_FLAGS_RELEASE}" carom_release_flags)
 string(STRIP "${CMAKE_CXX_FLAGS_RELEASE_INIT}" carom_default_release_flags)
 if(carom_release_flags STREQUAL carom_default_release_flags AND NOT CMAKE_CXX_FLAGS MATCHES "(^| )-O")
@@ -49,6 +50,10 @@ else()
   set(carom_chooses_levels FALSE)
 endif()
 function(carom_optimise target level)
+  get_target_property(shared ${target} PRECOMPILE_HEADERS_REUSE_FROM)
+  if(shared)
+    message(FATAL_ERROR "${target} has the level of ${shared}, whose precompiled headers it reuses")
+  endif()
   set_target_properties(${target} PROPERTIES CAROM_LEVEL ${level})
   if(carom_chooses_levels)
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:${level}>)

@@ -17,6 +17,10 @@ if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache")
   list(APPEND carom_precompiled_options $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
 endif()
 
+# Most sources of the judge, the reports and the tests include these headers.
+set(carom_frequent_headers <functional> <map> <string> <variant> <vector> <Eigen/Core> <Eigen/Geometry> <fmt/format.h>
+                           <nlohmann/json.hpp>)
+
 # carom_precompile(TARGET HEADER…): precompiles the headers for TARGET.
 function(carom_precompile target)
   if(CAROM_PRECOMPILED_HEADERS)

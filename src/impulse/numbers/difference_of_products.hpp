@@ -20,28 +20,34 @@ concept FusesMultiplyAdd = std::is_floating_point_v<S> || requires {
 
 namespace detail {
 
-/// x y + z, rounded once. Without an instruction for it, a pack needs a call for each lane. Inlined in each product,
-/// these calls would double the size and the compile time of the batch kernels.
-template <class S>
+/// x y + z of each lane of a pack, rounded once. The compiler makes one instruction of the loop, if the machine has
+/// one. Otherwise the loop calls std::fma for each lane. Inlined in each product, these calls would double the size and
+/// the compile time of the batch kernels.
+template <class P>
 [[nodiscard]]
 #if !defined(__FMA__) && !defined(__ARM_FEATURE_FMA)
 [[gnu::noinline]]
 #endif
-S fused_multiply_add(const S& x, const S& y, const S& z) {
+P fused_multiply_add_of_lanes(const P& x, const P& y, const P& z) {
+  using Number = typename P::value_type;
+  using Numbers [[gnu::vector_size(sizeof(P))]] = Number;
+  const auto xs = std::bit_cast<Numbers>(x);
+  const auto ys = std::bit_cast<Numbers>(y);
+  const auto zs = std::bit_cast<Numbers>(z);
+  Numbers result{};
+  for (std::size_t lane = 0; lane < P::size(); ++lane) {
+    result[lane] = std::fma(xs[lane], ys[lane], zs[lane]);
+  }
+  return std::bit_cast<P>(result);
+}
+
+/// x y + z, rounded once.
+template <class S>
+[[nodiscard]] S fused_multiply_add(const S& x, const S& y, const S& z) {
   if constexpr (std::is_floating_point_v<S>) {
     return std::fma(x, y, z);
   } else {
-    // The compiler makes one instruction of this loop, if the machine has one.
-    using Number = typename S::value_type;
-    using Numbers [[gnu::vector_size(sizeof(S))]] = Number;
-    const auto xs = std::bit_cast<Numbers>(x);
-    const auto ys = std::bit_cast<Numbers>(y);
-    const auto zs = std::bit_cast<Numbers>(z);
-    Numbers result{};
-    for (std::size_t lane = 0; lane < S::size(); ++lane) {
-      result[lane] = std::fma(xs[lane], ys[lane], zs[lane]);
-    }
-    return std::bit_cast<S>(result);
+    return fused_multiply_add_of_lanes(x, y, z);
   }
 }
 
